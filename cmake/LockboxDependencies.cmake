@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Every third-party library in one place; which module may use which: docs/architecture.md.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
+find_package(HWY REQUIRED NAMES HWY hwy)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOGeometry IOPLY)
+# PCL's package would look for all of VTK again and hand it to everything that links PCL.
+set(CMAKE_DISABLE_FIND_PACKAGE_VTK TRUE)
+find_package(PCL 1.13 REQUIRED COMPONENTS common search kdtree octree sample_consensus filters
+                                          features segmentation registration)
+set(CMAKE_DISABLE_FIND_PACKAGE_VTK FALSE)
+find_package(yaml-cpp REQUIRED)
+find_package(PNG REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(OPENNI2 REQUIRED IMPORTED_TARGET libopenni2)
+pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom)
+pkg_check_modules(TINYXML2 REQUIRED IMPORTED_TARGET tinyxml2)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What the project's own code is compiled with. No -march: Debian's PCL is plain x86-64, and Eigen
+# objects that cross that boundary with another alignment kill the process (docs/architecture.md).
+add_library(lockbox_options INTERFACE)
+target_compile_features(lockbox_options INTERFACE cxx_std_20)
+target_compile_options(lockbox_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(LOCKBOX_WARNINGS_AS_ERRORS)
+  target_compile_options(lockbox_options INTERFACE -Werror)
+endif()
+if(LOCKBOX_SANITIZE)
+  add_compile_options(-fsanitize=${LOCKBOX_SANITIZE} -fno-omit-frame-pointer -g)
+  add_link_options(-fsanitize=${LOCKBOX_SANITIZE})
+  # Under AddressSanitizer Eigen would not believe that malloc aligns, and free what PCL allocated
+  # with another function.
+  add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
+endif()
+
+# lockbox_add_module(<name> SOURCES ... [PUBLIC targets...] [PRIVATE targets...])
+# makes the library lockbox::<name> from src/ and include/lockbox/<name>/.
+function(lockbox_add_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(target lockbox_${name})
+  add_library(${target} ${ARG_SOURCES})
+  add_library(lockbox::${name} ALIAS ${target})
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/include/*.hpp)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE}
+                                         $<BUILD_INTERFACE:lockbox_options>)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
+                                             SOVERSION ${PROJECT_VERSION_MAJOR})
+  install(TARGETS ${target} EXPORT lockboxTargets FILE_SET HEADERS)
+endfunction()
+
+# lockbox_add_test(<name> SOURCES ... [LIBRARIES targets...] [LABELS ...] [PROPERTIES ...])
+# makes one GoogleTest program and registers each of its tests with CTest.
+function(lockbox_add_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;PROPERTIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gmock
+                                        GTest::gtest_main lockbox_options)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
+                       PROPERTIES TIMEOUT 300 ${ARG_PROPERTIES})
+endfunction()

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where depth frames come from: a live device, a recording, a folder.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lockbox/core/depth_frame.hpp"
+
+namespace lockbox {
+
+/// Delivers frames one after the other, on demand. Not thread-safe.
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+
+  /// Fills frame (its buffer is reused) and returns true, or returns false at the end.
+  /// A live source waits for the next frame. Throws DeviceError or InputError.
+  virtual bool next(DepthFrame& frame) = 0;
+
+  /// Number of frames of a recording; nothing for a live source.
+  virtual std::optional<std::size_t> frame_count() const = 0;
+
+  virtual std::string description() const = 0;
+};
+
+struct SourceOptions {
+  std::optional<PinholeCamera> camera;             ///< overrides the source's own intrinsics
+  std::optional<std::filesystem::path> camera_info;  ///< ROS camera calibration YAML
+  std::optional<double> depth_scale;               ///< units per metre, depth folders
+  bool realtime = false;                           ///< play recordings at recorded speed
+};
+
+/// Opens `openni2:`, `openni2:<uri>`, a .oni file, a folder with depth.txt, or a folder of .pcd.
+std::unique_ptr<FrameSource> open_source(const std::string& source,
+                                         const SourceOptions& options = {});
+
+}  // namespace lockbox

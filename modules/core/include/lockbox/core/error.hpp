@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Errors that a user can mend: they say what is wrong, where, and what to do.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace lockbox {
+
+/// An input (file, folder, model, option value) is missing or invalid.
+/// what() reads "<where>: <what is wrong>", where <where> is a file, with ":<line>" if known.
+class InputError : public std::runtime_error {
+ public:
+  InputError(const std::string& where, const std::string& problem);
+  InputError(const std::string& file, int line, const std::string& problem);
+};
+
+/// A camera or the OpenNI2 runtime failed, or stopped delivering frames.
+class DeviceError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace lockbox

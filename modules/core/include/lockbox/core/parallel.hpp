@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parallel loops whose results do not depend on the number of threads: the work is cut into chunks
+// of a fixed size, and whoever sums partial results does so in the order of the chunks.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace lockbox {
+
+/// A group of worker threads. Copyable; copies share the workers. Calls may not be nested.
+class Executor {
+ public:
+  /// threads: how many work at the same time, the caller included; 0 means all cores.
+  explicit Executor(int threads = 0);
+
+  int threads() const;
+
+  /// Calls body(i) once for each i in [0, count), in any order, and returns when all are done.
+  /// An exception of a body reaches the caller.
+  void for_each(std::size_t count, const std::function<void(std::size_t)>& body) const;
+
+  /// Calls body(begin, end, chunk) for the consecutive ranges of chunk_size that cover [0, count).
+  void for_each_chunk(
+      std::size_t count, std::size_t chunk_size,
+      const std::function<void(std::size_t begin, std::size_t end, std::size_t chunk)>& body) const;
+
+ private:
+  struct Impl;
+  std::shared_ptr<Impl> impl_;
+};
+
+/// Number of chunks that for_each_chunk makes.
+constexpr std::size_t chunk_count(std::size_t count, std::size_t chunk_size) {
+  return (count + chunk_size - 1) / chunk_size;
+}
+
+}  // namespace lockbox

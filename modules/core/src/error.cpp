@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/core/error.hpp"
+
+namespace lockbox {
+
+InputError::InputError(const std::string& where, const std::string& problem)
+    : std::runtime_error(where + ": " + problem) {}
+
+InputError::InputError(const std::string& file, int line, const std::string& problem)
+    : InputError(file + ":" + std::to_string(line), problem) {}
+
+}  // namespace lockbox

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/core/parallel.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace lockbox {
+
+struct Executor::Impl {
+  tbb::task_arena arena;
+};
+
+Executor::Executor(int threads) : impl_(std::make_shared<Impl>()) {
+  impl_->arena.initialize(threads > 0 ? threads : tbb::this_task_arena::max_concurrency());
+}
+
+int Executor::threads() const { return impl_->arena.max_concurrency(); }
+
+void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& body) const {
+  if (threads() == 1 || count < 2) {
+    for (std::size_t i = 0; i < count; ++i) {
+      body(i);
+    }
+    return;
+  }
+  impl_->arena.execute(
+      [&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
+}
+
+void Executor::for_each_chunk(
+    std::size_t count, std::size_t chunk_size,
+    const std::function<void(std::size_t, std::size_t, std::size_t)>& body) const {
+  for_each(chunk_count(count, chunk_size), [&](std::size_t chunk) {
+    const std::size_t begin = chunk * chunk_size;
+    body(begin, std::min(begin + chunk_size, count), chunk);
+  });
+}
+
+}  // namespace lockbox

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is estimated: where the object is, and how its joints stand.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "lockbox/model/kinematic_tree.hpp"
+
+namespace lockbox {
+
+struct Configuration {
+  Eigen::Isometry3d T_camera_base = Eigen::Isometry3d::Identity();
+  Eigen::VectorXd q;  ///< one position per joint variable, radians or metres
+};
+
+/// All joints at zero (or at the limit nearest to zero), base at the camera.
+Configuration rest_configuration(const KinematicTree& tree);
+
+/// Index of the joint; throws InputError naming the joints that exist if there is none.
+int joint_index(const KinematicTree& tree, const std::string& joint_name);
+
+/// Position of joint j, mimic joints included.
+double joint_position(const KinematicTree& tree, const Configuration& configuration, int joint);
+
+/// Sets the variable that drives the named joint; mimic joints are refused.
+void set_joint_position(const KinematicTree& tree, Configuration& configuration,
+                        const std::string& joint_name, double position);
+
+/// Limits of variable v, those of its mimics included.
+struct VariableLimits {
+  double lower;
+  double upper;
+};
+VariableLimits variable_limits(const KinematicTree& tree, int variable);
+
+}  // namespace lockbox

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// States files: configurations over time as CSV, the format of every trajectory of the project.
+//
+//   timestamp,tx,ty,tz,qx,qy,qz,qw,<one column a joint>[,<further columns>...]
+//
+// Seconds, metres, radians; numbers in the C locale; `nan` where nothing is known.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lockbox/model/configuration.hpp"
+
+namespace lockbox {
+
+struct State {
+  double stamp = 0.0;
+  Configuration configuration;  ///< NaN in q for joints that the file has no column for
+  std::string status;           ///< of the column `status`, if there is one
+  bool known = true;            ///< false where the pose columns are nan
+  std::vector<std::string> extra;  ///< fields of the columns that are not pose, joint or status
+};
+
+struct StatesFile {
+  std::vector<std::string> extra_columns;
+  std::vector<State> states;
+};
+
+/// Throws InputError with file, line and column.
+StatesFile read_states(const std::filesystem::path& file, const KinematicTree& tree);
+
+/// The header line up to the last joint column, without line end.
+std::string states_header(const KinematicTree& tree);
+
+/// One row up to the last joint column, without line end, with round-trip precision.
+std::string states_row(const KinematicTree& tree, double stamp, const Configuration& configuration);
+
+/// A whole file without further columns.
+void write_states(const std::filesystem::path& file, const KinematicTree& tree,
+                  const std::vector<State>& states);
+
+}  // namespace lockbox

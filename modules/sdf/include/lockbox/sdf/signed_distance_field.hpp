@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The signed distance to one rigid body, sampled near its surface and coarsely far from it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lockbox/kernels/field_view.hpp"
+
+namespace lockbox {
+
+/// Distance (metres, negative inside) and its gradient (1, body frame).
+struct DistanceSample {
+  float distance;
+  Eigen::Vector3f gradient;
+};
+
+/// Immutable after it is built or read from the cache; safe to share between threads.
+class SignedDistanceField {
+ public:
+  /// The arrays behind view(); see field_view.hpp for their layout.
+  struct Storage {
+    FieldView grid;  ///< pointers unset
+    std::vector<std::int16_t> samples;
+    std::vector<std::int32_t> block_first;
+    Eigen::AlignedBox3d bounds;  ///< of the body's surface
+    double mesh_volume = 0.0;    ///< enclosed by the mesh, m^3
+    double thickness = 0.0;      ///< of the thinnest wall, metres
+  };
+
+  explicit SignedDistanceField(Storage storage);
+  // Copying would leave the view pointing into the original.
+  SignedDistanceField(const SignedDistanceField&) = delete;
+  SignedDistanceField& operator=(const SignedDistanceField&) = delete;
+  SignedDistanceField(SignedDistanceField&&) noexcept;
+  SignedDistanceField& operator=(SignedDistanceField&&) noexcept;
+
+  const FieldView& view() const { return view_; }
+  const Storage& storage() const { return storage_; }
+  const Eigen::AlignedBox3d& bounds() const { return storage_.bounds; }
+  double voxel() const { return static_cast<double>(view_.fine_voxel); }
+  double thickness() const { return storage_.thickness; }
+
+  /// Tri-linear distance at p (metres, body frame) and the exact gradient of that interpolant.
+  /// Beyond the coarse grid: the distance at its border plus the way to it, along that way.
+  DistanceSample sample(const Eigen::Vector3f& p) const;
+
+  /// Volume where the interpolant is negative, m^3.
+  double enclosed_volume() const;
+
+  std::size_t memory_bytes() const;
+
+ private:
+  Storage storage_;
+  FieldView view_;
+};
+
+}  // namespace lockbox
