@@ -33,13 +33,14 @@ function(lockbox_add_module name)
   install(TARGETS ${target} EXPORT lockboxTargets FILE_SET HEADERS)
 endfunction()
 
-# lockbox_add_test(<name> SOURCES ... [LIBRARIES targets...] [LABELS ...] [PROPERTIES ...])
+# lockbox_add_test(<name> SOURCES ... [LIBRARIES targets...] [DEFINITIONS ...] [PROPERTIES ...])
 # makes one GoogleTest program and registers each of its tests with CTest.
 function(lockbox_add_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;PROPERTIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;DEFINITIONS;PROPERTIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gmock
                                         GTest::gtest_main lockbox_options)
+  target_compile_definitions(${name} PRIVATE ${ARG_DEFINITIONS})
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
                        PROPERTIES TIMEOUT 300 ${ARG_PROPERTIES})
 endfunction()

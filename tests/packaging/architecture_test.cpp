@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares every #include under modules/ and apps/ with the tables of docs/architecture.md.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Room {
+  std::set<std::string> may_use;
+  std::set<std::string> libraries;
+};
+
+struct Architecture {
+  std::map<std::string, Room> rooms;
+  std::map<std::string, std::string> library_of_prefix;
+};
+
+const fs::path kRoot = LOCKBOX_SOURCE_DIR;
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::stringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) {
+    const auto begin = part.find_first_not_of(" -");
+    const auto end = part.find_last_not_of(' ');
+    if (begin != std::string::npos) parts.push_back(part.substr(begin, end - begin + 1));
+  }
+  return parts;
+}
+
+std::set<std::string> names(const std::string& cell) {
+  const auto parts = split(cell, ',');
+  return {parts.begin(), parts.end()};
+}
+
+/// Cells of a row `| a | b |`; the empty first part is left out.
+std::vector<std::string> cells(const std::string& row) {
+  std::vector<std::string> result;
+  std::stringstream stream(row.substr(1));
+  for (std::string cell; std::getline(stream, cell, '|');) result.push_back(cell);
+  return result;
+}
+
+Architecture read_architecture() {
+  Architecture architecture;
+  std::ifstream file(kRoot / "docs" / "architecture.md");
+  std::string table;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("|")) {
+      table.clear();
+      continue;
+    }
+    const auto row = cells(line);
+    const std::string first = split(row.at(0), ',').empty() ? "" : split(row.at(0), ',').front();
+    if (table.empty()) {
+      table = first;
+    } else if (table == "module" && !first.empty()) {
+      architecture.rooms[first] = {names(row.at(2)), names(row.at(3))};
+    } else if (table == "library" && !first.empty()) {
+      for (const auto& prefix : names(row.at(1))) architecture.library_of_prefix[prefix] = first;
+    }
+  }
+  return architecture;
+}
+
+struct Include {
+  fs::path file;
+  int line;
+  std::string room;
+  std::string header;
+};
+
+std::vector<Include> includes_below(const fs::path& folder, const std::string& room) {
+  static const std::regex directive(R"(\s*#\s*include\s*[<"]([^>"]+)[>"].*)");
+  std::vector<Include> includes;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const auto extension = entry.path().extension();
+    if (extension != ".hpp" && extension != ".cpp" && extension != ".h") continue;
+    std::ifstream file(entry.path());
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+      ++number;
+      std::smatch match;
+      if (std::regex_match(line, match, directive)) {
+        includes.push_back({fs::relative(entry.path(), kRoot), number, room, match[1]});
+      }
+    }
+  }
+  return includes;
+}
+
+std::vector<Include> all_includes() {
+  std::vector<Include> includes = includes_below(kRoot / "apps", "apps");
+  for (const auto& module : fs::directory_iterator(kRoot / "modules")) {
+    const auto more = includes_below(module.path(), module.path().filename().string());
+    includes.insert(includes.end(), more.begin(), more.end());
+  }
+  return includes;
+}
+
+/// The third-party library of a header, "" for the standard library, POSIX and own headers.
+std::string library_of(const Architecture& architecture, const std::string& header) {
+  for (const auto& [prefix, library] : architecture.library_of_prefix) {
+    if (header.starts_with(prefix)) return library;
+  }
+  return "";
+}
+
+bool is_of_the_platform(const std::string& header) {
+  static const std::regex standard("[a-z_0-9]+");
+  static const std::set<std::string> posix = {"dirent.h", "dlfcn.h",   "errno.h",   "fcntl.h",
+                                              "poll.h",   "pthread.h", "signal.h",  "spawn.h",
+                                              "stdio.h",  "stdlib.h",  "termios.h", "unistd.h"};
+  return std::regex_match(header, standard) || posix.contains(header) ||
+         header.starts_with("sys/") || header.starts_with("linux/");
+}
+
+std::string place(const Include& include) {
+  return include.file.string() + ":" + std::to_string(include.line) + " includes " + include.header;
+}
+
+TEST(Architecture, HasARowForEveryModule) {
+  const auto architecture = read_architecture();
+  for (const auto& module : fs::directory_iterator(kRoot / "modules")) {
+    EXPECT_TRUE(architecture.rooms.contains(module.path().filename().string())) << module.path();
+  }
+}
+
+TEST(Architecture, DependenciesFormNoCycle) {
+  auto rooms = read_architecture().rooms;
+  ASSERT_FALSE(rooms.empty());
+  for (bool removed = true; removed;) {
+    removed = false;
+    for (auto room = rooms.begin(); room != rooms.end(); ++room) {
+      const auto& uses = room->second.may_use;
+      if (std::none_of(uses.begin(), uses.end(), [&](auto& use) { return rooms.contains(use); })) {
+        rooms.erase(room);
+        removed = true;
+        break;
+      }
+    }
+  }
+  EXPECT_TRUE(rooms.empty()) << rooms.begin()->first << " is part of a cycle";
+}
+
+TEST(Architecture, ModulesUseOnlyWhatTheTableAllows) {
+  const auto architecture = read_architecture();
+  for (const auto& include : all_includes()) {
+    if (!include.header.starts_with("lockbox/")) continue;
+    const auto used = split(include.header, '/').at(1);
+    EXPECT_TRUE(used == include.room || architecture.rooms.at(include.room).may_use.contains(used))
+        << place(include) << ", which " << include.room << " may not use";
+  }
+}
+
+TEST(Architecture, ThirdPartyHeadersStayInTheirRooms) {
+  const auto architecture = read_architecture();
+  for (const auto& include : all_includes()) {
+    const auto library = library_of(architecture, include.header);
+    if (library.empty()) continue;
+    EXPECT_TRUE(architecture.rooms.at(include.room).libraries.contains(library))
+        << place(include) << " of " << library << ", which is not for " << include.room;
+  }
+}
+
+TEST(Architecture, EveryHeaderIsOwnOrKnown) {
+  const auto architecture = read_architecture();
+  for (const auto& include : all_includes()) {
+    const bool is_own = include.header.starts_with("lockbox/") ||
+                        fs::exists(kRoot / include.file.parent_path() / include.header) ||
+                        fs::exists(kRoot / "modules" / include.room / "src" / include.header);
+    EXPECT_TRUE(is_own || is_of_the_platform(include.header) ||
+                !library_of(architecture, include.header).empty())
+        << place(include) << ", which no table of docs/architecture.md names";
+  }
+}
+
+}  // namespace
