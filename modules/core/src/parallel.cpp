@@ -16,7 +16,9 @@ Executor::Executor(int threads) : impl_(std::make_shared<Impl>()) {
   impl_->arena.initialize(threads > 0 ? threads : tbb::this_task_arena::max_concurrency());
 }
 
-int Executor::threads() const { return impl_->arena.max_concurrency(); }
+int Executor::threads() const {
+  return impl_->arena.max_concurrency();
+}
 
 void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& body) const {
   if (threads() == 1 || count < 2) {

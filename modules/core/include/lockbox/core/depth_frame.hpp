@@ -14,14 +14,14 @@ struct DepthFrame {
   /// Depth along the optical axis, row by row, width * height values; 0 means "no measurement".
   std::vector<std::uint16_t> depth;
   float metres_per_unit = 0.001F;
-  double stamp = 0.0;        ///< seconds
-  std::uint64_t index = 0;   ///< number of the frame in its source, from 0
+  double stamp = 0.0;       ///< seconds
+  std::uint64_t index = 0;  ///< number of the frame in its source, from 0
 
   /// Depth of pixel (u, v) in metres; 0 where nothing was measured.
   float metres(int u, int v) const {
-    return static_cast<float>(depth[static_cast<std::size_t>(v) *
-                                        static_cast<std::size_t>(camera.width) +
-                                    static_cast<std::size_t>(u)]) *
+    return static_cast<float>(
+               depth[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +
+                     static_cast<std::size_t>(u)]) *
            metres_per_unit;
   }
 };

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The inner loops of the model term: observed points against signed distance fields.
+//
+// All arrays are structures of arrays over the points of one tile, kLanes-aligned in length,
+// floats. Each function exists once, written with Highway, and is compiled for every instruction
+// set; the best one that the machine has is chosen at run time.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "lockbox/kernels/field_view.hpp"
+
+namespace lockbox::kernels {
+
+/// Lengths of arrays are multiples of this; padding points lie outside every field (kPadding).
+inline constexpr std::size_t kLanes = 16;
+inline constexpr float kPadding = 1e6F;
+
+/// Rounds up to a multiple of kLanes.
+constexpr std::size_t padded(std::size_t count) {
+  return (count + kLanes - 1) / kLanes * kLanes;
+}
+
+/// Points in the camera's frame, metres.
+struct PointSpan {
+  const float* x;
+  const float* y;
+  const float* z;
+  std::size_t size;
+};
+
+/// p_body = rotation * p_camera + translation; rotation row by row.
+struct RigidMotion {
+  float rotation[9];
+  float translation[3];
+};
+
+/// How far a measured point may lie from the surface that it shows: standard deviations.
+/// sigma_z(z) = depth_floor + depth_quadratic z^2 along the ray, lateral z across it.
+struct PointNoise {
+  float depth_floor;      ///< metres
+  float depth_quadratic;  ///< 1 / metre
+  float lateral;          ///< metres per metre of depth: pixels / focal length
+  float spread;           ///< metres: how far off the configuration may still be (annealing)
+};
+
+/// What the points of a tile see in one body's field. Arrays of PointSpan::size.
+struct FieldHits {
+  float* distance;          ///< metres
+  float* normal[3];         ///< gradient of the distance, body frame
+  float* position[3];       ///< the point, body frame
+  float* inverse_variance;  ///< of the distance, 1 / m^2; 0 where the body cannot explain the point
+};
+
+/// Distance, gradient and variance of every point. The variance is that of the point along the
+/// gradient n: (n.r)^2 sigma_z^2 + (|n|^2 - (n.r)^2 / |r|^2) sigma_lateral^2 + spread^2 with the
+/// ray r = p / z. Points beyond the field, or whose nearest surface faces away from the camera,
+/// get inverse_variance 0.
+void look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
+             const PointSpan& points, const FieldHits& hits);
+
+/// Only the distances, for comparing costs under a frozen selection.
+void look_up_distance(const FieldView& field, const RigidMotion& body_from_camera,
+                      const PointSpan& points, float* distance);
+
+/// Bounded robust loss of s = distance^2 / variance (Tukey's biweight, Beaton and Tukey 1974):
+/// rho(s) = c (1 - (1 - s / cut^2)^3) below cut, c = cut^2 / 6 above; rho(s) = s / 2 near 0.
+///
+/// Association to several bodies is the soft minimum
+///   E = -log(e^-c + sum_l (e^-rho_l - e^-c)),
+/// which is rho for a single body, c for none, and has no winner among equals.
+/// Returns sum (E - c) over the points, so that an unexplained point counts zero, and writes
+/// weight[l][i] = 2 dE / d(distance_l^2), the weight of the point in body l's normal equations.
+/// `explained`, if not null, receives c - E per point.
+double associate(std::size_t size, std::span<const float* const> distance,
+                 std::span<const float* const> inverse_variance, float cut,
+                 std::span<float* const> weight, float* explained);
+
+/// The cost alone, as associate returns it.
+double association_cost(std::size_t size, std::span<const float* const> distance,
+                        std::span<const float* const> inverse_variance, float cut);
+
+/// Sums of one body over points, in the twist (v, w) of the body's own frame: the row of a point is
+/// a = -(n, p x n), since a body that moves by xi changes the distance by a . xi.
+struct NormalSums {
+  double hessian[21];       ///< sum w a a', upper triangle row by row
+  double gradient[6];       ///< sum w distance a
+  double weighted_squares;  ///< sum w distance^2
+  double weight;            ///< sum w / inverse_variance: how many points speak for the body
+};
+
+/// The sums over one tile; single precision within the tile, so keep tiles small.
+NormalSums accumulate(std::size_t size, const FieldHits& hits, const float* weight);
+
+}  // namespace lockbox::kernels
