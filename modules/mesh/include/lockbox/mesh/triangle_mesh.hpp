@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,30 @@ namespace lockbox {
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  /// The three corners of triangle t.
+  std::array<Eigen::Vector3d, 3> corners(std::size_t t) const {
+    return {vertices[triangles[t][0]], vertices[triangles[t][1]], vertices[triangles[t][2]]};
+  }
 };
+
+/// Half the cross product of two edges: the outward normal times the area, m^2.
+Eigen::Vector3d area_vector(const std::array<Eigen::Vector3d, 3>& corners);
+
+/// Of all vertices that a triangle uses; empty for a mesh without triangles.
+Eigen::AlignedBox3d bounds(const TriangleMesh& mesh);
+
+/// m^2, the sum over all triangles.
+double surface_area(const TriangleMesh& mesh);
+
+/// By the divergence theorem, m^3: negative when the faces point inwards; shells that overlap count
+/// twice where they do. The result means a volume only for a closed surface.
+double signed_volume(const TriangleMesh& mesh);
+
+/// The mesh with each vertex p replaced by T_a_b p.
+TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& T_a_b);
+
+/// Adds the triangles of other; nothing is welded.
+void append(TriangleMesh& mesh, const TriangleMesh& other);
 
 }  // namespace lockbox

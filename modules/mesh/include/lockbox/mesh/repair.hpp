@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Defects of CAD exports that have one sensible reading.
+#pragma once
+
+#include "lockbox/mesh/triangle_mesh.hpp"
+
+namespace lockbox {
+
+/// Merges vertices closer than tolerance (metres; default a millionth of the bounds' diagonal) into
+/// the first of them, drops the triangles that lose their area and the vertices nobody uses.
+TriangleMesh welded(const TriangleMesh& mesh, double tolerance = 0.0);
+
+/// Turns triangles until neighbours agree, shell by shell, keeping as much of the area as possible
+/// as it was; then turns each closed shell that is inside-out. Shells nested in a turned one turn
+/// with it, so a cavity stays a cavity and a solid within a solid stays solid. Of a body whose
+/// open patches make up a closed surface together, the patches are turned together.
+TriangleMesh oriented_outwards(TriangleMesh mesh);
+
+}  // namespace lockbox
