@@ -21,12 +21,6 @@ int Executor::threads() const {
 }
 
 void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& body) const {
-  if (threads() == 1 || count < 2) {
-    for (std::size_t i = 0; i < count; ++i) {
-      body(i);
-    }
-    return;
-  }
   impl_->arena.execute(
       [&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
 }

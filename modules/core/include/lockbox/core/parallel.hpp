@@ -17,6 +17,9 @@ class Executor {
 
   int threads() const;
 
+  /// Within a body: which of the threads() workers runs it, for scratch memory of its own.
+  static std::size_t worker();
+
   /// Calls body(i) once for each i in [0, count), in any order, and returns when all are done.
   /// An exception of a body reaches the caller.
   void for_each(std::size_t count, const std::function<void(std::size_t)>& body) const;

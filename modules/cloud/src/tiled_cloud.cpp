@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/cloud/tiled_cloud.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/kernels/point_to_field.hpp"
+
+namespace lockbox {
+namespace {
+
+/// A measured depth between two neighbours that both lie elsewhere. An unmeasured neighbour says
+/// nothing.
+bool hangs_between(float before, float depth, float after, float jump) {
+  return before > 0.0F && after > 0.0F && std::abs(depth - before) > jump &&
+         std::abs(depth - after) > jump;
+}
+
+}  // namespace
+
+void TiledCloud::resize(const PinholeCamera& camera) {
+  camera_ = camera;
+  const auto pixels =
+      static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+  depth_.resize(pixels);
+  tile_columns_ = (camera.width + kTileSize - 1) / kTileSize;
+  const int tile_rows = (camera.height + kTileSize - 1) / kTileSize;
+  tiles_.resize(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>(tile_rows));
+  const std::size_t slots = tiles_.size() * kTilePoints;
+  x_.resize(slots);
+  y_.resize(slots);
+  z_.resize(slots);
+  pixel_.resize(slots);
+}
+
+void TiledCloud::assign(const DepthFrame& frame, const CloudOptions& options,
+                        const Executor& executor) {
+  const PinholeCamera& camera = frame.camera;
+  if (camera.width <= 0 || camera.height <= 0 || !(camera.fx > 0.0) || !(camera.fy > 0.0)) {
+    throw InputError("depth frame", "the camera has no size or no focal length");
+  }
+  if (frame.depth.size() !=
+      static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)) {
+    throw InputError("depth frame", "the image does not have the size that the camera states");
+  }
+  resize(camera);
+  executor.for_each_chunk(static_cast<std::size_t>(camera.height), kTileSize,
+                          [&](std::size_t begin, std::size_t end, std::size_t row) {
+                            filter_rows(frame, options, static_cast<int>(begin),
+                                        static_cast<int>(end));
+                            for (int column = 0; column < tile_columns_; ++column) {
+                              fill_tile(column, static_cast<int>(row));
+                            }
+                          });
+}
+
+void TiledCloud::filter_rows(const DepthFrame& frame, const CloudOptions& options, int first_row,
+                             int last_row) {
+  const int width = camera_.width;
+  const auto raw = [&](int u, int v) { return frame.metres(u, v); };
+  const auto min_depth = static_cast<float>(options.min_depth);
+  const auto max_depth = static_cast<float>(options.max_depth);
+  const auto jump_factor = static_cast<float>(options.flying_pixel_jump);
+  for (int v = first_row; v < last_row; ++v) {
+    float* row = depth_.data() + static_cast<std::ptrdiff_t>(v) * width;
+    for (int u = 0; u < width; ++u) {
+      float depth = raw(u, v);
+      if (!(depth >= min_depth && depth <= max_depth)) {
+        depth = 0.0F;
+      } else if (jump_factor > 0.0F) {
+        const float jump = jump_factor * depth * depth;
+        const bool flies =
+            (u > 0 && u + 1 < width && hangs_between(raw(u - 1, v), depth, raw(u + 1, v), jump)) ||
+            (v > 0 && v + 1 < camera_.height &&
+             hangs_between(raw(u, v - 1), depth, raw(u, v + 1), jump));
+        depth = flies ? 0.0F : depth;
+      }
+      row[u] = depth;
+    }
+  }
+}
+
+void TiledCloud::fill_tile(int column, int row) {
+  const auto index = static_cast<std::size_t>(row) * static_cast<std::size_t>(tile_columns_) +
+                     static_cast<std::size_t>(column);
+  Tile& tile = tiles_[index];
+  tile.first = index * kTilePoints;
+  tile.count = 0;
+  const auto fx = static_cast<float>(1.0 / camera_.fx);
+  const auto fy = static_cast<float>(1.0 / camera_.fy);
+  const auto cx = static_cast<float>(camera_.cx);
+  const auto cy = static_cast<float>(camera_.cy);
+  const int last_u = std::min((column + 1) * kTileSize, camera_.width);
+  const int last_v = std::min((row + 1) * kTileSize, camera_.height);
+  std::size_t slot = tile.first;
+  for (int v = row * kTileSize; v < last_v; ++v) {
+    const float ray_y = (static_cast<float>(v) - cy) * fy;
+    for (int u = column * kTileSize; u < last_u; ++u) {
+      const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) +
+                         static_cast<std::size_t>(u);
+      const float z = depth_[pixel];
+      if (z > 0.0F) {
+        x_[slot] = (static_cast<float>(u) - cx) * fx * z;
+        y_[slot] = ray_y * z;
+        z_[slot] = z;
+        pixel_[slot] = static_cast<std::uint32_t>(pixel);
+        ++slot;
+      }
+    }
+  }
+  tile.count = slot - tile.first;
+  finish_tile(tile);
+}
+
+void TiledCloud::finish_tile(Tile& tile) {
+  tile.bounds.setEmpty();
+  for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
+    tile.bounds.extend(Eigen::Vector3f(x_[i], y_[i], z_[i]));
+  }
+  tile.padded = kernels::padded(tile.count);
+  for (std::size_t i = tile.first + tile.count; i < tile.first + tile.padded; ++i) {
+    x_[i] = y_[i] = z_[i] = kernels::kPadding;
+    pixel_[i] = 0;
+  }
+}
+
+void TiledCloud::keep(const std::vector<std::uint8_t>& mask) {
+  for (Tile& tile : tiles_) {
+    std::size_t slot = tile.first;
+    for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
+      if (mask[pixel_[i]] != 0) {
+        x_[slot] = x_[i];
+        y_[slot] = y_[i];
+        z_[slot] = z_[i];
+        pixel_[slot] = pixel_[i];
+        ++slot;
+      }
+    }
+    tile.count = slot - tile.first;
+    finish_tile(tile);
+  }
+}
+
+std::size_t TiledCloud::valid_points() const {
+  std::size_t count = 0;
+  for (const Tile& tile : tiles_) {
+    count += tile.count;
+  }
+  return count;
+}
+
+}  // namespace lockbox
