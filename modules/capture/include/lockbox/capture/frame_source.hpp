@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,10 +29,11 @@ class FrameSource {
 };
 
 struct SourceOptions {
-  std::optional<PinholeCamera> camera;             ///< overrides the source's own intrinsics
+  std::optional<PinholeCamera> camera;               ///< overrides the source's own intrinsics
   std::optional<std::filesystem::path> camera_info;  ///< ROS camera calibration YAML
-  std::optional<double> depth_scale;               ///< units per metre, depth folders
-  bool realtime = false;                           ///< play recordings at recorded speed
+  std::optional<double> depth_scale;                 ///< units per metre, depth folders
+  bool realtime = false;                             ///< play recordings at recorded speed
+  std::function<void(const std::string&)> warn;      ///< told what looks wrong but is usable
 };
 
 /// Opens `openni2:`, `openni2:<uri>`, a .oni file, a folder with depth.txt, or a folder of .pcd.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The ROS camera calibration format (camera_info.yaml).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lockbox/core/pinhole_camera.hpp"
+
+namespace lockbox {
+
+struct CameraCalibration {
+  PinholeCamera camera;
+  /// Coefficients of `plumb_bob` (k1 k2 p1 p2 k3) or `rational_polynomial` (k1 k2 p1 p2 k3 k4 k5
+  /// k6); all zero, or empty, means none.
+  std::vector<double> distortion;
+  std::optional<double> depth_scale;  ///< units per metre, an addition of the depth folders
+
+  bool has_distortion() const;
+};
+
+/// Throws InputError, with the line, for what is missing or makes no sense.
+CameraCalibration read_camera_info(const std::filesystem::path& file);
+
+/// Numbers are written so that reading gives the same doubles.
+void write_camera_info(const std::filesystem::path& file, const CameraCalibration& calibration);
+
+}  // namespace lockbox

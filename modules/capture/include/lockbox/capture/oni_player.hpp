@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plays .oni recordings through OpenNI2: every frame once, in order, however slow the consumer is.
+#pragma once
+
+#include <filesystem>
+
+#include "lockbox/capture/frame_source.hpp"
+
+namespace lockbox {
+
+/// Mirrored recordings are delivered un-mirrored. Intrinsics come from the recorded field of view,
+/// with the principal point in the middle, unless options say otherwise.
+class OniPlayer : public FrameSource {
+ public:
+  /// Validates the file first. Throws InputError or DeviceError.
+  explicit OniPlayer(const std::filesystem::path& file, const SourceOptions& options = {});
+  ~OniPlayer() override;
+
+  bool next(DepthFrame& frame) override;
+  std::optional<std::size_t> frame_count() const override;
+  std::string description() const override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lockbox

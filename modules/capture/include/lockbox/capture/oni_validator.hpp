@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks a .oni recording before OpenNI2 sees it: OpenNI2's player crashes, hangs or silently skips
+// frames on damaged files. Frames themselves always come from OpenNI2 (oni_player.hpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace lockbox {
+
+/// One encoded frame of any stream.
+struct OniPayload {
+  std::uint64_t offset = 0;  ///< bytes from the beginning of the file
+  std::uint32_t size = 0;    ///< bytes
+  std::uint32_t frame = 0;   ///< number within its stream, from 1
+  std::array<char, 4> codec{};
+  bool depth = false;      ///< of the depth stream
+  std::size_t pixels = 0;  ///< of the decoded image
+};
+
+/// What a sound recording holds.
+struct OniRecording {
+  std::filesystem::path file;
+  int width = 0;  ///< pixels of the depth stream
+  int height = 0;
+  std::size_t frame_count = 0;       ///< of the depth stream
+  bool mirrored = false;             ///< columns run from right to left
+  std::uint64_t end = 0;             ///< bytes up to the end of the last record
+  std::vector<OniPayload> payloads;  ///< in file order
+};
+
+/// Checks everything but the frames' contents, without reading these: milliseconds even for long
+/// recordings. Throws InputError that says what is wrong, where, and what to do.
+OniRecording validate_oni(const std::filesystem::path& file);
+
+/// Checks the contents of frames: each decodes to exactly one image.
+class OniPayloadChecker {
+ public:
+  explicit OniPayloadChecker(const OniRecording& recording);
+
+  /// Checks all payloads up to and including depth frame number `frame` (from 1), or the whole file
+  /// if there are fewer, unless done before. Throws InputError at the first damaged one.
+  void check_through(std::size_t frame);
+
+ private:
+  void check(const OniPayload& payload);
+
+  OniRecording recording_;
+  std::ifstream stream_;
+  std::vector<std::uint8_t> buffer_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/capture/oni_player.hpp"
+
+#include <cstdlib>
+#include <thread>
+
+#include "lockbox/capture/oni_validator.hpp"
+#include "lockbox/core/error.hpp"
+#include "openni_session.hpp"
+#include "rectification.hpp"
+
+namespace lockbox {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kSliceMilliseconds = 500;  // a shorter wait pokes the player twice
+constexpr int kSlices = 20;              // 10 s without a frame: the player is stuck
+
+/// A short name of the recording of its own: OpenNI2 refuses paths of more than 255 characters, and
+/// gives whoever opens the same name twice one player, which neither could then step through.
+class Alias {
+ public:
+  explicit Alias(const std::filesystem::path& file) {
+    std::string name = (std::filesystem::temp_directory_path() / "lockbox-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw InputError(name,
+                       "a temporary folder cannot be created; set TMPDIR to a writable folder");
+    }
+    folder_ = name;
+    std::filesystem::create_symlink(std::filesystem::absolute(file), path());
+  }
+  ~Alias() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  Alias(const Alias&) = delete;
+  Alias& operator=(const Alias&) = delete;
+
+  std::filesystem::path path() const { return folder_ / "recording.oni"; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace
+
+struct OniPlayer::Impl {
+  Impl(const std::filesystem::path& path, const SourceOptions& options)
+      : recording(validate_oni(path)),
+        payloads(recording),
+        rectification(given_calibration(options)) {
+    rectification.check_size(recording.width, recording.height, path.string());
+    require_openni();
+    open();
+    const std::optional<PinholeCamera> own = camera_of(depth);
+    if (!own && !options.camera && !options.camera_info) {
+      throw InputError(path.string(),
+                       "does not tell the camera's field of view; give the camera's calibration "
+                       "with --camera-info");
+    }
+    camera = own.value_or(PinholeCamera{recording.width, recording.height, 0, 0, 0, 0});
+    start();
+  }
+
+  ~Impl() {
+    // Measured: this order and the pause keep OpenNI2's player thread from using a stream that is
+    // being destroyed.
+    depth.stop();
+    std::this_thread::sleep_for(30ms);
+    depth.destroy();
+    device.close();
+  }
+
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw DeviceError(recording.file.string() + ": OpenNI2 " + problem);
+  }
+
+  void open() {
+    const Alias alias(recording.file);
+    if (device.open(alias.path().c_str()) != openni::STATUS_OK ||
+        depth.create(device, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
+      fail("cannot open this recording: " + openni_error());
+    }
+    const openni::VideoMode mode = depth.getVideoMode();
+    if (mode.getResolutionX() != recording.width || mode.getResolutionY() != recording.height ||
+        device.getPlaybackControl()->getNumberOfFrames(depth) !=
+            static_cast<int>(recording.frame_count)) {
+      fail("understands this recording differently than its validator");
+    }
+  }
+
+  /// Repeating stays on, although nothing is played twice: switching it off makes the player spin
+  /// and crash at the end of the file. Manual speed (-1) waits for the consumer at every frame.
+  void start() {
+    payloads.check_through(1);  // the player decodes one frame ahead
+    if (device.getPlaybackControl()->setSpeed(-1.0F) != openni::STATUS_OK ||
+        depth.start() != openni::STATUS_OK) {
+      fail("cannot play this recording: " + openni_error());
+    }
+  }
+
+  void read(openni::VideoFrameRef& frame) {
+    for (int slice = 0; !wait_for_frame(depth, kSliceMilliseconds); ++slice) {
+      if (slice == kSlices) {
+        fail("stopped delivering after frame " + std::to_string(delivered));
+      }
+    }
+    if (depth.readFrame(&frame) != openni::STATUS_OK) {
+      fail("cannot read frame " + std::to_string(delivered + 1) + ": " + openni_error());
+    }
+    if (frame.getFrameIndex() != static_cast<int>(delivered + 1)) {
+      fail("delivered frame " + std::to_string(frame.getFrameIndex()) + " after frame " +
+           std::to_string(delivered));
+    }
+  }
+
+  OniRecording recording;
+  OniPayloadChecker payloads;
+  Rectification rectification;
+  openni::Device device;
+  openni::VideoStream depth;
+  PinholeCamera camera;
+  std::size_t delivered = 0;
+};
+
+OniPlayer::OniPlayer(const std::filesystem::path& file, const SourceOptions& options)
+    : impl_(std::make_unique<Impl>(file, options)) {}
+
+OniPlayer::~OniPlayer() = default;
+
+bool OniPlayer::next(DepthFrame& frame) {
+  if (impl_->delivered == impl_->recording.frame_count) {
+    return false;
+  }
+  impl_->payloads.check_through(impl_->delivered + 2);
+  openni::VideoFrameRef read;
+  impl_->read(read);
+  frame.camera = impl_->camera;
+  copy_frame(read, impl_->recording.mirrored, frame);
+  frame.index = impl_->delivered++;
+  impl_->rectification.apply(frame);
+  return true;
+}
+
+std::optional<std::size_t> OniPlayer::frame_count() const {
+  return impl_->recording.frame_count;
+}
+
+std::string OniPlayer::description() const {
+  return "OpenNI2 recording " + impl_->recording.file.string() +
+         (impl_->recording.mirrored ? ", recorded mirrored" : "");
+}
+
+}  // namespace lockbox

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string_view>
+
+#include "lockbox/capture/depth_folder.hpp"
+#include "lockbox/capture/frame_source.hpp"
+#include "lockbox/capture/oni_player.hpp"
+#include "lockbox/core/error.hpp"
+#include "realtime_source.hpp"
+
+namespace lockbox {
+namespace {
+
+std::unique_ptr<FrameSource> open_folder(const std::filesystem::path& folder,
+                                         const SourceOptions& options) {
+  if (std::filesystem::exists(folder / "depth.txt")) {
+    return std::make_unique<DepthFolderSource>(folder, options);
+  }
+  throw InputError(folder.string(),
+                   "this folder holds neither a depth.txt (a depth image sequence) nor .pcd files");
+}
+
+std::unique_ptr<FrameSource> open_recording(const std::string& source,
+                                            const SourceOptions& options) {
+  const std::filesystem::path path(source);
+  if (!std::filesystem::exists(path)) {
+    throw InputError(source,
+                     "no such file or folder; a source is openni2:, openni2:<uri>, an .oni file, a "
+                     "folder with depth.txt, or a folder of .pcd files");
+  }
+  if (std::filesystem::is_directory(path)) {
+    return open_folder(path, options);
+  }
+  return std::make_unique<OniPlayer>(path, options);
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSource> open_source(const std::string& source, const SourceOptions& options) {
+  std::unique_ptr<FrameSource> recording = open_recording(source, options);
+  if (options.realtime) {
+    return std::make_unique<RealtimeSource>(std::move(recording));
+  }
+  return recording;
+}
+
+}  // namespace lockbox

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "openni_session.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lockbox/core/error.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr float kMinimumFieldOfView = 0.1F;  // radians
+constexpr float kMaximumFieldOfView = 3.0F;
+
+double focal_length(int pixels, float angle) {
+  const double focal = 0.5 * pixels / std::tan(0.5 * double{angle});
+  double scale = 1.0;
+  for (int decimals = 0; decimals <= 9; ++decimals, scale *= 10.0) {
+    const double rounded = std::round(focal * scale) / scale;
+    if (field_of_view(pixels, rounded) == angle) {
+      return rounded;
+    }
+  }
+  return focal;
+}
+
+bool is_plausible(float angle) {
+  return angle >= kMinimumFieldOfView && angle <= kMaximumFieldOfView;
+}
+
+}  // namespace
+
+void require_openni() {
+  static const openni::Status status = openni::OpenNI::initialize();
+  if (status != openni::STATUS_OK) {
+    throw DeviceError("OpenNI2 does not start: " + openni_error());
+  }
+}
+
+std::string openni_error() {
+  std::string text = openni::OpenNI::getExtendedError();
+  std::replace_if(
+      text.begin(), text.end(),
+      [](char character) { return character == '\n' || character == '\t'; }, ' ');
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text.empty() ? "no reason given" : text;
+}
+
+float field_of_view(int pixels, double focal) {
+  return static_cast<float>(2.0 * std::atan(0.5 * pixels / focal));
+}
+
+std::optional<PinholeCamera> camera_of(const openni::VideoStream& stream) {
+  const openni::VideoMode mode = stream.getVideoMode();
+  const float horizontal = stream.getHorizontalFieldOfView();
+  const float vertical = stream.getVerticalFieldOfView();
+  if (!is_plausible(horizontal) || !is_plausible(vertical)) {
+    return std::nullopt;
+  }
+  const int width = mode.getResolutionX();
+  const int height = mode.getResolutionY();
+  return PinholeCamera{width,
+                       height,
+                       focal_length(width, horizontal),
+                       focal_length(height, vertical),
+                       0.5 * (width - 1),
+                       0.5 * (height - 1)};
+}
+
+void copy_frame(const openni::VideoFrameRef& from, bool mirrored, DepthFrame& to) {
+  const int width = from.getWidth();
+  const int height = from.getHeight();
+  const int row_bytes = width * static_cast<int>(sizeof(std::uint16_t));
+  if (width != to.camera.width || height != to.camera.height ||
+      from.getStrideInBytes() < row_bytes ||
+      from.getDataSize() < from.getStrideInBytes() * (height - 1) + row_bytes) {
+    throw DeviceError("OpenNI2 delivered a frame of another size than its stream");
+  }
+  to.depth.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const auto* row = static_cast<const std::uint8_t*>(from.getData());
+  for (auto out = to.depth.begin(); out != to.depth.end(); out += width) {
+    const auto* pixels = reinterpret_cast<const std::uint16_t*>(row);
+    if (mirrored) {
+      std::reverse_copy(pixels, pixels + width, out);
+    } else {
+      std::copy(pixels, pixels + width, out);
+    }
+    row += from.getStrideInBytes();
+  }
+  const bool tenths = from.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM;
+  to.metres_per_unit = tenths ? 0.0001F : 0.001F;
+  to.stamp = 1e-6 * static_cast<double>(from.getTimestamp());
+}
+
+bool wait_for_frame(openni::VideoStream& stream, int milliseconds) {
+  openni::VideoStream* streams[] = {&stream};
+  int ready = -1;
+  return openni::OpenNI::waitForAnyStream(streams, 1, &ready, milliseconds) == openni::STATUS_OK;
+}
+
+}  // namespace lockbox

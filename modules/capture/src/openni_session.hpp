@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the sources on OpenNI2 share. Only sources of this module include it.
+#pragma once
+
+#include <OpenNI.h>
+
+#include <optional>
+#include <string>
+
+#include "lockbox/core/depth_frame.hpp"
+
+namespace lockbox {
+
+/// Starts OpenNI2 on the first call in the process; later calls do nothing. It stays started until
+/// the process ends: stopping waits up to half a second for the USB drivers' threads, and starting
+/// again reloads all drivers. Throws DeviceError.
+void require_openni();
+
+/// Text of OpenNI2's last error, for a message.
+std::string openni_error();
+
+/// The camera of a depth stream, or nothing if the stream does not know its field of view. OpenNI2
+/// keeps fields of view as floats; the focal length is the shortest decimal that has this field of
+/// view, so that focal lengths written by this library with up to four decimals come back exactly.
+std::optional<PinholeCamera> camera_of(const openni::VideoStream& stream);
+
+/// The field of view of `pixels` pixels at focal length `focal` (pixels), as OpenNI2 keeps it.
+float field_of_view(int pixels, double focal);
+
+/// Copies depth, unit, stamp and size, flipping columns if mirrored; leaves camera's intrinsics and
+/// index alone. Throws DeviceError if the frame is not a whole depth image of the camera's size.
+void copy_frame(const openni::VideoFrameRef& from, bool mirrored, DepthFrame& to);
+
+/// Waits at most milliseconds for a frame: a plain readFrame() waits for ever if a device stalls.
+/// Waits below 500 ms on a recording would poke its player twice and lose a frame.
+bool wait_for_frame(openni::VideoStream& stream, int milliseconds);
+
+}  // namespace lockbox

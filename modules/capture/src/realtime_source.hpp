@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A recording that behaves like a live device.
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "lockbox/capture/frame_source.hpp"
+
+namespace lockbox {
+
+/// Delivers frames when their stamps are due, counted from the first call of next(). A consumer
+/// that is late gets the newest frame that is due; the ones before it are dropped.
+class RealtimeSource : public FrameSource {
+ public:
+  explicit RealtimeSource(std::unique_ptr<FrameSource> recording);
+
+  bool next(DepthFrame& frame) override;
+  std::optional<std::size_t> frame_count() const override { return recording_->frame_count(); }
+  std::string description() const override { return recording_->description() + ", in real time"; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point due(const DepthFrame& frame) const;
+
+  std::unique_ptr<FrameSource> recording_;
+  DepthFrame pending_;  ///< read, not yet delivered
+  bool started_ = false;
+  bool has_pending_ = false;
+  Clock::time_point start_;
+  double first_stamp_ = 0.0;
+};
+
+}  // namespace lockbox
