@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A z-buffer on the CPU: which mesh each pixel of a pinhole camera sees, and how far away.
+//
+// A pixel is one ray, through its centre (integer coordinates, see PinholeCamera); it belongs to
+// the triangle that the ray hits, with no pixel lost or shared between neighbours (top-left rule).
+// 1/z is linear in the image, so that depth is exact up to float rounding. Both faces of a triangle
+// are drawn. Equal depths go to the earlier item. The same for any number of threads.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/core/pinhole_camera.hpp"
+#include "lockbox/mesh/triangle_mesh.hpp"
+
+namespace lockbox {
+
+/// A mesh to draw. The mesh is referred to, not copied.
+struct RenderItem {
+  const TriangleMesh* mesh = nullptr;
+  Eigen::Isometry3d T_camera_mesh = Eigen::Isometry3d::Identity();
+  std::int16_t id = 0;  ///< what its pixels are marked with, not kNothing
+};
+
+inline constexpr std::int16_t kNothing = -1;
+
+/// Row by row, width * height values each.
+struct RenderedDepth {
+  int width = 0;
+  int height = 0;
+  std::vector<float> depth;      ///< along the optical axis, metres; +infinity where nothing is
+  std::vector<std::int16_t> id;  ///< of the nearest item; kNothing where nothing is
+};
+
+/// Reusable: after the first frame, frames of the same scene allocate nothing.
+class DepthRenderer {
+ public:
+  /// Surface nearer than this to the camera's plane is cut away, metres.
+  static constexpr double kNear = 0.01;
+
+  DepthRenderer(const PinholeCamera& camera, const Executor& executor);
+  ~DepthRenderer();
+  DepthRenderer(DepthRenderer&&) noexcept;
+  DepthRenderer& operator=(DepthRenderer&&) noexcept;
+
+  const PinholeCamera& camera() const;
+
+  /// Draws the items into the image, which is resized and overwritten.
+  void render(std::span<const RenderItem> items, RenderedDepth& image);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+/// The camera whose pixels are blocks of factor x factor pixels of the given one; columns and rows
+/// that fill no block are dropped.
+PinholeCamera reduced(const PinholeCamera& camera, int factor);
+
+/// The camera with factor times as many samples along each axis; sample (factor u, factor v) is
+/// pixel (u, v), and the outermost samples are the outermost pixels.
+PinholeCamera refined(const PinholeCamera& camera, int factor);
+
+}  // namespace lockbox
