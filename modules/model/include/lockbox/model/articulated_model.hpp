@@ -18,15 +18,15 @@ namespace lockbox {
 
 /// Per-model parameters, from the YAML file beside the URDF with the same stem.
 struct ModelParameters {
-  std::optional<double> voxel;                 ///< metres; chosen per body if not set
-  std::map<std::string, double> link_voxel;    ///< metres, overrides by link
-  std::optional<double> erosion;               ///< metres, model-wide
+  std::optional<double> voxel;               ///< metres; chosen per body if not set
+  std::map<std::string, double> link_voxel;  ///< metres, overrides by link
+  std::optional<double> erosion;             ///< metres, model-wide
   std::map<std::pair<std::string, std::string>, double> pair_erosion;  ///< by link names, sorted
   std::optional<Configuration> initial_configuration;
 };
 
 struct LoadOptions {
-  std::vector<std::filesystem::path> package_paths;  ///< beside ROS_PACKAGE_PATH
+  std::vector<std::filesystem::path> package_paths;      ///< beside ROS_PACKAGE_PATH
   std::optional<std::filesystem::path> cache_directory;  ///< default: XDG cache; empty: no cache
   std::function<void(const std::string&)> on_warning;
 };

@@ -18,6 +18,9 @@ struct Configuration {
 /// All joints at zero (or at the limit nearest to zero), base at the camera.
 Configuration rest_configuration(const KinematicTree& tree);
 
+/// NaN everywhere: what a states file says while nothing is known.
+Configuration unknown_configuration(const KinematicTree& tree);
+
 /// Index of the joint; throws InputError naming the joints that exist if there is none.
 int joint_index(const KinematicTree& tree, const std::string& joint_name);
 

@@ -22,8 +22,8 @@ struct Joint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();                   ///< unit, joint frame
   double lower = 0.0;  ///< limits, radians or metres; -inf and +inf for continuous joints
   double upper = 0.0;
-  int variable = -1;          ///< index of the joint variable that drives it
-  double multiplier = 1.0;    ///< position = multiplier * variable + offset (1, 0 unless mimic)
+  int variable = -1;        ///< index of the joint variable that drives it
+  double multiplier = 1.0;  ///< position = multiplier * variable + offset (1, 0 unless mimic)
   double offset = 0.0;
   bool is_mimic = false;
 };
@@ -36,11 +36,11 @@ struct ColoredMesh {
 
 /// One rigid body: a URDF link with all that fixed joints attach to it.
 struct Body {
-  std::string name;                 ///< of the link nearest to the root
-  std::vector<std::string> links;   ///< all URDF links that it is made of
-  std::vector<ColoredMesh> visuals; ///< empty for a mere frame
-  TriangleMesh mesh;                ///< all visuals together, body frame, metres
-  int parent_joint = -1;            ///< -1 for the base
+  std::string name;                  ///< of the link nearest to the root
+  std::vector<std::string> links;    ///< all URDF links that it is made of
+  std::vector<ColoredMesh> visuals;  ///< empty for a mere frame
+  TriangleMesh mesh;                 ///< all visuals together, body frame, metres
+  int parent_joint = -1;             ///< -1 for the base
 };
 
 /// Bodies in depth-first order from the base (body 0); joint j moves body j + 1. Among siblings the

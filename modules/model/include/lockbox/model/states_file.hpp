@@ -16,9 +16,9 @@ namespace lockbox {
 
 struct State {
   double stamp = 0.0;
-  Configuration configuration;  ///< NaN in q for joints that the file has no column for
-  std::string status;           ///< of the column `status`, if there is one
-  bool known = true;            ///< false where the pose columns are nan
+  Configuration configuration;     ///< NaN where the file says nan
+  std::string status;              ///< of the column `status`, if there is one
+  bool known = true;               ///< false where the pose columns are nan
   std::vector<std::string> extra;  ///< fields of the columns that are not pose, joint or status
 };
 
@@ -27,6 +27,8 @@ struct StatesFile {
   std::vector<State> states;
 };
 
+/// Columns may stand in any order; those of the pose and of the joints that mimic no other are
+/// needed. Quaternions are normalised, and refused if their norm is off by more than 0.01.
 /// Throws InputError with file, line and column.
 StatesFile read_states(const std::filesystem::path& file, const KinematicTree& tree);
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/model/forward_kinematics.hpp"
+
+namespace lockbox {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// What the joint does at the given position.
+Eigen::Isometry3d joint_motion(const Joint& joint, double position) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  if (joint.type == JointType::prismatic) {
+    T.translation() = position * joint.axis;
+  } else {
+    T.linear() = Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
+  }
+  return T;
+}
+
+/// Twist of the child body, in its own frame, as the variable that drives the joint changes.
+Twist variable_twist(const Joint& joint) {
+  Twist twist = Twist::Zero();
+  if (joint.type == JointType::prismatic) {
+    twist.head<3>() = joint.multiplier * joint.axis;
+  } else {
+    twist.tail<3>() = joint.multiplier * joint.axis;
+  }
+  return twist;
+}
+
+}  // namespace
+
+void forward_kinematics(const KinematicTree& tree, const Configuration& configuration,
+                        std::vector<Eigen::Isometry3d>& T_camera_body) {
+  T_camera_body.resize(tree.bodies.size());
+  T_camera_body[0] = configuration.T_camera_base;
+  for (const Joint& joint : tree.joints) {
+    const double position = joint.multiplier * configuration.q[joint.variable] + joint.offset;
+    T_camera_body[index(joint.child_body)] = T_camera_body[index(joint.parent_body)] *
+                                             joint.T_parent_joint * joint_motion(joint, position);
+  }
+}
+
+void body_jacobians(const KinematicTree& tree, const std::vector<Eigen::Isometry3d>& T_camera_body,
+                    std::vector<BodyJacobian>& jacobians) {
+  jacobians.resize(tree.bodies.size());
+  jacobians[0].setZero(6, 6 + tree.variables());
+  jacobians[0].leftCols<6>().setIdentity();
+  for (const Joint& joint : tree.joints) {
+    const Eigen::Isometry3d T_child_parent =
+        T_camera_body[index(joint.child_body)].inverse() * T_camera_body[index(joint.parent_body)];
+    BodyJacobian& child = jacobians[index(joint.child_body)];
+    child.noalias() = adjoint(T_child_parent).lazyProduct(jacobians[index(joint.parent_body)]);
+    child.col(6 + joint.variable) += variable_twist(joint);
+  }
+}
+
+void relative_jacobian(const KinematicTree& tree,
+                       const std::vector<Eigen::Isometry3d>& T_camera_body, int a, int b,
+                       BodyJacobian& jacobian) {
+  jacobian.setZero(6, 6 + tree.variables());
+  const Eigen::Isometry3d T_b_camera = T_camera_body[index(b)].inverse();
+  // A parent's index is smaller than its child's, so the larger of the two is never above the
+  // other.
+  while (a != b) {
+    const bool moves_a = a > b;
+    int& body = moves_a ? a : b;
+    const Joint& joint = tree.joints[index(tree.bodies[index(body)].parent_joint)];
+    const Twist in_b = adjoint(T_b_camera * T_camera_body[index(body)]) * variable_twist(joint);
+    jacobian.col(6 + joint.variable) += moves_a ? in_b : Twist(-in_b);
+    body = joint.parent_body;
+  }
+}
+
+Configuration stepped(const Configuration& configuration, const Eigen::VectorXd& step) {
+  return {configuration.T_camera_base * exp_se3(step.head<6>()),
+          configuration.q + step.tail(configuration.q.size())};
+}
+
+}  // namespace lockbox

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the mesh files that a URDF names.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lockbox {
+
+/// Resolves absolute and relative names, file:// and package:// addresses. Searched in this order:
+/// the package paths given, beside the URDF, the folders above it, ROS_PACKAGE_PATH.
+class MeshLocator {
+ public:
+  MeshLocator(const std::filesystem::path& urdf,
+              const std::vector<std::filesystem::path>& package_paths);
+
+  /// Throws InputError saying where was searched.
+  std::filesystem::path locate(const std::string& address) const;
+
+ private:
+  std::vector<std::filesystem::path> folders_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text_file.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "lockbox/core/error.hpp"
+
+namespace lockbox {
+
+std::string read_text_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw InputError(file.string(), "no such file");
+  // A device or a pipe could deliver for ever.
+  if (!std::filesystem::is_regular_file(status)) {
+    throw InputError(file.string(), "not a regular file");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream) throw InputError(file.string(), "cannot be read; are you allowed to?");
+  return text;
+}
+
+}  // namespace lockbox

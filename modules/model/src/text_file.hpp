@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace lockbox {
+
+/// The bytes of a regular file. Throws InputError if there is none, or it cannot be read.
+std::string read_text_file(const std::filesystem::path& file);
+
+}  // namespace lockbox
