@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "lockbox/core/pinhole_camera.hpp"
+#include "lockbox/model/configuration.hpp"
+#include "lockbox/rendering/depth_renderer.hpp"
+#include "lockbox/visualization/rgb_image.hpp"
+
+namespace lockbox {
+
+/// Draws a model in its own colours, shaded by its surface's normals, with dark outlines. Works
+/// without a display.
+class ModelPainter {
+ public:
+  /// The tree is referred to, not copied.
+  ModelPainter(const KinematicTree& tree, const PinholeCamera& camera, const Executor& executor);
+
+  /// Paints over the image (of the camera's size); opacity 1 hides what was there.
+  void paint(const Configuration& configuration, float opacity, RgbImage& image);
+
+ private:
+  void place_items(const Configuration& configuration);
+  Eigen::Vector3f color_of_sample(int u, int v) const;
+
+  const KinematicTree& tree_;
+  DepthRenderer renderer_;
+  std::vector<RenderItem> items_;
+  std::vector<int> body_of_item_;
+  std::vector<Eigen::Vector3f> color_of_item_;  ///< red, green, blue in [0, 1]
+  std::vector<Eigen::Isometry3d> T_camera_body_;
+  RenderedDepth rendered_;
+};
+
+}  // namespace lockbox
