@@ -20,6 +20,11 @@ int Executor::threads() const {
   return impl_->arena.max_concurrency();
 }
 
+std::size_t Executor::worker() {
+  const int index = tbb::this_task_arena::current_thread_index();
+  return index == tbb::task_arena::not_initialized ? 0 : static_cast<std::size_t>(index);
+}
+
 void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& body) const {
   impl_->arena.execute(
       [&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/core/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+namespace lockbox {
+namespace {
+
+TEST(ExecutorTest, VisitsEveryIndexOnce) {
+  for (const int threads : {1, 2, 3, 8}) {
+    const Executor executor(threads);
+    std::vector<std::atomic<int>> visits(1000);
+    executor.for_each(visits.size(), [&](std::size_t i) { ++visits[i]; });
+    for (const auto& count : visits) {
+      EXPECT_EQ(count.load(), 1);
+    }
+  }
+}
+
+TEST(ExecutorTest, ChunksCoverTheRangeWithoutOverlap) {
+  const Executor executor(2);
+  std::vector<std::pair<std::size_t, std::size_t>> ranges(chunk_count(103, 10));
+  executor.for_each_chunk(103, 10, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    ranges[chunk] = {begin, end};
+  });
+  ASSERT_EQ(ranges.size(), 11U);
+  for (std::size_t chunk = 0; chunk < ranges.size(); ++chunk) {
+    EXPECT_EQ(ranges[chunk].first, 10 * chunk);
+    EXPECT_EQ(ranges[chunk].second, std::min<std::size_t>(10 * chunk + 10, 103));
+  }
+}
+
+TEST(ExecutorTest, WorkersHaveIndicesBelowTheThreadCount) {
+  for (const int threads : {1, 3}) {
+    const Executor executor(threads);
+    std::atomic<std::size_t> largest{0};
+    executor.for_each(500, [&](std::size_t) {
+      const std::size_t worker = Executor::worker();
+      std::size_t seen = largest.load();
+      while (worker > seen && !largest.compare_exchange_weak(seen, worker)) {
+      }
+    });
+    EXPECT_LT(largest.load(), static_cast<std::size_t>(threads));
+  }
+}
+
+TEST(ExecutorTest, ExceptionsReachTheCaller) {
+  const Executor executor(2);
+  EXPECT_THROW(executor.for_each(8,
+                                 [](std::size_t i) {
+                                   if (i == 5) throw std::runtime_error("five");
+                                 }),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace lockbox
