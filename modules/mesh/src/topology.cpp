@@ -64,16 +64,18 @@ Shells find_shells(const TriangleMesh& mesh) {
   return shells;
 }
 
-std::vector<std::uint8_t> triangles_at_irregular_edges(const TriangleMesh& mesh) {
-  std::vector<std::uint8_t> irregular(mesh.triangles.size(), 0);
+std::vector<std::uint8_t> triangles_at_open_edges(const TriangleMesh& mesh) {
+  std::vector<std::uint8_t> open(mesh.triangles.size(), 0);
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> edge) {
-    if (edge.size() != 2) {
+    const auto forward =
+        std::count_if(edge.begin(), edge.end(), [](const HalfEdge& half) { return half.forward; });
+    if (2 * static_cast<std::size_t>(forward) != edge.size()) {
       for (const HalfEdge& half : edge) {
-        irregular[half.triangle] = 1;
+        open[half.triangle] = 1;
       }
     }
   });
-  return irregular;
+  return open;
 }
 
 }  // namespace lockbox

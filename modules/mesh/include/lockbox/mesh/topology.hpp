@@ -45,7 +45,8 @@ struct Shells {
 };
 Shells find_shells(const TriangleMesh& mesh);
 
-/// 1 for each triangle with a side that exactly one other triangle does not share.
-std::vector<std::uint8_t> triangles_at_irregular_edges(const TriangleMesh& mesh);
+/// 1 for each triangle with a side that is not used equally often in both directions. Without any,
+/// the surface is closed: its winding number is an integer everywhere.
+std::vector<std::uint8_t> triangles_at_open_edges(const TriangleMesh& mesh);
 
 }  // namespace lockbox

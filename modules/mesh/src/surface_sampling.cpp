@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/mesh/surface_sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace lockbox {
+namespace {
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+/// Position on the Z-order curve of a point in the unit cube, ten bits an axis.
+std::uint32_t morton_code(const Eigen::Vector3d& unit) {
+  std::uint32_t code = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto coordinate = static_cast<std::uint32_t>(std::clamp(unit[axis], 0.0, 1.0) * 1023.0);
+    for (std::uint32_t bit = 0; bit < 10; ++bit) {
+      code |= ((coordinate >> bit) & 1U) << (3 * bit + static_cast<std::uint32_t>(axis));
+    }
+  }
+  return code;
+}
+
+struct Visit {
+  std::uint32_t code;
+  Eigen::Vector3d centroid;
+  std::uint32_t triangle;
+};
+
+/// Triangles along the curve; those of one cell by position, so that file order does not matter.
+std::vector<Visit> along_space_filling_curve(const TriangleMesh& mesh) {
+  const Eigen::AlignedBox3d box = bounds(mesh);
+  const Eigen::Vector3d inverse_size = box.sizes().cwiseMax(1e-12).cwiseInverse();
+  std::vector<Visit> visits;
+  visits.reserve(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = mesh.corners(t);
+    const Eigen::Vector3d centroid = (a + b + c) / 3.0;
+    visits.push_back({morton_code((centroid - box.min()).cwiseProduct(inverse_size)), centroid, t});
+  }
+  std::sort(visits.begin(), visits.end(), [](const Visit& a, const Visit& b) {
+    return std::tie(a.code, a.centroid.x(), a.centroid.y(), a.centroid.z()) <
+           std::tie(b.code, b.centroid.x(), b.centroid.y(), b.centroid.z());
+  });
+  return visits;
+}
+
+/// The i-th point of Roberts' R2 sequence, folded into the triangle.
+Eigen::Vector3d low_discrepancy_point(const Corners& corners, std::size_t i) {
+  constexpr double kStepU = 0.7548776662466927;
+  constexpr double kStepV = 0.5698402909980532;
+  const double n = static_cast<double>(i);
+  double u = std::fmod(0.5 + n * kStepU, 1.0);
+  double v = std::fmod(0.5 + n * kStepV, 1.0);
+  if (u + v > 1.0) {
+    u = 1.0 - u;
+    v = 1.0 - v;
+  }
+  return corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
+}
+
+}  // namespace
+
+std::vector<SurfaceSample> sample_surface(const TriangleMesh& mesh, double spacing) {
+  const double total_area = surface_area(mesh);
+  if (!(total_area > 0.0)) {
+    return {};
+  }
+  const double count = std::max(1.0, std::round(total_area / (spacing * spacing)));
+  const double step = total_area / count;
+  std::vector<SurfaceSample> samples;
+  samples.reserve(static_cast<std::size_t>(count));
+  double passed_area = 0.0;
+  for (const Visit& visit : along_space_filling_curve(mesh)) {
+    const Corners corners = mesh.corners(visit.triangle);
+    const Eigen::Vector3d area = area_vector(corners);
+    passed_area += area.norm();
+    while ((static_cast<double>(samples.size()) + 0.5) * step < passed_area) {
+      samples.push_back({low_discrepancy_point(corners, samples.size()), area.normalized(), step});
+    }
+  }
+  return samples;
+}
+
+}  // namespace lockbox
