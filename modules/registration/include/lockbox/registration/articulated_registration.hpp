@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One registration step: cloud and starting configuration in, best configuration out.
+//
+// Levenberg-Marquardt on E = E_model + lambda_free E_free + lambda_collision E_collision. An
+// iteration is one linearisation; its first trial is undamped; costs are compared under the
+// selection (candidates, variances, visibility, correspondences) of that linearisation.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/bounded_step.hpp"
+#include "lockbox/registration/collision_term.hpp"
+#include "lockbox/registration/covariance.hpp"
+#include "lockbox/registration/free_space_term.hpp"
+#include "lockbox/registration/model_term.hpp"
+#include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/visible_surface.hpp"
+
+namespace lockbox {
+
+/// How the visible model compares with the image, as shares of its visible surface within the
+/// image.
+struct Agreement {
+  double explained = 0.0;     ///< measured where the model says
+  double contradicted = 0.0;  ///< seen through
+  double occluded = 0.0;      ///< something else in front
+  double unknown = 0.0;       ///< not measured
+};
+
+/// Gates begin with the spread and end with the sensor's noise alone.
+struct Annealing {
+  double spread = 0.0;  ///< metres: how far surfaces may be from where the start puts them
+  int iterations = 3;   ///< linearisations, at most
+};
+
+struct RegistrationResult {
+  Configuration configuration;
+  Eigen::MatrixXd covariance;    ///< of (base twist, variables); twist in the base's frame
+  Eigen::VectorXd sigma;         ///< standard deviations, square roots of its diagonal
+  std::vector<bool> observable;  ///< by unknown: whether the data determines it
+  Agreement agreement;
+  double residual_rms = 0.0;  ///< whitened: 1 where the sensor errs as assumed
+  double explained_points = 0.0;
+  double model_cost = 0.0;  ///< relative to explaining nothing
+  double free_cost = 0.0;
+  double collision_cost = 0.0;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Owns all memory of the loop; use one per thread. The model must outlive it.
+class ArticulatedRegistration {
+ public:
+  ArticulatedRegistration(const ArticulatedModel& model, const RegistrationOptions& options,
+                          const Executor& executor);
+
+  /// The result is valid until the next call.
+  const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
+                                  const Annealing& annealing);
+
+  /// A bound on how far any surface of the model lies apart in two configurations, metres.
+  double surface_distance(const Configuration& a, const Configuration& b) const;
+
+  const RegistrationOptions& options() const { return options_; }
+  const CollisionTerm& collision() const { return collision_; }
+  const ArticulatedModel& model() const { return model_; }
+
+ private:
+  double linearize(const TiledCloud& cloud, double spread);
+  double cost_at(const TiledCloud& cloud, const Configuration& configuration);
+  bool improve(const TiledCloud& cloud, double cost);
+  StepLimits step_limits() const;
+  void mark_object_pixels(const TiledCloud& cloud);
+  void measure_agreement(const TiledCloud& cloud);
+  double largest_move(const Eigen::VectorXd& step) const;
+
+  const ArticulatedModel& model_;
+  RegistrationOptions options_;
+  Executor executor_;
+  ModelTerm model_term_;
+  FreeSpaceTerm free_term_;
+  CollisionTerm collision_;
+  VisibleSurface surface_;
+  StepScale scale_;
+  double reach_;  ///< metres from the base's origin to the farthest surface
+
+  RegistrationResult result_;
+  BodyPoses poses_;
+  BodyPoses trial_poses_;
+  std::vector<BodyJacobian> jacobians_;
+  std::vector<BodySystem> systems_;
+  NormalEquations data_equations_;
+  NormalEquations equations_;
+  std::vector<std::uint8_t> object_;
+};
+
+}  // namespace lockbox

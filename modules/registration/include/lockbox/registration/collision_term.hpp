@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// E_collision: bodies that penetrate each other after both were eroded by epsilon.
+//
+//   E = sum over pairs (A, B) of mean over A's eroded surface of (min(0, f_B + eps) / sigma_c)^2 /
+//   2
+//       + the same with A and B exchanged
+//
+// A's eroded surface is its level set f_A = -eps. Flush contact costs nothing; overlap beyond
+// 2 eps does. Bodies only feel the joints on the path between them (docs/mathematics.md).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/model_term.hpp"
+
+namespace lockbox {
+
+/// Two bodies that a joint can move against each other.
+struct CollisionPair {
+  int a = 0;
+  int b = 0;
+  double erosion = 0.0;       ///< metres, half the rest overlap included
+  double rest_overlap = 0.0;  ///< metres, deepest penetration in the rest configuration
+};
+
+/// Constant data: pairs and the samples of eroded surfaces.
+class CollisionTerm {
+ public:
+  /// Measures the overlaps of the rest configuration and samples the eroded surfaces. Throws
+  /// InputError naming the links if an erosion of the model's file exceeds an eighth of the thinner
+  /// body's thickness: its eroded surface would vanish.
+  CollisionTerm(const ArticulatedModel& model, const RegistrationOptions& options);
+
+  const std::vector<CollisionPair>& pairs() const { return pairs_; }
+
+  /// Adds lambda times the term to the equations (if given) and returns lambda times its cost.
+  double evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                  NormalEquations* equations);
+
+ private:
+  struct Sample {
+    Eigen::Vector3f p_body;
+    Eigen::Vector3f normal;
+    double share;  ///< of the body's surface
+  };
+  struct ErodedSurface {
+    int body;
+    double erosion;
+    std::vector<Sample> samples;
+  };
+
+  std::size_t surface_index(const ArticulatedModel& model, int body, double erosion);
+  double evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface, int other,
+                       double erosion, const Eigen::Isometry3d& T_other_body, BodySystem* system);
+
+  double weight_ = 0.0;  ///< lambda / sigma_c^2
+  std::vector<CollisionPair> pairs_;
+  std::vector<std::pair<std::size_t, std::size_t>> pair_surfaces_;  ///< of a and of b
+  std::vector<ErodedSurface> surfaces_;
+  BodyJacobian jacobian_;
+};
+
+}  // namespace lockbox

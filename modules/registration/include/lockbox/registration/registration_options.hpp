@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+namespace lockbox {
+
+/// How a depth sensor errs: standard deviations, see kernels::PointNoise.
+/// The defaults are those of a PrimeSense-class sensor (75 mm baseline, 1/8 pixel disparity steps).
+struct SensorNoise {
+  double depth_floor = 0.0003;      ///< metres
+  double depth_quadratic = 0.0021;  ///< 1 / metre: sigma_z = floor + quadratic z^2
+  double lateral_pixels = 0.5;
+};
+
+enum class CollisionMode { off, literal, eroded };
+
+/// Weights and gates of E = E_model + lambda_free E_free + lambda_collision E_collision
+/// (docs/mathematics.md).
+struct RegistrationOptions {
+  int max_iterations = 3;  ///< linearisations
+  SensorNoise noise;
+  double cut = 4.0;  ///< residuals beyond this many standard deviations count as outliers
+
+  double lambda_free = 1.0;
+  double free_space_dead_zone = 3.0;  ///< standard deviations along the ray
+
+  CollisionMode collision = CollisionMode::eroded;
+  double lambda_collision = 1.0;
+  double collision_sigma = 1e-4;  ///< metres, whitens the penetration depth
+  double erosion = 0.0015;        ///< metres, unless the model or a pair says otherwise
+
+  /// Neighbouring pixels err alike; the information in N of them is that of N / correlation.
+  double noise_correlation = 20.0;
+
+  bool fixed_base = false;
+  std::vector<bool> locked;  ///< by joint variable; empty: none
+
+  /// Converged when a step moves no point of the model farther than this, metres.
+  double step_tolerance = 1e-6;
+};
+
+}  // namespace lockbox

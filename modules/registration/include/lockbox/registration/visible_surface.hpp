@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of the model's surface that a configuration turns to the camera: a z-buffer of the
+// model, as points fixed to their bodies.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/model_term.hpp"
+#include "lockbox/rendering/depth_renderer.hpp"
+
+namespace lockbox {
+
+struct VisibleSample {
+  Eigen::Vector3f p_body;
+  int body;
+};
+
+/// Reuses its buffers; one sample for each block of pixels_per_sample pixels.
+class VisibleSurface {
+ public:
+  void render(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+              const PinholeCamera& camera, const Executor& executor);
+
+  const std::vector<VisibleSample>& samples() const { return samples_; }
+  double pixels_per_sample() const { return pixels_per_sample_; }
+
+ private:
+  PinholeCamera full_camera_;
+  std::unique_ptr<DepthRenderer> renderer_;
+  std::vector<RenderItem> items_;
+  RenderedDepth image_;
+  std::vector<VisibleSample> samples_;
+  double pixels_per_sample_ = 1.0;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/registration/articulated_registration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace lockbox {
+namespace {
+
+using Index = Eigen::Index;
+
+constexpr double kBaseUnit = 0.25;                        // metres, and radians for its rotation
+constexpr double kContinuousUnit = std::numbers::pi / 4;  // a quarter of half a turn either way
+constexpr int kMaxDampings = 5;
+constexpr double kFirstDamping = 1e-2;
+constexpr double kDampingGrowth = 10.0;
+constexpr std::size_t kAgreementStride = 4;  // of the visible samples; a share needs no more
+
+StepScale step_scale(const KinematicTree& tree, const RegistrationOptions& options) {
+  StepScale scale{Eigen::VectorXd::Constant(6 + tree.variables(), kBaseUnit),
+                  options.noise_correlation};
+  for (int v = 0; v < tree.variables(); ++v) {
+    const VariableLimits limits = variable_limits(tree, v);
+    const double range = limits.upper - limits.lower;
+    // A joint without room to move still needs a unit.
+    scale.unit[6 + v] = std::isfinite(range) ? std::max(range / 4.0, 1e-3) : kContinuousUnit;
+  }
+  return scale;
+}
+
+double farthest_surface(const ArticulatedModel& model) {
+  BodyPoses poses;
+  Configuration rest = rest_configuration(model.tree);
+  rest.T_camera_base.setIdentity();
+  forward_kinematics(model.tree, rest, poses);
+  double reach = 0.0;
+  for (std::size_t b = 0; b < model.fields.size(); ++b) {
+    if (model.fields[b]) {
+      const Eigen::AlignedBox3d box = model.fields[b]->bounds().transformed(poses[b]);
+      reach = std::max(reach, box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm());
+    }
+  }
+  return reach;
+}
+
+/// The share of the start's spread that iteration k of n still allows: 1 at first, 0 at last.
+double spread_share(int k, int n) {
+  if (n < 2) {
+    return k == 0 ? 1.0 : 0.0;
+  }
+  const double rest = 1.0 - static_cast<double>(k) / (n - 1);
+  return std::max(0.0, rest * rest);
+}
+
+}  // namespace
+
+ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
+                                                 const RegistrationOptions& options,
+                                                 const Executor& executor)
+    : model_(model),
+      options_(options),
+      executor_(executor),
+      collision_(model, options),
+      scale_(step_scale(model.tree, options)),
+      reach_(farthest_surface(model)) {
+  options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
+  systems_.resize(model.tree.bodies.size());
+}
+
+const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud,
+                                                         const Configuration& start,
+                                                         const Annealing& annealing) {
+  result_.configuration = start;
+  result_.converged = false;
+  result_.iterations = 0;
+  forward_kinematics(model_.tree, start, poses_);
+  surface_.render(model_, poses_, cloud.camera(), executor_);
+  for (int k = 0; k < annealing.iterations && !result_.converged; ++k) {
+    const double iteration_spread = annealing.spread * spread_share(k, annealing.iterations);
+    const double cost = linearize(cloud, iteration_spread);
+    ++result_.iterations;
+    const bool moved = improve(cloud, cost);
+    result_.converged = !moved && iteration_spread == 0.0;
+  }
+  // The covariance, and what the model explains, belong to the solution.
+  linearize(cloud, 0.0);
+  std::vector<bool> held(static_cast<std::size_t>(scale_.unit.size()), false);
+  std::fill_n(held.begin(), 6, options_.fixed_base);
+  std::copy(options_.locked.begin(), options_.locked.end(), held.begin() + 6);
+  estimate_covariance(model_.tree, data_equations_, model_term_.tile_gradients(), jacobians_,
+                      scale_, held, result_.covariance, result_.sigma, result_.observable);
+  measure_agreement(cloud);
+  const ModelTerm::Totals& totals = model_term_.totals();
+  result_.explained_points = totals.points;
+  result_.residual_rms =
+      totals.points > 0.0 ? std::sqrt(totals.weighted_squares / totals.points) : 0.0;
+  return result_;
+}
+
+double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
+  forward_kinematics(model_.tree, result_.configuration, poses_);
+  body_jacobians(model_.tree, poses_, jacobians_);
+  std::fill(systems_.begin(), systems_.end(), BodySystem{});
+  result_.model_cost =
+      model_term_.linearize(model_, poses_, cloud, options_, spread, executor_, systems_);
+  result_.free_cost = 0.0;
+  if (options_.lambda_free > 0.0) {
+    mark_object_pixels(cloud);
+    result_.free_cost = free_term_.linearize(surface_, poses_, cloud, object_, options_, spread,
+                                             executor_, systems_);
+  }
+  data_equations_.set_zero(scale_.unit.size());
+  for (std::size_t b = 0; b < systems_.size(); ++b) {
+    data_equations_.add(systems_[b], jacobians_[b]);
+  }
+  equations_ = data_equations_;
+  result_.collision_cost = collision_.evaluate(model_, poses_, &equations_);
+  return result_.model_cost + result_.free_cost + result_.collision_cost;
+}
+
+double ArticulatedRegistration::cost_at(const TiledCloud& cloud,
+                                        const Configuration& configuration) {
+  forward_kinematics(model_.tree, configuration, trial_poses_);
+  double cost = model_term_.cost(model_, trial_poses_, cloud, executor_);
+  if (options_.lambda_free > 0.0) {
+    cost += free_term_.cost(trial_poses_);
+  }
+  return cost + collision_.evaluate(model_, trial_poses_, nullptr);
+}
+
+/// Takes the best acceptable step; false if there was none, or none worth taking.
+bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost) {
+  const StepLimits limits = step_limits();
+  double damping = 0.0;
+  for (int trial = 0; trial <= kMaxDampings; ++trial) {
+    const Eigen::VectorXd step = bounded_step(equations_, damping, limits, scale_);
+    if (!(largest_move(step) > options_.step_tolerance)) {
+      return false;
+    }
+    const Configuration candidate = stepped(result_.configuration, step);
+    if (cost_at(cloud, candidate) < cost) {
+      result_.configuration = candidate;
+      return true;
+    }
+    damping = damping == 0.0 ? kFirstDamping : damping * kDampingGrowth;
+  }
+  return false;
+}
+
+StepLimits ArticulatedRegistration::step_limits() const {
+  const Index n = scale_.unit.size();
+  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+  StepLimits limits{Eigen::VectorXd::Constant(n, -kUnlimited),
+                    Eigen::VectorXd::Constant(n, kUnlimited)};
+  if (options_.fixed_base) {
+    limits.lower.head<6>().setZero();
+    limits.upper.head<6>().setZero();
+  }
+  for (int v = 0; v < model_.tree.variables(); ++v) {
+    const VariableLimits range = variable_limits(model_.tree, v);
+    const double q = result_.configuration.q[v];
+    const bool locked = options_.locked[static_cast<std::size_t>(v)];
+    limits.lower[6 + v] = locked ? 0.0 : std::min(0.0, range.lower - q);
+    limits.upper[6 + v] = locked ? 0.0 : std::max(0.0, range.upper - q);
+  }
+  return limits;
+}
+
+double ArticulatedRegistration::surface_distance(const Configuration& a,
+                                                 const Configuration& b) const {
+  Eigen::VectorXd step(scale_.unit.size());
+  step.head<6>() = log_se3(a.T_camera_base.inverse() * b.T_camera_base);
+  step.tail(model_.tree.variables()) = b.q - a.q;
+  return largest_move(step);
+}
+
+double ArticulatedRegistration::largest_move(const Eigen::VectorXd& step) const {
+  double move = step.head<3>().norm() + reach_ * step.segment<3>(3).norm();
+  for (int v = 0; v < model_.tree.variables(); ++v) {
+    const auto& joint = model_.tree.joints[static_cast<std::size_t>(
+        model_.tree.variable_joint[static_cast<std::size_t>(v)])];
+    const double lever = joint.type == JointType::prismatic ? 1.0 : reach_;
+    move = std::max(move, lever * std::abs(step[6 + v]));
+  }
+  return move;
+}
+
+void ArticulatedRegistration::mark_object_pixels(const TiledCloud& cloud) {
+  object_.assign(cloud.depth().size(), 0);
+  const std::vector<float>& explained = model_term_.explained();
+  for (const Tile& tile : cloud.tiles()) {
+    for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
+      object_[cloud.pixel()[i]] = explained[i] > 0.0F ? 1 : 0;
+    }
+  }
+}
+
+void ArticulatedRegistration::measure_agreement(const TiledCloud& cloud) {
+  const PinholeCamera& camera = cloud.camera();
+  std::size_t counts[4] = {};  // explained, contradicted, occluded, unknown
+  const auto& samples = surface_.samples();
+  for (std::size_t i = 0; i < samples.size(); i += kAgreementStride) {
+    const auto body = static_cast<std::size_t>(samples[i].body);
+    const Eigen::Vector3d p = poses_[body] * samples[i].p_body.cast<double>();
+    if (p.z() <= 0.0) {
+      continue;
+    }
+    const Eigen::Vector2d image = camera.project(p);
+    const auto u = std::lround(image.x());
+    const auto v = std::lround(image.y());
+    if (u < 0 || v < 0 || u >= camera.width || v >= camera.height) {
+      continue;
+    }
+    const auto measured = static_cast<double>(
+        cloud.depth()[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +
+                      static_cast<std::size_t>(u)]);
+    if (measured <= 0.0) {
+      ++counts[3];
+      continue;
+    }
+    const double sigma =
+        options_.noise.depth_floor + options_.noise.depth_quadratic * p.z() * p.z();
+    const double gate = options_.cut * sigma;
+    const Eigen::Vector3d q =
+        camera.back_project(static_cast<double>(u), static_cast<double>(v), measured);
+    const bool near_surface =
+        std::abs(model_.fields[body]->sample((poses_[body].inverse() * q).cast<float>()).distance) <
+        gate;
+    ++counts[near_surface ? 0 : (measured > p.z() ? 1 : 2)];
+  }
+  const auto total =
+      static_cast<double>(std::max<std::size_t>(1, counts[0] + counts[1] + counts[2] + counts[3]));
+  result_.agreement = {
+      static_cast<double>(counts[0]) / total, static_cast<double>(counts[1]) / total,
+      static_cast<double>(counts[2]) / total, static_cast<double>(counts[3]) / total};
+}
+
+}  // namespace lockbox

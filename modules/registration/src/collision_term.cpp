@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/registration/collision_term.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/mesh/surface_sampling.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kSamplesPerBody = 4000.0;
+constexpr double kFinestSpacing = 0.003;    // metres
+constexpr double kCoarsestSpacing = 0.015;  // metres
+constexpr double kThicknessShare = 0.125;   // of the thinner body: the largest erosion
+// A surface that looks the way the sample itself looks lies on the far side of a thin body.
+constexpr float kFarSideCosine = 0.2F;
+
+/// Where and how deep a sample sits in the other body, and which way is out.
+struct Penetration {
+  double depth;  ///< metres, negative
+  Eigen::Vector3d normal;
+  Eigen::Vector3d point;
+};
+
+/// The way back along the sample's own normal to the surface that it came in through: past the
+/// middle of a thin body the nearest surface is the wrong one.
+std::optional<Penetration> trace_back(const SignedDistanceField& field, const Eigen::Vector3f& p,
+                                      const Eigen::Vector3f& outward, float erosion) {
+  const auto longest = static_cast<float>(field.bounds().sizes().norm());
+  const auto shortest_step = static_cast<float>(0.1 * field.voxel());
+  float way = 0.0F;
+  while (way < longest) {
+    const Eigen::Vector3f q = p - way * outward;
+    const DistanceSample at = field.sample(q);
+    const float f = at.distance + erosion;
+    if (f > -1e-5F) {
+      const float cosine = -at.gradient.dot(outward);
+      if (cosine < 0.1F) {
+        return std::nullopt;
+      }
+      return Penetration{-static_cast<double>(way), (at.gradient / cosine).cast<double>(),
+                         q.cast<double>()};
+    }
+    way += std::max(-f, shortest_step);
+  }
+  return std::nullopt;
+}
+
+std::optional<Penetration> penetration(const SignedDistanceField& field, const Eigen::Vector3f& p,
+                                       const Eigen::Vector3f& outward, float erosion) {
+  const DistanceSample at = field.sample(p);
+  const float f = at.distance + erosion;
+  if (f >= 0.0F) {
+    return std::nullopt;
+  }
+  if (at.gradient.dot(outward) > kFarSideCosine) {
+    return trace_back(field, p, outward, erosion);
+  }
+  return Penetration{static_cast<double>(f), at.gradient.cast<double>(), p.cast<double>()};
+}
+
+/// The erosion that the model's file sets for a pair, by any of the links' names.
+std::optional<double> pair_erosion(const ArticulatedModel& model, const Body& a, const Body& b) {
+  for (const std::string& link_a : a.links) {
+    for (const std::string& link_b : b.links) {
+      const auto found = model.parameters.pair_erosion.find(std::minmax(link_a, link_b));
+      if (found != model.parameters.pair_erosion.end()) {
+        return found->second;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void check_erosion(const ArticulatedModel& model, double erosion, double largest, const Body& a,
+                   const Body& b) {
+  if (erosion > largest) {
+    throw InputError(
+        model.file.string(),
+        "the erosion of " + std::to_string(erosion * 1e3) + " mm for links '" + a.name + "' and '" +
+            b.name + "' is more than an eighth of the thinner one (" +
+            std::to_string(largest * 1e3) +
+            " mm): its eroded surface would vanish; lower it in the model's YAML file");
+  }
+}
+
+}  // namespace
+
+CollisionTerm::CollisionTerm(const ArticulatedModel& model, const RegistrationOptions& options)
+    : weight_(options.lambda_collision / (options.collision_sigma * options.collision_sigma)) {
+  if (options.collision == CollisionMode::off) {
+    return;
+  }
+  BodyPoses rest;
+  forward_kinematics(model.tree, rest_configuration(model.tree), rest);
+  const auto bodies = static_cast<int>(model.tree.bodies.size());
+  for (int a = 0; a < bodies; ++a) {
+    for (int b = a + 1; b < bodies; ++b) {
+      const auto& field_a = model.fields[static_cast<std::size_t>(a)];
+      const auto& field_b = model.fields[static_cast<std::size_t>(b)];
+      if (!field_a || !field_b) {
+        continue;
+      }
+      const Body& body_a = model.tree.bodies[static_cast<std::size_t>(a)];
+      const Body& body_b = model.tree.bodies[static_cast<std::size_t>(b)];
+      CollisionPair pair{a, b, 0.0, 0.0};
+      const std::size_t literal_a = surface_index(model, a, 0.0);
+      const std::size_t literal_b = surface_index(model, b, 0.0);
+      const auto deepest = [&](const ErodedSurface& surface, const SignedDistanceField& field,
+                               const Eigen::Isometry3d& T_other_body) {
+        double depth = 0.0;
+        for (const Sample& sample : surface.samples) {
+          const Eigen::Vector3f p = T_other_body.cast<float>() * sample.p_body;
+          depth = std::max(depth, -static_cast<double>(field.sample(p).distance));
+        }
+        return depth;
+      };
+      const Eigen::Isometry3d T_b_a =
+          rest[static_cast<std::size_t>(b)].inverse() * rest[static_cast<std::size_t>(a)];
+      pair.rest_overlap = std::max(deepest(surfaces_[literal_a], *field_b, T_b_a),
+                                   deepest(surfaces_[literal_b], *field_a, T_b_a.inverse()));
+      if (options.collision == CollisionMode::eroded) {
+        const double largest =
+            kThicknessShare * std::min(field_a->thickness(), field_b->thickness());
+        auto chosen = pair_erosion(model, body_a, body_b);
+        chosen = chosen ? chosen : model.parameters.erosion;
+        if (chosen) {
+          check_erosion(model, *chosen, largest, body_a, body_b);
+        }
+        pair.erosion =
+            chosen.value_or(std::min(options.erosion, largest)) + 0.5 * pair.rest_overlap;
+      }
+      pair_surfaces_.emplace_back(surface_index(model, a, pair.erosion),
+                                  surface_index(model, b, pair.erosion));
+      pairs_.push_back(pair);
+    }
+  }
+}
+
+std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body, double erosion) {
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (surfaces_[i].body == body && surfaces_[i].erosion == erosion) {
+      return i;
+    }
+  }
+  const TriangleMesh& mesh = model.tree.bodies[static_cast<std::size_t>(body)].mesh;
+  const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(body)];
+  const double area = surface_area(mesh);
+  const double spacing =
+      std::clamp(std::sqrt(area / kSamplesPerBody), kFinestSpacing, kCoarsestSpacing);
+  ErodedSurface surface{body, erosion, {}};
+  double total = 0.0;
+  for (const SurfaceSample& point : sample_surface(mesh, spacing)) {
+    Eigen::Vector3f p = point.position.cast<float>();
+    for (int step = 0; step < 5; ++step) {  // Newton's method towards the level set
+      const DistanceSample at = field.sample(p);
+      p -= (at.distance + static_cast<float>(erosion)) * at.gradient /
+           std::max(0.25F, at.gradient.squaredNorm());
+    }
+    const DistanceSample at = field.sample(p);
+    if (std::abs(at.distance + static_cast<float>(erosion)) >
+        0.25F * static_cast<float>(field.voxel())) {
+      continue;  // buried in another shell of the same body, or at a medial axis
+    }
+    surface.samples.push_back({p, at.gradient.normalized(), point.area});
+    total += point.area;
+  }
+  for (Sample& sample : surface.samples) {
+    sample.share /= total;
+  }
+  surfaces_.push_back(std::move(surface));
+  return surfaces_.size() - 1;
+}
+
+double CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface,
+                                    int other, double erosion,
+                                    const Eigen::Isometry3d& T_other_body, BodySystem* system) {
+  const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(other)];
+  const Eigen::AlignedBox3f box = field.bounds().cast<float>();
+  const Eigen::Isometry3f T = T_other_body.cast<float>();
+  double cost = 0.0;
+  for (const Sample& sample : surface.samples) {
+    const Eigen::Vector3f p = T * sample.p_body;
+    if (!box.contains(p)) {
+      continue;
+    }
+    const auto inside =
+        penetration(field, p, T.linear() * sample.normal, static_cast<float>(erosion));
+    if (!inside) {
+      continue;
+    }
+    const double w = weight_ * sample.share;
+    cost += 0.5 * w * inside->depth * inside->depth;
+    if (system != nullptr) {
+      Twist row;
+      row << inside->normal, inside->point.cross(inside->normal);
+      system->hessian.noalias() += w * row * row.transpose();
+      system->gradient += w * inside->depth * row;
+    }
+  }
+  return cost;
+}
+
+double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                               NormalEquations* equations) {
+  double cost = 0.0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const CollisionPair& pair = pairs_[i];
+    const auto a = static_cast<std::size_t>(pair.a);
+    const auto b = static_cast<std::size_t>(pair.b);
+    const Eigen::Isometry3d T_b_a = T_camera_body[b].inverse() * T_camera_body[a];
+    const Eigen::AlignedBox3d box_a = model.fields[a]->bounds().transformed(T_b_a);
+    if (!box_a.intersects(model.fields[b]->bounds())) {
+      continue;
+    }
+    // a moves against b, in b's frame; and b against a, in a's.
+    for (const bool exchanged : {false, true}) {
+      BodySystem system;
+      const double half =
+          exchanged ? evaluate_half(model, surfaces_[pair_surfaces_[i].second], pair.a,
+                                    pair.erosion, T_b_a.inverse(), equations ? &system : nullptr)
+                    : evaluate_half(model, surfaces_[pair_surfaces_[i].first], pair.b, pair.erosion,
+                                    T_b_a, equations ? &system : nullptr);
+      cost += half;
+      if (equations != nullptr && half > 0.0) {
+        relative_jacobian(model.tree, T_camera_body, exchanged ? pair.b : pair.a,
+                          exchanged ? pair.a : pair.b, jacobian_);
+        equations->add(system, jacobian_);
+      }
+    }
+  }
+  return cost;
+}
+
+}  // namespace lockbox

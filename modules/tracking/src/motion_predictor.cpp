@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/tracking/motion_predictor.hpp"
+
+#include <algorithm>
+
+namespace lockbox {
+namespace {
+
+constexpr double kLeastSpread = 0.002;   // metres
+constexpr double kLargestSpread = 0.05;  // metres
+constexpr double kSpreadFactor = 2.0;    // of the latest surface error
+constexpr double kSpreadDecay = 0.7;     // a frame
+constexpr double kLongestStep = 0.2;     // seconds: beyond it no velocity says anything
+
+}  // namespace
+
+MotionPredictor::MotionPredictor(const KinematicTree& tree)
+    : tree_(tree), joint_velocity_(Eigen::VectorXd::Zero(tree.variables())) {}
+
+void MotionPredictor::reset(double stamp, const Configuration& configuration) {
+  stamp_ = stamp;
+  last_ = configuration;
+  base_velocity_.setZero();
+  joint_velocity_.setZero();
+  spread_ = kLargestSpread;
+}
+
+Configuration MotionPredictor::predict(double stamp) const {
+  const double dt = stamp - stamp_;
+  if (!(dt > 0.0) || dt > kLongestStep) {
+    return last_;
+  }
+  Configuration prediction = last_;
+  prediction.T_camera_base = last_.T_camera_base * exp_se3(dt * base_velocity_);
+  for (int v = 0; v < tree_.variables(); ++v) {
+    const VariableLimits limits = variable_limits(tree_, v);
+    prediction.q[v] = std::clamp(last_.q[v] + dt * joint_velocity_[v], limits.lower, limits.upper);
+  }
+  return prediction;
+}
+
+void MotionPredictor::update(double stamp, const Configuration& configuration,
+                             const std::vector<bool>& observable, double surface_error) {
+  const double dt = stamp - stamp_;
+  if (dt > 0.0 && dt <= kLongestStep) {
+    base_velocity_ = log_se3(last_.T_camera_base.inverse() * configuration.T_camera_base) / dt;
+    for (int v = 0; v < tree_.variables(); ++v) {
+      const bool seen = observable[static_cast<std::size_t>(6 + v)];
+      joint_velocity_[v] = seen ? (configuration.q[v] - last_.q[v]) / dt : 0.0;
+    }
+  } else {
+    base_velocity_.setZero();
+    joint_velocity_.setZero();
+  }
+  spread_ = std::clamp(std::max(kSpreadDecay * spread_, kSpreadFactor * surface_error),
+                       kLeastSpread, kLargestSpread);
+  stamp_ = stamp;
+  last_ = configuration;
+}
+
+}  // namespace lockbox
