@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Depth frames of a model in a scene, as a sensor would deliver them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lockbox/core/depth_frame.hpp"
+#include "lockbox/model/states_file.hpp"
+#include "lockbox/rendering/depth_renderer.hpp"
+#include "lockbox/simulation/placed_scene.hpp"
+#include "lockbox/simulation/sensor_simulator.hpp"
+
+namespace lockbox {
+
+/// Frames depend on the state, their index and the seed alone. The tree must outlive the simulator.
+class Simulator {
+ public:
+  Simulator(const KinematicTree& tree, const PinholeCamera& camera, PlacedScene scene,
+            const SensorModel& sensor, std::uint64_t seed, const Executor& executor);
+
+  /// The frame with that index of a run. Throws InputError if the state is not known completely.
+  void simulate(const State& state, std::uint64_t index, DepthFrame& frame);
+
+  /// What the last frame was made from: sampled as SensorSimulator::sample_camera says, ids the
+  /// numbers of bodies, kBackgroundId and kOccluderId.
+  const RenderedDepth& clean() const { return clean_; }
+  const PinholeCamera& sample_camera() const { return sensor_.sample_camera(); }
+
+ private:
+  const KinematicTree& tree_;
+  PlacedScene scene_;
+  SensorSimulator sensor_;
+  DepthRenderer renderer_;
+  std::vector<Eigen::Isometry3d> T_camera_body_;
+  std::vector<RenderItem> items_;
+  RenderedDepth clean_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of states to simulate: every joint through its range, the camera held by a gentle hand.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <numbers>
+#include <vector>
+
+#include "lockbox/model/states_file.hpp"
+
+namespace lockbox {
+
+/// The base upright in front of the camera, its z axis towards it: distance in metres.
+Eigen::Isometry3d facing_pose(double distance);
+
+struct TrajectoryOptions {
+  int frames = 300;
+  double rate = 30.0;                                  ///< frames a second
+  Eigen::Isometry3d T_camera_base = facing_pose(1.3);  ///< of the first frame
+  double sway = 0.03;                                  ///< of the camera along each axis, metres
+  double turn = 2.0 * std::numbers::pi / 180.0;        ///< about each axis, radians
+  double coverage = 0.9;  ///< share of its range that each joint passes; continuous: of a turn
+};
+
+/// Starts and ends with all joints at rest_configuration and all velocities zero. Each joint goes
+/// to the far end of its range, then to the other, and back, at times of its own.
+std::vector<State> generate_trajectory(const KinematicTree& tree,
+                                       const TrajectoryOptions& options = {});
+
+/// 0 at 0, 1 at 1, and constant beyond; smooth, with velocity and acceleration zero at both
+/// (the minimum-jerk polynomial).
+double smooth_step(double x);
+
+}  // namespace lockbox

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A YAML map whose every key must be known and whose every value must fit, or else an InputError
+// with file and line.
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Core>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace lockbox::simulation {
+
+class YamlMap {
+ public:
+  /// Refuses what is no map, and keys that are not among the known ones or come twice.
+  YamlMap(const std::string& file, const YAML::Node& node,
+          std::initializer_list<const char*> known_keys);
+
+  bool has(const char* key) const { return node_[key].IsDefined(); }
+
+  /// The values below leave the target as it is where the key is absent.
+  void read(const char* key, std::string& value) const;
+  void read(const char* key, double& value) const;
+  template <int size>
+  void read(const char* key, Eigen::Matrix<double, size, 1>& value) const {
+    if (has(key)) {
+      const std::vector<double> numbers = read_list(key, size);
+      value = Eigen::Map<const Eigen::Matrix<double, size, 1>>(numbers.data());
+    }
+  }
+
+  /// The entries of a list; none where the key is absent.
+  std::vector<YAML::Node> items(const char* key) const;
+
+  void require(const char* key) const;
+  [[noreturn]] void refuse(const char* key, const std::string& problem) const;
+
+ private:
+  double number(const char* key, const YAML::Node& node) const;
+  std::vector<double> read_list(const char* key, std::size_t size) const;
+
+  std::string file_;
+  YAML::Node node_;
+};
+
+}  // namespace lockbox::simulation
