@@ -30,7 +30,7 @@ bool is_printable_text(std::string_view text) {
   return true;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   return std::string{"'"}.append(text).append("'");
 }
 

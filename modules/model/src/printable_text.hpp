@@ -11,6 +11,6 @@ namespace lockbox {
 bool is_printable_text(std::string_view text);
 
 /// For messages: 'text'.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace lockbox

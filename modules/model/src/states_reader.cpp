@@ -56,7 +56,7 @@ struct Row {
   double number(std::size_t column) const {
     const auto value = parse_number(fields[column]);
     if (!value || std::isinf(*value)) {
-      refuse(column, quoted(fields[column]) + " is neither a finite number nor nan");
+      refuse(column, in_quotes(fields[column]) + " is neither a finite number nor nan");
     }
     return *value;
   }
@@ -83,7 +83,7 @@ Columns read_header(const std::string& file, std::string_view line, const Kinema
       throw InputError(file, 1, "column " + std::to_string(column + 1) + " has no name");
     }
     if (!left.emplace(name, column).second) {
-      throw InputError(file, 1, "the column " + quoted(name) + " stands there twice");
+      throw InputError(file, 1, "the column " + in_quotes(name) + " stands there twice");
     }
   }
   for (std::size_t i = 0; i < kPoseColumns.size(); ++i) {

@@ -16,12 +16,14 @@
 
 namespace lockbox {
 
-/// Per-model parameters, from the YAML file beside the URDF with the same stem.
+/// Per-model parameters, from the YAML file beside the URDF with the same stem. The file may name a
+/// body by any of its links.
 struct ModelParameters {
   std::optional<double> voxel;               ///< metres; chosen per body if not set
-  std::map<std::string, double> link_voxel;  ///< metres, overrides by link
+  std::map<std::string, double> link_voxel;  ///< metres, overrides by name of the body
   std::optional<double> erosion;             ///< metres, model-wide
-  std::map<std::pair<std::string, std::string>, double> pair_erosion;  ///< by link names, sorted
+  /// metres, by the names of two bodies, sorted
+  std::map<std::pair<std::string, std::string>, double> pair_erosion;
   std::optional<Configuration> initial_configuration;
 };
 

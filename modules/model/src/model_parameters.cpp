@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model_parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <system_error>
+
+#include "lockbox/core/error.hpp"
+#include "number_text.hpp"
+#include "printable_text.hpp"
+#include "yaml_node.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kQuaternionTolerance = 1e-2;  // of the norm, for files written with few digits
+
+double positive_length(const YamlNode& node) {
+  const double value = node.number();
+  if (value <= 0.0) node.refuse("a length in metres must be positive");
+  return value;
+}
+
+double erosion_depth(const YamlNode& node) {
+  const double value = node.number();
+  if (value < 0.0) node.refuse("an erosion (metres) must not be negative");
+  return value;
+}
+
+/// The body that the named link is part of.
+const Body& body_of(const YamlNode& where, const std::string& link, const KinematicTree& tree) {
+  for (const Body& body : tree.bodies) {
+    if (std::find(body.links.begin(), body.links.end(), link) == body.links.end()) continue;
+    if (body.visuals.empty()) where.refuse("link " + in_quotes(link) + " has no geometry");
+    return body;
+  }
+  where.refuse("the model has no link " + in_quotes(link));
+}
+
+std::map<std::string, double> read_link_voxels(const YamlNode& node, const KinematicTree& tree) {
+  std::map<std::string, double> voxels;
+  for (const auto& [link, value] : node.entries()) {
+    const std::string& body = body_of(value, link, tree).name;
+    if (!voxels.emplace(body, positive_length(value)).second) {
+      value.refuse("link " + in_quotes(link) + " belongs to the rigid body " + in_quotes(body) +
+                   ", which has a voxel size already");
+    }
+  }
+  return voxels;
+}
+
+void read_pair_erosion(const YamlNode& node, const KinematicTree& tree, ModelParameters& result) {
+  std::vector<std::string> bodies;
+  std::optional<double> erosion;
+  for (const auto& [key, value] : node.entries()) {
+    if (key == "links") {
+      for (const YamlNode& link : value.items(2)) {
+        bodies.push_back(body_of(link, link.text(), tree).name);
+      }
+    } else if (key == "erosion") {
+      erosion = erosion_depth(value);
+    } else {
+      value.refuse("unknown key " + in_quotes(key) + "; a pair has the keys links, erosion");
+    }
+  }
+  if (bodies.empty() || !erosion) node.refuse("a pair needs both keys, links and erosion");
+  std::sort(bodies.begin(), bodies.end());
+  if (bodies[0] == bodies[1]) node.refuse("the two links are one rigid body, which cannot collide");
+  if (!result.pair_erosion.emplace(std::pair{bodies[0], bodies[1]}, *erosion).second) {
+    node.refuse("the pair of bodies " + in_quotes(bodies[0]) + " and " + in_quotes(bodies[1]) +
+                " stands there twice");
+  }
+}
+
+template <std::size_t count>
+std::array<double, count> numbers(const YamlNode& node) {
+  std::array<double, count> result{};
+  const auto items = node.items(count);
+  std::transform(items.begin(), items.end(), result.begin(),
+                 [](const YamlNode& item) { return item.number(); });
+  return result;
+}
+
+Eigen::Quaterniond rotation(const YamlNode& node) {
+  const auto [x, y, z, w] = numbers<4>(node);
+  const Eigen::Quaterniond q(w, x, y, z);
+  if (!(std::abs(q.norm() - 1.0) <= kQuaternionTolerance)) {
+    node.refuse("the quaternion [qx, qy, qz, qw] has norm " + number_text(q.norm()) + ", not 1");
+  }
+  return q.normalized();
+}
+
+void set_joint(const YamlNode& node, const std::string& joint, const KinematicTree& tree,
+               Configuration& configuration) {
+  const double position = node.number();
+  try {
+    set_joint_position(tree, configuration, joint, position);
+  } catch (const InputError& error) {
+    node.refuse(error.what());
+  }
+  const VariableLimits limits = variable_limits(
+      tree, tree.joints[static_cast<std::size_t>(joint_index(tree, joint))].variable);
+  if (position < limits.lower || position > limits.upper) {
+    node.refuse("joint " + in_quotes(joint) + " moves between " + number_text(limits.lower) +
+                " and " + number_text(limits.upper));
+  }
+}
+
+Configuration read_initial_state(const YamlNode& node, const KinematicTree& tree) {
+  Configuration result = rest_configuration(tree);
+  for (const auto& [key, value] : node.entries()) {
+    if (key == "position") {
+      const auto [x, y, z] = numbers<3>(value);
+      result.T_camera_base.translation() = Eigen::Vector3d(x, y, z);
+    } else if (key == "quaternion") {
+      result.T_camera_base.linear() = rotation(value).toRotationMatrix();
+    } else if (key == "joints") {
+      for (const auto& [joint, position] : value.entries()) {
+        set_joint(position, joint, tree, result);
+      }
+    } else {
+      value.refuse("unknown key " + in_quotes(key) +
+                   "; an initial state has the keys position, quaternion, joints");
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+ModelParameters read_model_parameters(const std::filesystem::path& yaml,
+                                      const KinematicTree& tree) {
+  ModelParameters result;
+  std::error_code error;  // e.g. a folder that may not be entered: no such file, as far as we know
+  if (!std::filesystem::exists(yaml, error)) return result;
+  const YamlNode top = YamlNode::read(yaml);
+  if (top.is_empty()) return result;
+  for (const auto& [key, value] : top.entries()) {
+    if (key == "voxel") {
+      result.voxel = positive_length(value);
+    } else if (key == "link_voxel") {
+      result.link_voxel = read_link_voxels(value, tree);
+    } else if (key == "erosion") {
+      result.erosion = erosion_depth(value);
+    } else if (key == "pair_erosion") {
+      for (const YamlNode& pair : value.items()) read_pair_erosion(pair, tree, result);
+    } else if (key == "initial_state") {
+      result.initial_configuration = read_initial_state(value, tree);
+    } else {
+      value.refuse("unknown key " + in_quotes(key) +
+                   "; a model has the keys voxel, link_voxel, erosion, pair_erosion, "
+                   "initial_state");
+    }
+  }
+  return result;
+}
+
+}  // namespace lockbox
