@@ -29,7 +29,7 @@ class RandomStream {
 };
 
 /// Normal deviates of unit variance by look-up: the quantiles of 4096 equally likely classes. Exact
-/// in mean and variance; the largest is 3.5 standard deviations.
+/// in mean and variance; the largest is 3.7 standard deviations.
 class NormalTable {
  public:
   NormalTable();

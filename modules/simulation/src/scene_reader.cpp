@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstream>
-#include <sstream>
+#include <iterator>
+#include <string>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/simulation/scene.hpp"
@@ -108,12 +109,12 @@ SceneArm read_arm(const std::string& file, const YAML::Node& node) {
 
 YAML::Node parsed(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  std::ostringstream text;
-  if (std::filesystem::is_directory(file) || !stream || !(text << stream.rdbuf())) {
+  if (std::filesystem::is_directory(file) || !stream) {
     throw InputError(file.string(), "is not a scene file that can be read");
   }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
   try {
-    return YAML::Load(text.str());
+    return YAML::Load(text);
   } catch (const YAML::Exception& error) {
     throw InputError(file.string(), error.mark.line + 1, "is not YAML: " + error.msg);
   }

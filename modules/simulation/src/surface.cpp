@@ -44,12 +44,15 @@ float cosine_of_incidence(const RenderedDepth& image, const PinholeCamera& camer
 
 bool beside_jump(const RenderedDepth& image, int u, int v, int distance,
                  float unit_disparity_depth) {
-  const auto [nearest, farthest] = std::minmax(
-      {depth_at(image, u, v), depth_at(image, u - distance, v), depth_at(image, u + distance, v),
-       depth_at(image, u, v - distance), depth_at(image, u, v + distance)});
-  // unit / nearest - unit / farthest > 1, for a farthest that may be infinite.
-  return std::isfinite(nearest) &&
-         unit_disparity_depth - nearest > nearest * (unit_disparity_depth / farthest);
+  const float here = depth_at(image, u, v);
+  const auto [nearest, farthest] =
+      std::minmax({here, depth_at(image, u - distance, v), depth_at(image, u + distance, v),
+                   depth_at(image, u, v - distance), depth_at(image, u, v + distance)});
+  // unit / near - unit / far > 1, for a far depth that may be infinite.
+  const auto jump = [unit_disparity_depth](float near, float far) {
+    return std::isfinite(near) && unit_disparity_depth - near > near * (unit_disparity_depth / far);
+  };
+  return jump(nearest, here) || jump(here, farthest);
 }
 
 }  // namespace lockbox::simulation

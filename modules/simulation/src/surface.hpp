@@ -14,8 +14,8 @@ float depth_at(const RenderedDepth& image, int u, int v);
 /// be finite. At an edge the surface is taken to go on as it does on the side away from the edge.
 float cosine_of_incidence(const RenderedDepth& image, const PinholeCamera& camera, int u, int v);
 
-/// Whether the disparities of the sample and its four neighbours, `distance` samples away, differ
-/// by more than 1. unit_disparity_depth: the depth at which the disparity is 1, metres.
+/// Whether the disparity of the sample differs by more than 1 from that of one of its four
+/// neighbours, `distance` samples away. unit_disparity_depth: where the disparity is 1, metres.
 bool beside_jump(const RenderedDepth& image, int u, int v, int distance,
                  float unit_disparity_depth);
 

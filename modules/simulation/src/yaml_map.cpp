@@ -65,7 +65,7 @@ void YamlMap::require(const char* key) const {
 }
 
 void YamlMap::refuse(const char* key, const std::string& problem) const {
-  const YAML::Node& at = has(key) ? node_[key] : node_;
+  const YAML::Node at = has(key) ? node_[key] : node_;
   throw InputError(file_, at.Mark().line + 1, "'" + std::string(key) + "' " + problem);
 }
 
