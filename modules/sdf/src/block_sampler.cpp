@@ -12,12 +12,6 @@ constexpr double kRounding = 1.0001;
 
 constexpr std::array<std::size_t, 3> kStrides = {1, kBlockSamples, kBlockSamples* kBlockSamples};
 
-std::size_t offset_of(const Eigen::Array3i& sample) {
-  return static_cast<std::size_t>(sample.x()) * kStrides[0] +
-         static_cast<std::size_t>(sample.y()) * kStrides[1] +
-         static_cast<std::size_t>(sample.z()) * kStrides[2];
-}
-
 Eigen::Vector3i sample_at(std::size_t offset) {
   const auto o = static_cast<int>(offset);
   return {o % kBlockSamples, o / kBlockSamples % kBlockSamples,
@@ -38,81 +32,38 @@ const BlockSampler::Distances& BlockSampler::sample(std::size_t block) {
   first_ = layout_.first_sample(block);
   const double diagonal = std::sqrt(3.0) * kBlockCells * layout_.voxel;
   const Eigen::Vector3d middle = layout_.middle(first_, kBlockCells);
-  Slots candidates;
-  tree_.collect_within(middle, kRounding * (tree_.distance(middle) + diagonal), candidates);
-  set_distances({Eigen::Array3i::Zero(), Eigen::Array3i::Constant(kBlockSamples)}, candidates);
-  set_signs(std::none_of(candidates.begin(), candidates.end(),
+  candidates_.clear();
+  tree_.collect_within(middle, kRounding * (tree_.distance(middle) + diagonal), candidates_);
+  set_distances();
+  set_signs(std::none_of(candidates_.begin(), candidates_.end(),
                          [&](std::uint32_t slot) { return open_[slot] != 0; }));
   return distances_;
 }
 
-void BlockSampler::set_distances(const Range& range, const Slots& candidates) {
-  constexpr std::size_t kFew = 3;
-  constexpr std::size_t kMany = 64;
-  const Eigen::Array3i size = range.end - range.begin;
-  if (candidates.size() <= kFew || size.maxCoeff() <= 2) {
-    for_each_sample(range, [&](const Eigen::Vector3d& p) { return distance(p, candidates); });
-    return;
-  }
-  const Eigen::Array3i middle = range.begin + (size + 1) / 2;
-  for (int eighth = 0; eighth < 8; ++eighth) {
-    Range part = range;
-    for (int axis = 0; axis < 3; ++axis) {
-      (((eighth >> axis) & 1) != 0 ? part.begin : part.end)[axis] = middle[axis];
-    }
-    if ((part.begin >= part.end).any()) {
-      continue;
-    }
-    const Slots remaining = nearest_candidates(part, candidates);
-    if (remaining.size() > kMany && remaining.size() > candidates.size() / 2) {
-      // Far from the surface, and in the middle of round bodies, dividing does not help.
-      for_each_sample(part, [&](const Eigen::Vector3d& p) { return tree_.distance(p); });
+void BlockSampler::set_distances() {
+  constexpr std::size_t kFew = 12;
+  double previous = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < distances_.size(); ++i) {
+    const Eigen::Vector3i s = sample_at(i);
+    const Eigen::Vector3d p = layout_.position(first_ + s);
+    if (candidates_.size() <= kFew) {
+      distances_[i] = distance_to_candidates(p);
     } else {
-      set_distances(part, remaining);
+      // Over one step a distance grows by the step at most.
+      const bool is_step = s.x() > 0;
+      distances_[i] =
+          is_step ? tree_.distance(p, previous + kRounding * layout_.voxel) : tree_.distance(p);
+      previous = distances_[i];
     }
   }
 }
 
-BlockSampler::Slots BlockSampler::nearest_candidates(const Range& range,
-                                                     const Slots& candidates) const {
-  const Eigen::Vector3i size = (range.end - range.begin).matrix();
-  const Eigen::Vector3d half =
-      0.5 * layout_.voxel * (size - Eigen::Vector3i::Ones()).cast<double>();
-  const Eigen::Vector3d middle = layout_.position(first_ + range.begin.matrix()) + half;
-  std::vector<double> squared(candidates.size());
+double BlockSampler::distance_to_candidates(const Eigen::Vector3d& p) const {
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    squared[i] = squared_distance(middle, tree_.corners()[candidates[i]]);
-    nearest = std::min(nearest, squared[i]);
-  }
-  const double reach = kRounding * (std::sqrt(nearest) + 2.0 * half.norm());
-  Slots remaining;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (squared[i] <= reach * reach) {
-      remaining.push_back(candidates[i]);
-    }
-  }
-  return remaining;
-}
-
-double BlockSampler::distance(const Eigen::Vector3d& p, const Slots& candidates) const {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t slot : candidates) {
+  for (const std::uint32_t slot : candidates_) {
     nearest = std::min(nearest, squared_distance(p, tree_.corners()[slot]));
   }
   return std::sqrt(nearest);
-}
-
-template <typename Distance>
-void BlockSampler::for_each_sample(const Range& range, Distance&& distance_at) {
-  Eigen::Array3i s;
-  for (s.z() = range.begin.z(); s.z() < range.end.z(); ++s.z()) {
-    for (s.y() = range.begin.y(); s.y() < range.end.y(); ++s.y()) {
-      for (s.x() = range.begin.x(); s.x() < range.end.x(); ++s.x()) {
-        distances_[offset_of(s)] = distance_at(layout_.position(first_ + s.matrix()));
-      }
-    }
-  }
 }
 
 void BlockSampler::set_signs(bool is_closed) {

@@ -9,9 +9,9 @@ namespace lockbox {
 
 /// Works on one block at a time; keep one per thread.
 ///
-/// Distances: the triangles that can be nearest to a box of samples are those within the nearest
-/// one's distance from its middle plus its diagonal; the box is divided, and the list with it,
-/// until few triangles remain.
+/// Distances: what can be nearest to any of the samples lies not farther from the block's middle
+/// than the nearest triangle there and the diagonal together. Few such triangles are tried in
+/// turn, as on the large flat faces of CAD; among many the tree is searched for each sample.
 ///
 /// Signs: two neighbours a voxel apart with |d1| + |d2| > voxel cannot have surface between them.
 /// Samples joined in this way share one winding number, where all triangles nearby are closed.
@@ -27,17 +27,8 @@ class BlockSampler {
   const Distances& sample(std::size_t block);
 
  private:
-  using Slots = std::vector<std::uint32_t>;
-  struct Range {
-    Eigen::Array3i begin;
-    Eigen::Array3i end;
-  };
-
-  void set_distances(const Range& range, const Slots& candidates);
-  Slots nearest_candidates(const Range& range, const Slots& candidates) const;
-  double distance(const Eigen::Vector3d& p, const Slots& candidates) const;
-  template <typename Distance>
-  void for_each_sample(const Range& range, Distance&& distance_at);
+  void set_distances();
+  double distance_to_candidates(const Eigen::Vector3d& p) const;
   void set_signs(bool is_closed);
   void join_region();
   bool is_inside(std::size_t sample) const;
@@ -48,6 +39,7 @@ class BlockSampler {
   const std::vector<std::uint8_t>& open_;
   Eigen::AlignedBox3d bounds_;
   Eigen::Vector3i first_;
+  std::vector<std::uint32_t> candidates_;
   Distances distances_;
   std::array<std::uint8_t, kBlockVolume> visited_;
   std::vector<std::size_t> region_;

@@ -7,7 +7,7 @@ namespace lockbox {
 namespace {
 
 CoarseGrid make_layout(const Eigen::AlignedBox3d& bounds, double reach) {
-  constexpr double kVoxel = 0.02;
+  constexpr double kVoxel = 0.025;
   constexpr double kMostSamples = 5e5;
   CoarseGrid grid;
   const Eigen::Array3d covered = bounds.sizes().array() + 2.0 * reach;

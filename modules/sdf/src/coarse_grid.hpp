@@ -14,7 +14,7 @@ struct CoarseGrid {
   std::vector<double> distances;                     ///< metres, signed, x fastest
 };
 
-/// 20 mm between samples, more where that would take over half a million of them. reach: metres
+/// 25 mm between samples, more where that would take over half a million of them. reach: metres
 /// beyond the bounds of the surface.
 CoarseGrid sample_coarse_grid(const TriangleTree& tree, const WindingTree& winding, double reach,
                               const Executor& executor);

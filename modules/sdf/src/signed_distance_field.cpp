@@ -71,19 +71,34 @@ const std::int16_t* cell_of_block(const FieldView& view, std::int32_t first, con
   return view.samples + first + cell.x() + cell.y() * kBlockStrides.y + cell.z() * kBlockStrides.z;
 }
 
-/// Share of a unit cell where the interpolant is negative: exact along z, on 4 x 4 lines.
+/// The same values with the axis of the steepest change last.
+CellCorners steepest_axis_last(const CellCorners& corners) {
+  int steepest = 0;
+  interpolate(corners, Array3f::Constant(0.5F), 1.0F).gradient.cwiseAbs().maxCoeff(&steepest);
+  CellCorners swapped;
+  for (int i = 0; i < 8; ++i) {
+    const int bits_differ = ((i >> steepest) ^ (i >> 2)) & 1;
+    const int j = bits_differ != 0 ? i ^ (1 << steepest) ^ 4 : i;
+    swapped[static_cast<std::size_t>(i)] = corners[static_cast<std::size_t>(j)];
+  }
+  return swapped;
+}
+
+/// Share of a unit cell where the interpolant is negative: exact along 4 x 4 lines that run across
+/// the surface.
 double negative_share(const CellCorners& corners) {
   const auto [least, largest] = std::minmax_element(corners.begin(), corners.end());
   if (*least >= 0.0F || *largest <= 0.0F) {
     return *least < 0.0F ? 1.0 : 0.0;
   }
+  const CellCorners across = steepest_axis_last(corners);
   constexpr int kLines = 4;
   double share = 0.0;
   for (int i = 0; i < kLines * kLines; ++i) {
     const float x = (static_cast<float>(i % kLines) + 0.5F) / kLines;
     const float y = (static_cast<float>(i / kLines) + 0.5F) / kLines;
-    const double low = static_cast<double>(interpolate(corners, {x, y, 0.0F}, 1.0F).distance);
-    const double high = static_cast<double>(interpolate(corners, {x, y, 1.0F}, 1.0F).distance);
+    const double low = static_cast<double>(interpolate(across, {x, y, 0.0F}, 1.0F).distance);
+    const double high = static_cast<double>(interpolate(across, {x, y, 1.0F}, 1.0F).distance);
     if ((low < 0.0) != (high < 0.0)) {
       share += std::min(low, high) / (std::min(low, high) - std::max(low, high));
     } else if (low < 0.0) {

@@ -8,23 +8,33 @@
 namespace lockbox {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;
+constexpr std::uint32_t kLeafSize = 2;
 /// Halving keeps the depth below the number of bits in a triangle's number.
 constexpr std::size_t kStackSize = 64;
 
-/// Nodes still to be visited, nearest first where that is known.
+/// Nodes still to be visited. Left uninitialised: clearing it would cost more than many a query.
 class NodeStack {
  public:
+  struct Entry {
+    std::uint32_t node;
+    double squared_distance;
+  };
+
   void push(std::uint32_t node, double squared_distance) {
     entries_[size_++] = {node, squared_distance};
   }
   bool empty() const { return size_ == 0; }
-  std::pair<std::uint32_t, double> pop() { return entries_[--size_]; }
+  Entry pop() { return entries_[--size_]; }
 
  private:
-  std::array<std::pair<std::uint32_t, double>, kStackSize> entries_;
+  std::array<Entry, kStackSize> entries_;
   std::size_t size_ = 0;
 };
+
+/// From p to the box, m^2; Eigen's own is a chain of branches.
+double squared_distance(const Eigen::Vector3d& p, const Eigen::AlignedBox3d& box) {
+  return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0.0).squaredNorm();
+}
 
 /// Whether the line meets the box, and not only beyond max_way or behind the origin.
 bool meets(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& origin,
@@ -152,7 +162,7 @@ double TriangleTree::distance(const Eigen::Vector3d& p, double at_most) const {
   constexpr double kNearEnough = 0.999 * 0.999;
   double best = at_most * at_most;
   NodeStack stack;
-  stack.push(0, nodes_[0].box.squaredExteriorDistance(p));
+  stack.push(0, squared_distance(p, nodes_[0].box));
   while (!stack.empty()) {
     const auto [index, box_distance] = stack.pop();
     if (box_distance >= kNearEnough * best) {
@@ -165,8 +175,8 @@ double TriangleTree::distance(const Eigen::Vector3d& p, double at_most) const {
       }
       continue;
     }
-    const double left = nodes_[index + 1].box.squaredExteriorDistance(p);
-    const double right = nodes_[node.right].box.squaredExteriorDistance(p);
+    const double left = squared_distance(p, nodes_[index + 1].box);
+    const double right = squared_distance(p, nodes_[node.right].box);
     if (left <= right) {
       stack.push(node.right, right);
       stack.push(index + 1, left);
@@ -184,9 +194,9 @@ void TriangleTree::collect_within(const Eigen::Vector3d& p, double radius,
   NodeStack stack;
   stack.push(0, 0.0);
   while (!stack.empty()) {
-    const std::uint32_t index = stack.pop().first;
+    const std::uint32_t index = stack.pop().node;
     const Node& node = nodes_[index];
-    if (node.box.squaredExteriorDistance(p) > limit) {
+    if (squared_distance(p, node.box) > limit) {
       continue;
     }
     if (node.right != 0) {
@@ -209,7 +219,7 @@ void TriangleTree::for_each_on_ray(const Eigen::Vector3d& origin, const Eigen::V
   NodeStack stack;
   stack.push(0, 0.0);
   while (!stack.empty()) {
-    const std::uint32_t index = stack.pop().first;
+    const std::uint32_t index = stack.pop().node;
     const Node& node = nodes_[index];
     if (!meets(node.box, origin, inverse, max_way())) {
       continue;

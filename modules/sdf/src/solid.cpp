@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid.hpp"
+
+#include <cstdio>
+#include <string>
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/mesh/repair.hpp"
+#include "lockbox/mesh/topology.hpp"
+#include "wall_thickness.hpp"
+
+namespace lockbox {
+namespace {
+
+void require_valid(const TriangleMesh& mesh) {
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      if (vertex >= mesh.vertices.size() || !mesh.vertices[vertex].allFinite()) {
+        throw InputError("geometry", "a triangle has a corner that is missing or not finite");
+      }
+    }
+  }
+}
+
+/// Welded and oriented, or refused.
+TriangleMesh mended(const TriangleMesh& mesh) {
+  require_valid(mesh);
+  TriangleMesh result = oriented_outwards(welded(mesh));
+  if (result.triangles.empty()) {
+    throw InputError("geometry", "the mesh has no triangle with an area");
+  }
+  return result;
+}
+
+OuterSurface closed_surface(const TriangleMesh& mesh, const WindingTree& winding) {
+  constexpr double kMostOpen = 0.01;
+  const double share = open_share(mesh, winding);
+  if (share > kMostOpen) {
+    char percent[16];
+    std::snprintf(percent, sizeof percent, "%.2g %%", 100.0 * share);
+    throw InputError("geometry", std::string("the surface is open: about ") + percent +
+                                     " of it is missing or faces the wrong way, so that inside "
+                                     "and outside are not defined; close the mesh");
+  }
+  OuterSurface surface = find_outer_surface(mesh, winding);
+  if (surface.mesh.triangles.empty() || surface.volume <= 0.0) {
+    throw InputError("geometry", "the surface encloses no volume; a link needs a solid");
+  }
+  return surface;
+}
+
+}  // namespace
+
+Solid::Solid(const TriangleMesh& input)
+    : mesh_(mended(input)),
+      winding_(mesh_),
+      surface_(closed_surface(mesh_, winding_)),
+      tree_(surface_.mesh),
+      area_(surface_area(surface_.mesh)),
+      thickness_(thinnest_wall(surface_, tree_, mesh_, winding_)) {}
+
+std::vector<std::uint8_t> Solid::open_slots() const {
+  const auto open = triangles_at_open_edges(mesh_);
+  std::vector<std::uint8_t> slots;
+  slots.reserve(tree_.corners().size());
+  for (std::uint32_t slot = 0; slot < tree_.corners().size(); ++slot) {
+    slots.push_back(open[surface_.source[tree_.triangle_of(slot)]]);
+  }
+  return slots;
+}
+
+}  // namespace lockbox
