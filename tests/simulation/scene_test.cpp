@@ -43,7 +43,7 @@ moving: camera
 planes:
   - {frame: base, point: [1, 2, 3], normal: [0, 0, 2], extent: [4, 5]}
 boxes:
-  - {size: [0.1, 0.2, 0.3], position: [1, 0, 2], orientation: [0, 0, 1, 0]}
+  - {size: [0.1, 0.2, 0.3], position: [1, 0, 2], quaternion: [0, 0, 1, 0]}
 arms:
   - radius: 0.04
     frame: world

@@ -47,7 +47,7 @@ ScenePlane read_plane(const std::string& file, const YAML::Node& node) {
 }
 
 SceneBox read_box(const std::string& file, const YAML::Node& node) {
-  const YamlMap map(file, node, {"frame", "size", "position", "orientation"});
+  const YamlMap map(file, node, {"frame", "size", "position", "quaternion"});
   SceneBox box;
   map.require("size");
   map.require("position");
@@ -59,9 +59,9 @@ SceneBox read_box(const std::string& file, const YAML::Node& node) {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   map.read("position", position);
   Eigen::Vector4d xyzw = Eigen::Vector4d::UnitW();
-  map.read("orientation", xyzw);
+  map.read("quaternion", xyzw);
   if (xyzw.norm() < 1e-9) {
-    map.refuse("orientation", "must be a quaternion qx, qy, qz, qw that is not zero");
+    map.refuse("quaternion", "must be qx, qy, qz, qw, not all zero");
   }
   box.pose.translation() = position;
   box.pose.linear() = Eigen::Quaterniond(xyzw).normalized().toRotationMatrix();

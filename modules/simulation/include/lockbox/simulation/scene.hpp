@@ -60,7 +60,7 @@ struct Scene {
   std::vector<SceneArm> arms;
 };
 
-/// Reads a scene file; its keys are the names of the members above, `orientation` (qx, qy, qz, qw)
+/// Reads a scene file; its keys are the names of the members above, `quaternion` (qx, qy, qz, qw)
 /// and `position` those of a pose. Throws InputError with file and line.
 Scene read_scene(const std::filesystem::path& file);
 
