@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands.hpp"
+
+namespace lockbox::app {
+
+const std::vector<CommandEntry>& commands() {
+  static const std::vector<CommandEntry> entries = {
+      {"track", "Estimates base pose and joints for every frame of a source",
+       "lockbox track --model lockbox --source recording.oni --output out/run", make_track_command},
+      {"simulate", "Renders what a depth camera would record of a moving model",
+       "lockbox simulate --model lockbox --trajectory states.csv --output recording.oni",
+       make_simulate_command},
+      {"record", "Records a live device into an .oni file",
+       "lockbox record --source openni2: --output recording.oni", make_record_command},
+      {"evaluate", "Compares estimated states with a reference",
+       "lockbox evaluate --estimate out/run/states.csv --reference groundtruth.csv "
+       "--output out/errors",
+       make_evaluate_command},
+      {"inspect", "Shows a model: its tree, distance fields, contacts, and a picture",
+       "lockbox inspect --model lockbox --picture lockbox.png", make_inspect_command},
+  };
+  return entries;
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iomanip>
+#include <iostream>
+#include <numbers>
+
+#include "commands.hpp"
+#include "evaluation_tree.hpp"
+#include "lockbox/core/error.hpp"
+#include "lockbox/evaluation/metrics.hpp"
+#include "lockbox/evaluation/report.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "shipped_files.hpp"
+
+namespace lockbox::app {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kMillimetres = 1000.0;
+
+void print_row(const std::string& name, const std::string& unit, double scale,
+               const Statistics& errors) {
+  std::cout << std::left << std::setw(28) << name << std::setw(8) << unit << std::right;
+  for (const double value : {errors.rmse, errors.median, errors.percentile_95, errors.maximum}) {
+    std::cout << std::setw(11) << scale * value;
+  }
+  std::cout << std::setw(9) << errors.count << '\n';
+}
+
+void print_evaluation(const KinematicTree& tree, const Evaluation& evaluation) {
+  std::cout << std::fixed << std::setprecision(3) << std::left << std::setw(36) << "error"
+            << std::right << std::setw(11) << "RMSE" << std::setw(11) << "median" << std::setw(11)
+            << "95 %" << std::setw(11) << "maximum" << std::setw(9) << "frames\n";
+  print_row("base translation", "mm", kMillimetres, evaluation.translation);
+  print_row("base rotation", "degrees", kDegrees, evaluation.rotation);
+  for (const auto& summary : evaluation.joints) {
+    const Joint& joint = tree.joints[static_cast<std::size_t>(summary.joint)];
+    const bool slides = joint.type == JointType::prismatic;
+    print_row(joint.name, slides ? "mm" : "degrees", slides ? kMillimetres : kDegrees,
+              summary.errors);
+  }
+  const Judgement& judgement = evaluation.judgement;
+  std::cout << judgement.tracking << " of " << evaluation.frames.size()
+            << " frames tracked, of these wrong: " << judgement.tracking_but_wrong
+            << "; right but not called tracking: " << judgement.right_but_not_tracking
+            << "; without an estimate near in time: " << evaluation.unmatched << '\n';
+}
+
+class EvaluateCommand : public Command {
+ public:
+  void add_options(CLI::App& options) override {
+    options.add_option("-e,--estimate", estimate_, "Estimated states (states.csv of a run)")
+        ->required()
+        ->type_name("FILE");
+    options.add_option("-r,--reference", reference_, "True states (groundtruth.csv)")
+        ->required()
+        ->type_name("FILE");
+    options.add_option("-o,--output", output_, "Folder for summary.json, errors.csv and plots")
+        ->type_name("DIR");
+    options
+        .add_option(
+            "-m,--model", model_,
+            "The model, if no run.yaml beside the estimate names it: tells the joints' units")
+        ->type_name("FILE");
+    options
+        .add_option("--bounds", bounds_,
+                    "Bounds file: only unknowns that a frame determines count there")
+        ->type_name("FILE");
+  }
+
+  ExitStatus run() override {
+    const KinematicTree tree =
+        model_.empty() ? tree_of_states(estimate_) : load_kinematic_tree(find_model(model_));
+    std::optional<std::vector<FrameBound>> bounds;
+    if (!bounds_.empty()) bounds = read_bounds(bounds_, tree);
+    const Evaluation evaluation =
+        evaluate(tree, read_states(estimate_, tree), read_states(reference_, tree), bounds);
+    print_evaluation(tree, evaluation);
+    if (!output_.empty()) write_files(tree, evaluation);
+    return ExitStatus::done;
+  }
+
+ private:
+  void write_files(const KinematicTree& tree, const Evaluation& evaluation) const {
+    std::filesystem::create_directories(output_);
+    write_summary(output_ / "summary.json", tree, evaluation);
+    write_errors(output_ / "errors.csv", tree, evaluation);
+    const std::string hindrance = write_error_plots(output_, tree, evaluation);
+    if (!hindrance.empty()) std::cerr << "lockbox: no plots: " << hindrance << '\n';
+    std::cout << "written: " << output_.string() << '\n';
+  }
+
+  std::string estimate_;
+  std::string reference_;
+  std::filesystem::path output_;
+  std::string model_;
+  std::string bounds_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_evaluate_command() {
+  return std::make_unique<EvaluateCommand>();
+}
+
+}  // namespace lockbox::app

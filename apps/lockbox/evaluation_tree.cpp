@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation_tree.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/model/articulated_model.hpp"
+
+namespace lockbox::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<fs::path> model_of_run(const fs::path& run) {
+  if (!fs::exists(run)) return std::nullopt;
+  try {
+    const fs::path model = YAML::LoadFile(run.string())["model"].as<std::string>();
+    if (fs::exists(model)) return model;
+  } catch (const YAML::Exception&) {
+    // Somebody else's run.yaml: the columns of the states file have to do.
+  }
+  return std::nullopt;
+}
+
+/// The columns after the pose, up to `status`.
+std::vector<std::string> joint_columns(const fs::path& states_file) {
+  constexpr std::size_t kPoseColumns = 8;
+  std::ifstream file(states_file);
+  std::string header;
+  if (!std::getline(file, header)) throw InputError(states_file.string(), "cannot be read");
+  if (header.ends_with('\r')) header.pop_back();
+  std::vector<std::string> columns;
+  std::stringstream cells(header);
+  for (std::string cell; std::getline(cells, cell, ',') && cell != "status";) {
+    columns.push_back(cell);
+  }
+  columns.erase(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(
+                                                       std::min(kPoseColumns, columns.size())));
+  return columns;
+}
+
+}  // namespace
+
+KinematicTree tree_of_states(const fs::path& states_file) {
+  if (const auto model = model_of_run(states_file.parent_path() / "run.yaml")) {
+    return load_kinematic_tree(*model);
+  }
+  KinematicTree tree;
+  tree.bodies.resize(1);
+  for (const auto& name : joint_columns(states_file)) {
+    const int index = static_cast<int>(tree.joints.size());
+    Joint joint;
+    joint.name = name;
+    joint.type = JointType::continuous;
+    joint.lower = -std::numeric_limits<double>::infinity();
+    joint.upper = std::numeric_limits<double>::infinity();
+    joint.child_body = index + 1;
+    joint.variable = index;
+    tree.joints.push_back(joint);
+    tree.bodies.push_back({name, {name}, {}, {}, index});
+    tree.variable_joint.push_back(index);
+    tree.file_order.push_back(index);
+  }
+  return tree;
+}
+
+}  // namespace lockbox::app

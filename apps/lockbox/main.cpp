@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <span>
+
+#include "commands.hpp"
+#include "lockbox/core/error.hpp"
+#include "version.hpp"
+
+namespace lockbox::app {
+namespace {
+
+void print_overview(std::ostream& out) {
+  out << "lockbox " << kVersion << ": tracks articulated objects with a depth camera\n\n"
+      << "Usage: lockbox COMMAND [OPTIONS]\n\nCommands:\n";
+  for (const auto& entry : commands()) {
+    out << "  " << entry.name << std::string(12 - entry.name.size(), ' ') << entry.summary << '\n';
+  }
+  out << "\n`lockbox COMMAND --help` explains the options of a command, with an example.\n";
+}
+
+ExitStatus fail(ExitStatus status, const std::string& message) {
+  std::cerr << "lockbox: " << message << '\n';
+  return status;
+}
+
+/// Reads the options; returns nothing if the command shall run.
+std::optional<ExitStatus> parse(CLI::App& options, std::span<char*> arguments) {
+  try {
+    options.parse(static_cast<int>(arguments.size()), arguments.data());
+    return std::nullopt;
+  } catch (const CLI::Success& request) {  // --help
+    options.exit(request);
+    return ExitStatus::done;
+  } catch (const CLI::FileError& error) {
+    return fail(ExitStatus::invalid_input, std::string("--config: ") + error.what());
+  } catch (const CLI::ConfigError& error) {
+    return fail(ExitStatus::invalid_input,
+                options.get_config_ptr()->as<std::string>() +
+                    ": keys are the long names of this command's options; " + error.what());
+  } catch (const CLI::ParseError& error) {
+    return fail(ExitStatus::wrong_usage,
+                std::string(error.what()) + "\nSee `" + options.get_name() + " --help`.");
+  }
+}
+
+ExitStatus run(const CommandEntry& entry, std::span<char*> arguments) {
+  const auto command = entry.make();
+  CLI::App options(entry.summary, "lockbox " + entry.name);
+  options.footer("Example:\n  " + entry.example);
+  options.set_config("--config", "", "Read options from FILE: lines `name = value`")
+      ->type_name("FILE");
+  options.allow_config_extras(CLI::config_extras_mode::error);
+  command->add_options(options);
+  if (const auto status = parse(options, arguments)) return *status;
+  try {
+    return command->run();
+  } catch (const InputError& error) {
+    return fail(ExitStatus::invalid_input, error.what());
+  } catch (const DeviceError& error) {
+    return fail(ExitStatus::device_failed, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(ExitStatus::invalid_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitStatus::internal_error, "not enough memory");
+  } catch (const std::exception& error) {
+    return fail(ExitStatus::internal_error, std::string("internal error: ") + error.what());
+  }
+}
+
+ExitStatus dispatch(std::span<char*> arguments) {
+  const std::string name = arguments.size() > 1 ? arguments[1] : "";
+  if (name == "--help" || name == "-h" || name == "help") {
+    print_overview(std::cout);
+    return ExitStatus::done;
+  }
+  if (name == "--version") {
+    std::cout << "lockbox " << kVersion << '\n';
+    return ExitStatus::done;
+  }
+  for (const auto& entry : commands()) {
+    if (entry.name == name) return run(entry, arguments.subspan(1));
+  }
+  if (!name.empty()) std::cerr << "lockbox: there is no command '" << name << "'\n\n";
+  print_overview(std::cerr);
+  return ExitStatus::wrong_usage;
+}
+
+}  // namespace
+}  // namespace lockbox::app
+
+int main(int argc, char** argv) {
+  return static_cast<int>(lockbox::app::dispatch({argv, static_cast<std::size_t>(argc)}));
+}

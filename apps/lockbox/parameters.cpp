@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parameters.hpp"
+
+#include <locale>
+#include <sstream>
+
+namespace lockbox::app {
+namespace {
+
+std::string text(double value) {
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream.precision(12);
+  stream << value;
+  return stream.str();
+}
+
+std::string text(int value) {
+  return std::to_string(value);
+}
+
+std::string text(bool value) {
+  return value ? "true" : "false";
+}
+
+std::string text(CollisionMode mode) {
+  switch (mode) {
+    case CollisionMode::off:
+      return "off";
+    case CollisionMode::literal:
+      return "literal";
+    case CollisionMode::eroded:
+      return "eroded";
+  }
+  return "";
+}
+
+std::string text(const std::vector<bool>& values) {
+  std::string list;
+  for (const bool value : values) list.append(list.empty() ? "" : " ").append(text(value));
+  return list;
+}
+
+std::string value_of(const CLI::Option& option) {
+  if (option.count() == 0) {
+    return option.get_expected_max() == 0 ? "false" : option.get_default_str();
+  }
+  std::string values;
+  for (const auto& value : option.results()) values.append(values.empty() ? "" : " ").append(value);
+  return values;
+}
+
+}  // namespace
+
+NamedValues options_in_force(const CLI::App& options) {
+  NamedValues values;
+  for (const CLI::Option* option : options.get_options()) {
+    const bool is_setting = option != options.get_help_ptr() && !option->get_lnames().empty();
+    if (is_setting) values.emplace_back(option->get_lnames().front(), value_of(*option));
+  }
+  return values;
+}
+
+NamedValues parameters_in_force(const TrackerOptions& options) {
+  const RegistrationOptions& registration = options.registration;
+  return {
+      {"max_iterations", text(registration.max_iterations)},
+      {"noise_depth_floor", text(registration.noise.depth_floor)},
+      {"noise_depth_quadratic", text(registration.noise.depth_quadratic)},
+      {"noise_lateral_pixels", text(registration.noise.lateral_pixels)},
+      {"noise_correlation", text(registration.noise_correlation)},
+      {"cut", text(registration.cut)},
+      {"lambda_free", text(registration.lambda_free)},
+      {"free_space_dead_zone", text(registration.free_space_dead_zone)},
+      {"collision", text(registration.collision)},
+      {"lambda_collision", text(registration.lambda_collision)},
+      {"collision_sigma", text(registration.collision_sigma)},
+      {"erosion", text(registration.erosion)},
+      {"fixed_base", text(registration.fixed_base)},
+      {"locked", text(registration.locked)},
+      {"step_tolerance", text(registration.step_tolerance)},
+      {"min_depth", text(options.cloud.min_depth)},
+      {"max_depth", text(options.cloud.max_depth)},
+      {"flying_pixel_jump", text(options.cloud.flying_pixel_jump)},
+      {"threads", text(options.threads)},
+      {"start_spread", text(options.start_spread)},
+      {"start_iterations", text(options.start_iterations)},
+      {"least_explained", text(options.least_explained)},
+      {"least_agreement", text(options.least_agreement)},
+      {"lost_agreement", text(options.lost_agreement)},
+  };
+}
+
+}  // namespace lockbox::app

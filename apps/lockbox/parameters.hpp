@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "lockbox/tracking/tracker.hpp"
+#include "run_description.hpp"
+
+namespace lockbox::app {
+
+/// The options of a command as they are in force, defaults included, by their long names.
+NamedValues options_in_force(const CLI::App& options);
+
+/// Every parameter of the tracker.
+NamedValues parameters_in_force(const TrackerOptions& options);
+
+}  // namespace lockbox::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <iostream>
+
+#include "commands.hpp"
+#include "interruption.hpp"
+#include "lockbox/capture/oni_writer.hpp"
+
+namespace lockbox::app {
+namespace {
+
+class RecordCommand : public Command {
+ public:
+  void add_options(CLI::App& options) override {
+    options.add_option("-s,--source", source_, "openni2: or openni2:<uri>")
+        ->required()
+        ->type_name("SOURCE");
+    options.add_option("-o,--output", output_, "The recording to write")
+        ->required()
+        ->type_name("FILE.oni");
+    options.add_option("--seconds", seconds_, "Stop after this time; 0: at Ctrl-C")
+        ->check(CLI::NonNegativeNumber);
+    options.add_flag("-q,--quiet", quiet_, "Say nothing but errors");
+  }
+
+  ExitStatus run() override {
+    const Interruption interruption;
+    const auto start = std::chrono::steady_clock::now();
+    const auto is_over = [&] {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+      return interruption.requested() || (seconds_ > 0.0 && elapsed.count() >= seconds_);
+    };
+    if (!quiet_) std::cerr << "recording " << source_ << "; Ctrl-C ends\n";
+    const std::size_t frames = record(source_, output_, is_over);
+    if (!quiet_) std::cout << frames << " frames in " << output_ << '\n';
+    return ExitStatus::done;
+  }
+
+ private:
+  std::string source_;
+  std::string output_;
+  double seconds_ = 0.0;
+  bool quiet_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_record_command() {
+  return std::make_unique<RecordCommand>();
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_description.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "lockbox/core/error.hpp"
+#include "version.hpp"
+
+namespace lockbox::app {
+namespace {
+
+constexpr std::array kAllStatuses = {TrackingStatus::initializing, TrackingStatus::tracking,
+                                     TrackingStatus::uncertain, TrackingStatus::lost};
+
+std::string end_text(RunEnd end) {
+  switch (end) {
+    case RunEnd::still_running:
+      return "still running, or ended by force";
+    case RunEnd::end_of_source:
+      return "end of the source";
+    case RunEnd::interrupted:
+      return "interrupted";
+    case RunEnd::frame_limit:
+      return "frame limit reached";
+    case RunEnd::failed:
+      return "the source failed";
+  }
+  return "";
+}
+
+void emit_values(YAML::Emitter& out, const std::string& key, const NamedValues& values) {
+  out << YAML::Key << key << YAML::Value << YAML::BeginMap;
+  for (const auto& [name, value] : values) out << YAML::Key << name << YAML::Value << value;
+  out << YAML::EndMap;
+}
+
+void emit_camera(YAML::Emitter& out, const PinholeCamera& camera) {
+  out << YAML::Key << "camera" << YAML::Value << YAML::Flow << YAML::BeginMap;
+  out << YAML::Key << "width" << YAML::Value << camera.width;
+  out << YAML::Key << "height" << YAML::Value << camera.height;
+  out << YAML::Key << "fx" << YAML::Value << camera.fx;
+  out << YAML::Key << "fy" << YAML::Value << camera.fy;
+  out << YAML::Key << "cx" << YAML::Value << camera.cx;
+  out << YAML::Key << "cy" << YAML::Value << camera.cy << YAML::EndMap;
+}
+
+void emit_versions(YAML::Emitter& out) {
+  emit_values(out, "versions",
+              {{"lockbox", kVersion},
+               {"compiler", kCompiler},
+               {"pcl", kPclVersion},
+               {"openni2", kOpenNi2Version},
+               {"eigen", kEigenVersion}});
+}
+
+void emit_totals(YAML::Emitter& out, const RunTotals& totals, RunEnd end, double seconds) {
+  out << YAML::Key << "end" << YAML::Value << end_text(end);
+  out << YAML::Key << "seconds" << YAML::Value << seconds;
+  out << YAML::Key << "frames" << YAML::Value << YAML::BeginMap;
+  out << YAML::Key << "total" << YAML::Value << totals.frames();
+  for (const auto status : kAllStatuses) {
+    out << YAML::Key << to_string(status) << YAML::Value << totals.frames_with(status);
+  }
+  out << YAML::EndMap;
+  out << YAML::Key << "latency_ms" << YAML::Value << YAML::Flow << YAML::BeginMap;
+  for (const int percent : {50, 95, 99, 100}) {
+    out << YAML::Key << std::string("p").append(std::to_string(percent)) << YAML::Value
+        << totals.latency_percentile(0.01 * percent);
+  }
+  out << YAML::EndMap;
+}
+
+}  // namespace
+
+void RunTotals::add(const TrackingResult& result) {
+  latencies_.push_back(result.latency_ms);
+  statuses_.push_back(result.status);
+}
+
+std::size_t RunTotals::frames_with(TrackingStatus status) const {
+  return static_cast<std::size_t>(std::count(statuses_.begin(), statuses_.end(), status));
+}
+
+double RunTotals::latency_percentile(double share) const {
+  if (latencies_.empty()) return 0.0;
+  auto sorted = latencies_;
+  std::sort(sorted.begin(), sorted.end());
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return sorted[std::max<std::size_t>(rank, 1) - 1];
+}
+
+void write_run_description(const std::filesystem::path& file, const RunDescription& description,
+                           const RunTotals& totals, RunEnd end, double seconds) {
+  YAML::Emitter out;
+  out << YAML::BeginMap;
+  out << YAML::Key << "model" << YAML::Value
+      << std::filesystem::absolute(description.model).string();
+  out << YAML::Key << "source" << YAML::Value << description.source;
+  emit_camera(out, description.camera);
+  emit_values(out, "options", description.options);
+  emit_values(out, "parameters", description.parameters);
+  emit_versions(out);
+  emit_totals(out, totals, end, seconds);
+  out << YAML::EndMap;
+
+  // Never half a file, even if the process ends here.
+  const std::filesystem::path unfinished = file.string() + ".part";
+  std::ofstream stream(unfinished);
+  stream << out.c_str() << '\n';
+  stream.close();
+  if (!stream) throw InputError(file.string(), "cannot be written");
+  std::filesystem::rename(unfinished, file);
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lockbox/core/pinhole_camera.hpp"
+#include "lockbox/tracking/tracker.hpp"
+
+namespace lockbox::app {
+
+using NamedValues = std::vector<std::pair<std::string, std::string>>;
+
+/// All that is needed to repeat a run.
+struct RunDescription {
+  std::filesystem::path model;
+  std::string source;
+  PinholeCamera camera;
+  NamedValues options;     ///< of the command line, defaults included
+  NamedValues parameters;  ///< of the tracker, all of them
+};
+
+/// What came of it.
+class RunTotals {
+ public:
+  void add(const TrackingResult& result);
+
+  std::size_t frames() const { return latencies_.size(); }
+  std::size_t frames_with(TrackingStatus status) const;
+  bool ended_lost() const { return !statuses_.empty() && statuses_.back() == TrackingStatus::lost; }
+
+  /// Milliseconds that this share of the frames does not exceed; 0 without frames.
+  double latency_percentile(double share) const;
+
+ private:
+  std::vector<double> latencies_;
+  std::vector<TrackingStatus> statuses_;
+};
+
+enum class RunEnd { still_running, end_of_source, interrupted, frame_limit, failed };
+
+/// Writes run.yaml anew: first when the run starts, then when it has ended. seconds: wall time.
+void write_run_description(const std::filesystem::path& file, const RunDescription& description,
+                           const RunTotals& totals, RunEnd end, double seconds);
+
+}  // namespace lockbox::app

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_writer.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <locale>
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/model/states_file.hpp"
+
+namespace lockbox::app {
+namespace {
+
+constexpr int kDigits = 9;        // of quantities that nobody computes with further
+constexpr int kStampDigits = 17;  // enough to read back the same double
+
+std::ofstream open_for_writing(const std::filesystem::path& file) {
+  std::ofstream stream(file);
+  stream.imbue(std::locale::classic());
+  stream.precision(kDigits);
+  if (!stream) throw InputError(file.string(), "cannot be written");
+  return stream;
+}
+
+/// Flushes a finished row and says so if the disk is full.
+void end_row(std::ofstream& stream, const std::filesystem::path& file) {
+  stream << '\n' << std::flush;
+  if (!stream) throw InputError(file.string(), "cannot be written; is there space on the disk?");
+}
+
+/// Some libraries would print "-nan".
+double plain(double value) {
+  return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value;
+}
+
+bool is_known(const TrackingResult& result) {
+  return result.configuration.T_camera_base.matrix().allFinite();
+}
+
+/// Standard deviation of a joint's position; infinite where the view does not determine it.
+double joint_sigma(const Joint& joint, const TrackingResult& result) {
+  const auto unknown = static_cast<std::size_t>(6 + joint.variable);
+  if (unknown >= result.observable.size()) return std::numeric_limits<double>::quiet_NaN();
+  if (!result.observable[unknown]) return std::numeric_limits<double>::infinity();
+  return std::abs(joint.multiplier) * result.sigma(6 + joint.variable);
+}
+
+void write_covariance_header(std::ofstream& stream, const KinematicTree& tree) {
+  stream << "# covariance of a step (v, w, joint variables), row by row: the base moves as\n"
+            "# T_camera_base exp(v, w), with v in metres and w in radians in the base's frame\n"
+            "timestamp";
+  std::vector<std::string> unknowns = {"vx", "vy", "vz", "wx", "wy", "wz"};
+  for (const int joint : tree.variable_joint) {
+    unknowns.push_back(tree.joints[static_cast<std::size_t>(joint)].name);
+  }
+  for (const auto& row : unknowns) {
+    for (const auto& column : unknowns) stream << ',' << row << ':' << column;
+  }
+  stream << '\n' << std::flush;
+}
+
+}  // namespace
+
+RunWriter::RunWriter(const std::filesystem::path& folder, const KinematicTree& tree,
+                     bool with_covariance)
+    : folder_(folder), tree_(tree) {
+  std::filesystem::create_directories(folder);
+  states_ = open_for_writing(folder / "states.csv");
+  base_ = open_for_writing(folder / "base.tum");
+  states_ << states_header(tree) << ",status";
+  for (const int joint : tree.file_order) {
+    states_ << ',' << tree.joints[static_cast<std::size_t>(joint)].name << ".sigma";
+  }
+  states_ << ",residual_rms,explained,contradicted,latency_ms";
+  end_row(states_, folder / "states.csv");
+  if (with_covariance) {
+    covariance_ = open_for_writing(folder / "covariance.csv");
+    write_covariance_header(covariance_, tree);
+  }
+}
+
+void RunWriter::write(const TrackingResult& result) {
+  write_state(result);
+  if (is_known(result)) write_base(result);
+  if (covariance_.is_open()) write_covariance(result);
+}
+
+void RunWriter::write_state(const TrackingResult& result) {
+  states_ << states_row(tree_, result.stamp, result.configuration) << ','
+          << to_string(result.status);
+  for (const int joint : tree_.file_order) {
+    states_ << ',' << plain(joint_sigma(tree_.joints[static_cast<std::size_t>(joint)], result));
+  }
+  states_ << ',' << plain(result.residual_rms) << ',' << plain(result.explained) << ','
+          << plain(result.contradicted) << ',' << result.latency_ms;
+  end_row(states_, folder_ / "states.csv");
+}
+
+void RunWriter::write_base(const TrackingResult& result) {
+  const Eigen::Isometry3d& T = result.configuration.T_camera_base;
+  const Eigen::Quaterniond rotation(T.linear());
+  base_.precision(kStampDigits);
+  base_ << result.stamp;
+  base_.precision(kDigits);
+  base_ << ' ' << T.translation().x() << ' ' << T.translation().y() << ' ' << T.translation().z()
+        << ' ' << rotation.x() << ' ' << rotation.y() << ' ' << rotation.z() << ' ' << rotation.w();
+  end_row(base_, folder_ / "base.tum");
+}
+
+void RunWriter::write_covariance(const TrackingResult& result) {
+  covariance_.precision(kStampDigits);
+  covariance_ << result.stamp;
+  covariance_.precision(kDigits);
+  for (Eigen::Index row = 0; row < result.covariance.rows(); ++row) {
+    for (Eigen::Index column = 0; column < result.covariance.cols(); ++column) {
+      covariance_ << ',' << plain(result.covariance(row, column));
+    }
+  }
+  end_row(covariance_, folder_ / "covariance.csv");
+}
+
+}  // namespace lockbox::app

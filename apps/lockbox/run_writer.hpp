@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+
+#include "lockbox/model/kinematic_tree.hpp"
+#include "lockbox/tracking/tracker.hpp"
+
+namespace lockbox::app {
+
+/// Writes what a run estimates, flushed frame by frame: a crash loses nothing computed before it.
+///   states.csv      one row a frame (docs/file-formats.md)
+///   base.tum        the base's pose where it is known, as a TUM trajectory
+///   covariance.csv  if asked for: the full matrix of each frame, row by row
+class RunWriter {
+ public:
+  /// Makes the folder. The tree is referred to. Throws InputError if a file cannot be written.
+  RunWriter(const std::filesystem::path& folder, const KinematicTree& tree, bool with_covariance);
+
+  void write(const TrackingResult& result);
+
+ private:
+  void write_state(const TrackingResult& result);
+  void write_base(const TrackingResult& result);
+  void write_covariance(const TrackingResult& result);
+
+  std::filesystem::path folder_;
+  const KinematicTree& tree_;
+  std::ofstream states_;
+  std::ofstream base_;
+  std::ofstream covariance_;
+};
+
+}  // namespace lockbox::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shipped_files.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "lockbox/core/error.hpp"
+
+namespace lockbox::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside the folder of the program, installed or in a build folder.
+fs::path share_folder() {
+  return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share" / "lockbox";
+}
+
+std::string names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
+    if (entry.is_directory() || entry.path().extension() == ".yaml") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  std::string list;
+  for (const auto& name : names) list.append(list.empty() ? "" : ", ").append(name);
+  return list;
+}
+
+fs::path find(const std::string& file_or_name, const fs::path& folder, const fs::path& shipped) {
+  if (fs::is_regular_file(file_or_name)) return file_or_name;
+  const bool is_name = file_or_name.find_first_of("/.") == std::string::npos;
+  if (is_name && fs::exists(folder / shipped)) return folder / shipped;
+  throw InputError(file_or_name, "there is no such file; give a file, or one of the shipped: " +
+                                     names_in(folder));
+}
+
+}  // namespace
+
+fs::path find_model(const std::string& file_or_name) {
+  return find(file_or_name, share_folder() / "models",
+              fs::path(file_or_name) / (file_or_name + ".urdf"));
+}
+
+fs::path find_scene(const std::string& file_or_name) {
+  return find(file_or_name, share_folder() / "scenes", file_or_name + ".yaml");
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace lockbox::app {
+
+/// The file itself if it exists, else the shipped model of that name: `lockbox` stands for
+/// share/lockbox/models/lockbox/lockbox.urdf. Throws InputError that lists the shipped ones.
+std::filesystem::path find_model(const std::string& file_or_name);
+
+/// The same for scenes: `room` stands for share/lockbox/scenes/room.yaml.
+std::filesystem::path find_scene(const std::string& file_or_name);
+
+}  // namespace lockbox::app

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+
+#include "commands.hpp"
+#include "interruption.hpp"
+#include "lockbox/capture/camera_info.hpp"
+#include "lockbox/capture/depth_folder.hpp"
+#include "lockbox/capture/oni_player.hpp"
+#include "lockbox/capture/oni_writer.hpp"
+#include "lockbox/core/error.hpp"
+#include "lockbox/simulation/simulator.hpp"
+#include "lockbox/simulation/trajectory.hpp"
+#include "model_options.hpp"
+#include "progress.hpp"
+#include "shipped_files.hpp"
+
+namespace lockbox::app {
+namespace {
+
+/// A PrimeSense-class sensor at full resolution.
+constexpr PinholeCamera kDefaultCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
+
+constexpr int kUsualRate = 30;  // frames a second
+
+using FrameSink = std::function<void(const DepthFrame&)>;
+
+void require_increasing_stamps(const std::string& file, const std::vector<State>& states) {
+  if (states.empty()) throw InputError(file, "holds no states");
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    if (states[i].stamp <= states[i - 1].stamp) {
+      throw InputError(file, "timestamps must increase, that of state " + std::to_string(i + 1) +
+                                 " (" + std::to_string(states[i].stamp) + ") does not");
+    }
+  }
+}
+
+/// The nominal rate of a recording of these states.
+int frames_per_second(const std::vector<State>& states) {
+  if (states.size() < 2) return kUsualRate;
+  const double duration = states.back().stamp - states.front().stamp;
+  const double rate = static_cast<double>(states.size() - 1) / duration;
+  return static_cast<int>(std::lround(std::clamp(rate, 1.0, 120.0)));
+}
+
+/// Stamps of the frames as a player of the recording sees them.
+void take_recorded_stamps(const std::filesystem::path& recording, std::vector<State>& states) {
+  OniPlayer player(recording);
+  DepthFrame frame;
+  for (State& state : states) {
+    if (!player.next(frame)) throw DeviceError(recording.string() + ": frames are missing");
+    state.stamp = frame.stamp;
+  }
+}
+
+class SimulateCommand : public Command {
+ public:
+  void add_options(CLI::App& options) override {
+    model_.add_to(options);
+    options
+        .add_option("-t,--trajectory", trajectory_,
+                    "States file to render; auto: every joint passes through its range")
+        ->required()
+        ->type_name("FILE|auto");
+    options
+        .add_option("-o,--output", output_,
+                    "Recording, or folder of depth images; groundtruth.csv is written beside the "
+                    "one, or into the other")
+        ->required()
+        ->type_name("FILE.oni|DIR");
+    options.add_option("--sensor", sensor_, "primesense, primesense-quiet, white or ideal")
+        ->type_name("NAME");
+    options.add_option("--seed", seed_, "Of the sensor's noise");
+    options
+        .add_option("--scene", scene_,
+                    "Scene file, or the name of a shipped scene: background and occluders")
+        ->type_name("FILE");
+    options
+        .add_option("--camera-info", camera_info_,
+                    "ROS camera calibration (YAML) of the camera; default: 640x480, 575.8 px")
+        ->type_name("FILE");
+    options.add_option("--frames", frames_, "Number of frames of an auto trajectory")
+        ->check(CLI::PositiveNumber);
+    options.add_option("--threads", threads_, "Threads; 0: all cores")
+        ->check(CLI::NonNegativeNumber);
+    options.add_flag("-q,--quiet", quiet_, "Say nothing but errors");
+  }
+
+  ExitStatus run() override {
+    const KinematicTree tree = model_.load_tree();
+    std::vector<State> states = trajectory(tree);
+    const PlacedScene scene =
+        scene_.empty() ? PlacedScene() : PlacedScene(read_scene(find_scene(scene_)), states);
+    Simulator simulator(tree, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_));
+
+    const bool is_recording = output_.extension() == ".oni";
+    if (is_recording) {
+      write_recording(simulator, states);
+    } else {
+      write_folder(simulator, states);
+    }
+    const auto truth = (is_recording ? output_.parent_path() : output_) / "groundtruth.csv";
+    write_states(truth, tree, states);
+    if (!quiet_) std::cout << output_.string() << "\ntruth: " << truth.string() << '\n';
+    return ExitStatus::done;
+  }
+
+ private:
+  std::vector<State> trajectory(const KinematicTree& tree) const {
+    if (trajectory_ == "auto") return generated_trajectory(tree);
+    std::vector<State> states = read_states(trajectory_, tree).states;
+    require_increasing_stamps(trajectory_, states);
+    return states;
+  }
+
+  std::vector<State> generated_trajectory(const KinematicTree& tree) const {
+    TrajectoryOptions options;
+    options.frames = frames_;
+    const auto start = model_.load().parameters.initial_configuration;
+    if (start) options.T_camera_base = start->T_camera_base;
+    return generate_trajectory(tree, options);
+  }
+
+  PinholeCamera camera() const {
+    if (camera_info_.empty()) return kDefaultCamera;
+    const CameraCalibration calibration = read_camera_info(camera_info_);
+    if (calibration.has_distortion()) {
+      throw InputError(camera_info_, "images are rendered without distortion; set it to zero");
+    }
+    return calibration.camera;
+  }
+
+  void write_recording(Simulator& simulator, std::vector<State>& states) const {
+    OniWriter writer(output_, camera(), frames_per_second(states));
+    render(simulator, states, [&](const DepthFrame& frame) { writer.write(frame); });
+    writer.finish();
+    take_recorded_stamps(output_, states);
+  }
+
+  void write_folder(Simulator& simulator, std::vector<State>& states) const {
+    DepthFolderWriter writer(output_);
+    render(simulator, states, [&](const DepthFrame& frame) { writer.write(frame); });
+  }
+
+  /// Renders the states; after Ctrl-C only those that were rendered are left.
+  void render(Simulator& simulator, std::vector<State>& states, const FrameSink& write) const {
+    const Interruption interruption;
+    Progress progress("simulate", states.size(), quiet_);
+    DepthFrame frame;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      simulator.simulate(states[i], i, frame);
+      write(frame);
+      progress.update(i + 1);
+      if (interruption.requested()) states.resize(i + 1);
+    }
+    progress.finish();
+  }
+
+  ModelOptions model_;
+  std::string trajectory_;
+  std::filesystem::path output_;
+  std::string sensor_ = "primesense";
+  std::uint64_t seed_ = 1;
+  std::string scene_;
+  std::string camera_info_;
+  int frames_ = 300;
+  int threads_ = 0;
+  bool quiet_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_simulate_command() {
+  return std::make_unique<SimulateCommand>();
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "lockbox/core/depth_frame.hpp"
+#include "lockbox/visualization/model_painter.hpp"
+
+namespace lockbox::app {
+
+/// Pictures of the model over the depth image, one of every few frames, as PNG files.
+class Snapshots {
+ public:
+  /// Makes the folder. The tree is referred to.
+  Snapshots(const std::filesystem::path& folder, const KinematicTree& tree, std::size_t interval,
+            const Executor& executor);
+
+  /// Draws frame_000000.png and so on, numbered like the frames.
+  void add(const DepthFrame& frame, const Configuration& configuration);
+
+ private:
+  std::filesystem::path folder_;
+  const KinematicTree& tree_;
+  std::size_t interval_;
+  std::size_t count_ = 0;
+  Executor executor_;
+  std::optional<ModelPainter> painter_;  ///< made for the camera of the first frame
+};
+
+}  // namespace lockbox::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "source_options.hpp"
+
+#include <iostream>
+
+namespace lockbox::app {
+
+void SourceArguments::add_to(CLI::App& options) {
+  options
+      .add_option("-s,--source", source_,
+                  "openni2:, openni2:<uri>, a .oni file, a folder with depth.txt, or a folder of "
+                  ".pcd files")
+      ->required()
+      ->type_name("SOURCE");
+  options
+      .add_option("--camera-info", camera_info_,
+                  "ROS camera calibration (YAML) to use instead of the source's own intrinsics")
+      ->type_name("FILE");
+  options
+      .add_option("--depth-scale", depth_scale_,
+                  "Units per metre of depth images in a folder (TUM data sets: 5000)")
+      ->check(CLI::PositiveNumber);
+  options.add_flag("--realtime", realtime_,
+                   "Play recordings at recorded speed, dropping frames like a live device");
+}
+
+std::unique_ptr<FrameSource> SourceArguments::open() const {
+  SourceOptions options;
+  if (!camera_info_.empty()) options.camera_info = camera_info_;
+  if (depth_scale_ > 0.0) options.depth_scale = depth_scale_;
+  options.realtime = realtime_;
+  options.warn = [](const std::string& text) { std::cerr << "lockbox: warning: " << text << '\n'; };
+  return open_source(source_, options);
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <string>
+
+#include "lockbox/capture/frame_source.hpp"
+
+namespace lockbox::app {
+
+/// The options that name a source of depth frames, shared by the subcommands.
+class SourceArguments {
+ public:
+  void add_to(CLI::App& options);
+
+  const std::string& name() const { return source_; }
+
+  /// Warnings go to standard error.
+  std::unique_ptr<FrameSource> open() const;
+
+ private:
+  std::string source_;
+  std::string camera_info_;
+  double depth_scale_ = 0.0;
+  bool realtime_ = false;
+};
+
+}  // namespace lockbox::app

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+#include <map>
+
+#include "commands.hpp"
+#include "lockbox/core/error.hpp"
+#include "lockbox/model/states_file.hpp"
+#include "model_options.hpp"
+#include "parameters.hpp"
+#include "source_options.hpp"
+#include "tracking_run.hpp"
+
+namespace lockbox::app {
+namespace {
+
+const std::map<std::string, CollisionMode> kCollisionModes = {{"off", CollisionMode::off},
+                                                              {"literal", CollisionMode::literal},
+                                                              {"eroded", CollisionMode::eroded}};
+
+Configuration first_state(const std::string& file, const KinematicTree& tree) {
+  const StatesFile states = read_states(file, tree);
+  if (states.states.empty() || !states.states.front().known) {
+    throw InputError(file, "the first row must hold the state to start from");
+  }
+  return states.states.front().configuration;
+}
+
+class TrackCommand : public Command {
+ public:
+  void add_options(CLI::App& options) override {
+    options_ = &options;
+    model_.add_to(options);
+    source_.add_to(options);
+    options
+        .add_option("--initial-state", initial_state_,
+                    "States file whose first row is the start; auto: the model's initial_state")
+        ->type_name("FILE|auto");
+    add_output_options(options);
+    add_tracker_options(options);
+  }
+
+  ExitStatus run() override {
+    const ArticulatedModel model = model_.load();
+    const auto source = source_.open();
+    const TrackerOptions tracker_options = make_tracker_options(model.tree);
+    Tracker tracker(model, tracker_options);
+    tracker.start(initial_configuration(model));
+    if (!settings_.quiet) {
+      std::cerr << "source: " << source->description() << '\n';
+      if (settings_.output.empty()) std::cerr << "no --output: results are not written\n";
+    }
+    RunDescription description;
+    description.model = model.file;
+    description.source = source_.name();
+    description.options = options_in_force(*options_);
+    description.parameters = parameters_in_force(tracker.options());
+    return track_source(*source, tracker, model, std::move(description), settings_);
+  }
+
+ private:
+  void add_output_options(CLI::App& options) {
+    options
+        .add_option("-o,--output", settings_.output, "Folder for states.csv, base.tum and run.yaml")
+        ->type_name("DIR");
+    options.add_flag("--covariance", settings_.covariance, "Also write covariance.csv");
+    options.add_option("--record", settings_.recording, "Also record the frames")
+        ->type_name("FILE.oni");
+    options
+        .add_option("--snapshots", settings_.snapshots,
+                    "Folder for pictures of the model over the depth image")
+        ->type_name("DIR");
+    options
+        .add_option("--snapshot-interval", settings_.snapshot_interval,
+                    "Frames from one picture to the next")
+        ->check(CLI::PositiveNumber);
+    options.add_option("--max-frames", settings_.max_frames, "Stop after so many frames; 0: never");
+    options.add_flag("-q,--quiet", settings_.quiet, "Say nothing but errors");
+  }
+
+  void add_tracker_options(CLI::App& options) {
+    RegistrationOptions& registration = tracker_.registration;
+    options.add_option("--threads", tracker_.threads, "Threads; 0: all cores")
+        ->check(CLI::NonNegativeNumber);
+    options
+        .add_option("--iterations", registration.max_iterations, "Linearisations a frame, at most")
+        ->check(CLI::PositiveNumber);
+    options.add_flag("--fixed-base", registration.fixed_base, "The base does not move");
+    options.add_option("--lock-joint", locked_joints_, "Hold this joint (repeatable)")
+        ->type_name("NAME");
+    options.add_option("--collision", registration.collision, "off, literal or eroded")
+        ->transform(CLI::CheckedTransformer(kCollisionModes))
+        ->default_str("eroded");
+  }
+
+  TrackerOptions make_tracker_options(const KinematicTree& tree) const {
+    TrackerOptions options = tracker_;
+    if (!locked_joints_.empty()) {
+      options.registration.locked.assign(static_cast<std::size_t>(tree.variables()), false);
+    }
+    for (const auto& name : locked_joints_) {
+      const Joint& joint = tree.joints[static_cast<std::size_t>(joint_index(tree, name))];
+      options.registration.locked[static_cast<std::size_t>(joint.variable)] = true;
+    }
+    return options;
+  }
+
+  Configuration initial_configuration(const ArticulatedModel& model) const {
+    if (initial_state_ != "auto") return first_state(initial_state_, model.tree);
+    if (!model.parameters.initial_configuration) {
+      throw InputError(model.file.string(),
+                       "it is not known where to start; give --initial-state FILE, or put "
+                       "initial_state into the .yaml file beside the model");
+    }
+    if (!settings_.quiet) std::cerr << "start: initial_state of the model's .yaml file\n";
+    return *model.parameters.initial_configuration;
+  }
+
+  const CLI::App* options_ = nullptr;
+  ModelOptions model_;
+  SourceArguments source_;
+  std::string initial_state_ = "auto";
+  RunSettings settings_;
+  TrackerOptions tracker_;
+  std::vector<std::string> locked_joints_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_track_command() {
+  return std::make_unique<TrackCommand>();
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "tool.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::HasSubstr;
+
+ToolResult track(const std::string& source) {
+  return run_tool({"track", "--model", "rigid_block", "--source", source});
+}
+
+void expect_refused(const std::filesystem::path& source) {
+  const auto result = track(source.string());
+  EXPECT_EQ(result.status, 3) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr(source.string()));
+}
+
+TEST(Recording, ThatIsMissingIsNamed) {
+  const TemporaryFolder folder;
+  expect_refused(folder / "missing.oni");
+}
+
+TEST(Recording, ThatIsEmptyTextOrRandomIsRefused) {
+  const TemporaryFolder folder;
+  write_text(folder / "empty.oni", "");
+  write_text(folder / "text.oni", "This is not a recording.\n");
+  std::mt19937 random(1);
+  std::string noise(4096, '\0');
+  for (char& byte : noise) byte = static_cast<char>(random() & 0xFFU);
+  write_text(folder / "random.oni", noise);
+  for (const auto* name : {"empty.oni", "text.oni", "random.oni"}) expect_refused(folder / name);
+}
+
+TEST(Recording, ThatIsTruncatedIsRefused) {
+  const TemporaryFolder folder;
+  const auto simulated =
+      run_tool({"simulate", "--model", "rigid_block", "--trajectory", "auto", "--frames", "5",
+                "--output", (folder / "whole.oni").string(), "--quiet"});
+  ASSERT_EQ(simulated.status, 0) << simulated.errors;
+  const std::string whole = read_text(folder / "whole.oni");
+  for (const std::size_t share : {1, 3, 6}) {
+    write_text(folder / "truncated.oni", whole.substr(0, whole.size() * share / 7));
+    expect_refused(folder / "truncated.oni");
+  }
+}
+
+TEST(Folder, WithoutDepthImagesIsRefused) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "nothing");
+  expect_refused(folder / "nothing");
+}
+
+TEST(Device, ThatIsNotThereFails) {
+  const auto result = track("openni2:no-such-device");
+  EXPECT_EQ(result.status, 4) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("no-such-device"));
+}
+
+TEST(Model, ThatIsMissingIsAnsweredWithTheShippedOnes) {
+  const auto result = run_tool({"inspect", "--model", "lokbox"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("lokbox"));
+  EXPECT_THAT(result.errors, HasSubstr("rigid_block"));
+}
+
+TEST(Model, ThatIsBrokenIsRefusedWithFileAndLine) {
+  const TemporaryFolder folder;
+  write_text(folder / "broken.urdf", "<robot name=\"x\">\n  <link name=\"a\">\n</robot>\n");
+  const auto result = run_tool({"inspect", "--model", (folder / "broken.urdf").string()});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, testing::ContainsRegex("broken\\.urdf:[0-9]+: "));
+}
+
+TEST(Configuration, WithUnknownKeysOrMissingIsRefused) {
+  const TemporaryFolder folder;
+  const auto file = (folder / "options.toml").string();
+  EXPECT_EQ(run_tool({"inspect", "--config", file}).status, 3);
+  write_text(file, "model = \"rigid_block\"\nmodle = \"x\"\n");
+  const auto result = run_tool({"inspect", "--config", file});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr(file));
+  EXPECT_THAT(result.errors, HasSubstr("modle"));
+}
+
+TEST(Configuration, GivesOptionsTheirValues) {
+  const TemporaryFolder folder;
+  const auto file = (folder / "options.toml").string();
+  const auto picture = folder / "picture.png";
+  write_text(file, "model = \"rigid_block\"\npicture = \"" + picture.string() + "\"\n");
+  const auto result = run_tool({"inspect", "--config", file});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_TRUE(std::filesystem::exists(picture));
+}
+
+TEST(States, WithWrongColumnsAreRefusedWithFileAndLine) {
+  const TemporaryFolder folder;
+  const auto file = (folder / "states.csv").string();
+  write_text(file, "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0,0,1,0,0,0,1\n0.1,0,0,one,0,0,0,1\n");
+  const auto result = run_tool({"simulate", "--model", "rigid_block", "--trajectory", file,
+                                "--output", (folder / "out").string()});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("states.csv:3"));
+}
+
+}  // namespace
+}  // namespace lockbox

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shipped lockbox with all its joints moving: simulated, tracked, evaluated.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tool.hpp"
+
+namespace lockbox {
+namespace {
+
+TEST(Lockbox, IsTrackedWithAllItsJoints) {
+  const TemporaryFolder folder;
+  const auto path = [&](const char* name) { return (folder / name).string(); };
+  const auto simulated =
+      run_tool({"simulate", "--model", "lockbox", "--trajectory", "auto", "--frames", "120",
+                "--scene", "room", "--output", path("lockbox.oni")});
+  ASSERT_EQ(simulated.status, 0) << simulated.errors;
+  const auto tracked = run_tool(
+      {"track", "--model", "lockbox", "--source", path("lockbox.oni"), "--output", path("run")});
+  ASSERT_EQ(tracked.status, 0) << tracked.errors;
+  const auto evaluated = run_tool({"evaluate", "--estimate", path("run/states.csv"), "--reference",
+                                   path("groundtruth.csv"), "--output", path("errors")});
+  ASSERT_EQ(evaluated.status, 0) << evaluated.errors;
+
+  const auto summary = nlohmann::json::parse(read_text(path("errors/summary.json")));
+  EXPECT_LT(summary["base"]["translation"]["rmse"].get<double>(), 0.002) << evaluated.output;
+  EXPECT_LT(summary["base"]["rotation"]["rmse"].get<double>(), 0.004) << evaluated.output;
+  EXPECT_EQ(summary["joints"].size(), 8U);
+}
+
+}  // namespace
+}  // namespace lockbox

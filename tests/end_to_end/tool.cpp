@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tool.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace lockbox {
+namespace {
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (auto& text : texts) result.push_back(text.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "lockbox_test_XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::filesystem::remove_all(path_);
+}
+
+Tool::Tool(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+  std::vector<std::string> command = {LOCKBOX_TOOL};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> variables = {std::string("XDG_CACHE_HOME=") + LOCKBOX_CACHE};
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string(*entry).starts_with("XDG_CACHE_HOME=")) variables.emplace_back(*entry);
+  }
+  variables.insert(variables.begin(), environment.begin(), environment.end());
+
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  const auto writing = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, 1, (folder_ / "output").c_str(), writing, 0600);
+  posix_spawn_file_actions_addopen(&files, 2, (folder_ / "errors").c_str(), writing, 0600);
+  const int failure = posix_spawn(&process_, LOCKBOX_TOOL, &files, nullptr,
+                                  pointers(command).data(), pointers(variables).data());
+  posix_spawn_file_actions_destroy(&files);
+  if (failure != 0) throw std::runtime_error("cannot start " LOCKBOX_TOOL);
+}
+
+void Tool::send_signal(int signal) const {
+  kill(process_, signal);
+}
+
+ToolResult Tool::wait() {
+  int state = 0;
+  waitpid(process_, &state, 0);
+  const int status = WIFEXITED(state) ? WEXITSTATUS(state) : -WTERMSIG(state);
+  return {status, read_text(folder_ / "output"), read_text(folder_ / "errors")};
+}
+
+ToolResult run_tool(const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& environment) {
+  return Tool(arguments, environment).wait();
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::vector<std::string> read_lines(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace lockbox

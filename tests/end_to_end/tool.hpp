@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lockbox {
+
+/// A folder that is empty at first and removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+struct ToolResult {
+  int status;  ///< exit status; -signal if a signal ended it
+  std::string output;
+  std::string errors;
+};
+
+/// The lockbox tool, started with these arguments; standard input is empty.
+class Tool {
+ public:
+  /// environment: additional "NAME=value" entries.
+  explicit Tool(const std::vector<std::string>& arguments,
+                const std::vector<std::string>& environment = {});
+
+  void send_signal(int signal) const;
+
+  ToolResult wait();
+
+ private:
+  TemporaryFolder folder_;  // takes what it prints
+  pid_t process_ = -1;
+};
+
+ToolResult run_tool(const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& environment = {});
+
+std::string read_text(const std::filesystem::path& file);
+void write_text(const std::filesystem::path& file, const std::string& text);
+std::vector<std::string> read_lines(const std::filesystem::path& file);
+
+}  // namespace lockbox
