@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <urdf_model/link.h>
+
+#include <Eigen/Geometry>
+
+#include "lockbox/model/kinematic_tree.hpp"
+#include "mesh_locator.hpp"
+
+namespace lockbox {
+
+/// T_parent_child of a URDF origin.
+Eigen::Isometry3d isometry(const urdf::Pose& pose);
+
+/// Triangles and colour of a visual, in the frame of its link. Throws InputError.
+ColoredMesh visual_mesh(const urdf::Visual& visual, const MeshLocator& locator);
+
+}  // namespace lockbox

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything that must not reach urdfdom, or that it lets pass.
+#include <gmock/gmock.h>
+
+#include "urdf_test.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+using UrdfRefusals = UrdfTest;
+
+TEST_F(UrdfRefusals, BrokenFiles) {
+  EXPECT_THAT(refusal(""), HasSubstr("model.urdf"));
+  EXPECT_THAT(refusal("<robot name=\"r\">\n<link name=\"a\"\n"), HasSubstr("not well-formed XML"));
+  EXPECT_THAT(refusal("<robot name=\"r\">\n<link name=\"a\">\n</robot>"),
+              HasSubstr("model.urdf:2: not well-formed XML"));
+  EXPECT_THAT(refusal(std::string("<robot\0 name=\"r\"/>", 18)), HasSubstr("zero byte"));
+  EXPECT_THAT(refusal("<sdf version=\"1.6\"/>"), HasSubstr("begins with <robot>, not with <sdf>"));
+  EXPECT_THAT(refusal("<robot name=\"r\"/>"), HasSubstr("has no <link>"));
+  EXPECT_THAT(refusal("<robot><link name=\"a\"/></robot>"), HasSubstr("the attribute 'name'"));
+  EXPECT_THAT(message_of<InputError>([&] { load_kinematic_tree(folder_ / "none.urdf"); }),
+              HasSubstr("none.urdf: no such file"));
+}
+
+TEST_F(UrdfRefusals, EveryTruncationOfAFile) {
+  const std::string text = "<robot name=\"r\">" + link("a") + link("b") +
+                           joint("j", "continuous", "a", "b") + "</robot>";
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    EXPECT_NE(refusal(text.substr(0, length)), "no error") << "after " << length << " bytes";
+  }
+}
+
+TEST_F(UrdfRefusals, MacrosWithTheHintToExpandThem) {
+  EXPECT_THAT(
+      message_of<InputError>([&] { load_kinematic_tree(write("door.urdf.xacro", "<robot/>")); }),
+      HasSubstr("xacro door.urdf.xacro > door.urdf"));
+  EXPECT_THAT(refusal_of_robot(link("a") + "<xacro:door name=\"d\"/>"),
+              AllOf(HasSubstr("model.urdf:3"), HasSubstr("expand the file first")));
+}
+
+TEST_F(UrdfRefusals, GraphsThatAreNoTree) {
+  const std::string abc = link("a") + link("b") + link("c");  // lines 2, 3, 4
+  EXPECT_THAT(
+      refusal_of_robot(abc + joint("j", "continuous", "a", "b") +
+                       joint("k", "continuous", "a", "c") + joint("l", "continuous", "b", "c")),
+      AllOf(HasSubstr("model.urdf:7: joint 'l'"), HasSubstr("joint 'k' (line 6)")));
+  EXPECT_THAT(refusal_of_robot(abc + joint("j", "continuous", "b", "c") +
+                               joint("k", "continuous", "c", "b")),
+              HasSubstr("lies on a cycle"));
+  EXPECT_THAT(
+      refusal_of_robot(abc + joint("j", "continuous", "a", "b") +
+                       joint("k", "continuous", "b", "c") + joint("l", "continuous", "c", "a")),
+      HasSubstr("lies on a cycle"));
+  EXPECT_THAT(refusal_of_robot(abc + joint("j", "continuous", "b", "b")),
+              HasSubstr("joint 'j': connects link 'b' with itself"));
+  EXPECT_THAT(refusal_of_robot(abc + joint("j", "continuous", "a", "b")),
+              HasSubstr("model.urdf:4: link 'c': no joint connects it with link 'a'"));
+  EXPECT_THAT(refusal_of_robot(abc + joint("j", "continuous", "a", "door")),
+              HasSubstr("there is no link 'door'"));
+  EXPECT_THAT(refusal_of_robot(abc + link("b")),
+              HasSubstr("model.urdf:5: link 'b': the name is taken by the link in line 3"));
+  EXPECT_THAT(refusal_of_robot(abc + joint("j", "continuous", "a", "b") +
+                               joint("j", "continuous", "b", "c")),
+              HasSubstr("joint 'j': the name is taken by the joint in line 5"));
+}
+
+/// A sound robot but for the content of its joint, in line 4.
+class JointRefusals : public UrdfTest {
+ protected:
+  std::string refusal_of(const std::string& type, const std::string& content,
+                         const std::string& name = "j") const {
+    return refusal_of_robot(link("a") + link("b") + joint(name, type, "a", "b", content));
+  }
+};
+
+TEST_F(JointRefusals, TypesThatAreNotTracked) {
+  EXPECT_THAT(refusal_of("planar", ""),
+              HasSubstr("model.urdf:4: joint 'j': type 'planar' is not supported"));
+  EXPECT_THAT(refusal_of("floating", ""), HasSubstr("'floating'"));
+  EXPECT_THAT(refusal_of("screw", ""), HasSubstr("'screw'"));
+}
+
+TEST_F(JointRefusals, AxesWithoutDirection) {
+  EXPECT_THAT(refusal_of("continuous", "<axis xyz=\"0 0 0\"/>"), HasSubstr("joint 'j': the axis"));
+  EXPECT_THAT(refusal_of("continuous", "<axis/>"), HasSubstr("needs the attribute 'xyz'"));
+}
+
+TEST_F(JointRefusals, LimitsThatAreMissingOrInverted) {
+  EXPECT_THAT(refusal_of("revolute", ""), HasSubstr("joint 'j': needs <limit"));
+  EXPECT_THAT(refusal_of("prismatic", "<limit effort=\"1\"/>"), HasSubstr("needs <limit"));
+  EXPECT_THAT(refusal_of("prismatic", "<limit lower=\"1\" upper=\"0\"/>"),
+              HasSubstr("the lower limit is above the upper"));
+}
+
+TEST_F(JointRefusals, NumbersThatAreNone) {
+  for (const std::string number : {"0,12", "nan", "1e400", "inf", "0.1m", "--1", "0x10"}) {
+    EXPECT_THAT(refusal_of("continuous", "<origin xyz=\"0 0 " + number + "\"/>"),
+                AllOf(HasSubstr("joint 'j'"), HasSubstr("'" + number + "' in attribute 'xyz'")));
+  }
+  EXPECT_THAT(refusal_of("continuous", "<origin xyz=\"0 0\"/>"), HasSubstr("3 numbers, not 2"));
+  EXPECT_THAT(refusal_of("continuous", "<origin rpy=\"0 0 0 0\"/>"), HasSubstr("not 4"));
+  EXPECT_THAT(refusal_of("continuous", "<origin xyz=\"0 0 1e300\"/>"), HasSubstr("'xyz'"));
+}
+
+TEST_F(JointRefusals, MimicsWithoutADriver) {
+  EXPECT_THAT(refusal_of("continuous", "<mimic joint=\"k\"/>"),
+              HasSubstr("joint 'j': mimics joint 'k', which does not exist"));
+  EXPECT_THAT(refusal_of("continuous", "<mimic joint=\"j\"/>"), HasSubstr("mimics itself"));
+  EXPECT_THAT(refusal_of_robot(link("a") + link("b") + link("c") +
+                               joint("j", "continuous", "a", "b", "<mimic joint=\"k\"/>") +
+                               joint("k", "continuous", "b", "c", "<mimic joint=\"j\"/>")),
+              HasSubstr("mimics itself"));
+  EXPECT_THAT(refusal_of_robot(link("a") + link("b") + link("c") +
+                               joint("j", "continuous", "a", "b", "<mimic joint=\"k\"/>") +
+                               joint("k", "fixed", "b", "c")),
+              HasSubstr("'k', which is fixed"));
+}
+
+TEST_F(JointRefusals, MimicsWhoseLimitsLeaveNoPosition) {
+  EXPECT_THAT(refusal_of_robot(link("a") + link("b") + link("c") +
+                               joint("j", "revolute", "a", "b", kLimit) +
+                               joint("k", "revolute", "b", "c",
+                                     "<mimic joint=\"j\" offset=\"5\"/>" + std::string(kLimit))),
+              HasSubstr("exclude each other"));
+}
+
+TEST_F(JointRefusals, NamesThatNoColumnCanBear) {
+  for (const std::string name :
+       {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw", "status", "residual_rms",
+        "explained", "contradicted", "latency_ms", "door.sigma", ".sigma"}) {
+    EXPECT_THAT(refusal_of("continuous", "", name), HasSubstr("rename the joint")) << name;
+  }
+  for (const std::string name : {"a,b", "a&quot;b", "a'b", " door", "door "}) {
+    EXPECT_THAT(refusal_of("continuous", "", name), HasSubstr("rename the joint")) << name;
+  }
+  EXPECT_THAT(refusal_of("continuous", "", "a&#10;b"), HasSubstr("control characters"));
+  EXPECT_THAT(refusal_of("continuous", "", "a\xC3"), HasSubstr("UTF-8"));
+  EXPECT_THAT(refusal_of("continuous", "", ""), HasSubstr("needs the attribute 'name'"));
+}
+
+/// A sound robot but for one visual, in line 2.
+class VisualRefusals : public UrdfTest {
+ protected:
+  std::string refusal_of(const std::string& geometry, const std::string& more = "") const {
+    return refusal_of_robot(link("a", "<visual>" + geometry + more + "</visual>"));
+  }
+  std::string refusal_of_shape(const std::string& shape) const {
+    return refusal_of("<geometry>" + shape + "</geometry>");
+  }
+};
+
+TEST_F(VisualRefusals, ShapesThatAreMissingUnknownOrEmpty) {
+  EXPECT_THAT(refusal_of(""), HasSubstr("model.urdf:2: link 'a': <visual> has no <geometry>"));
+  EXPECT_THAT(refusal_of_shape(""), HasSubstr("exactly one shape"));
+  EXPECT_THAT(refusal_of_shape("<capsule radius=\"1\"/>"), HasSubstr("<capsule> is unknown"));
+  EXPECT_THAT(refusal_of_shape("<box size=\"1 0 1\"/>"), HasSubstr("'size' of <box>"));
+  EXPECT_THAT(refusal_of_shape("<box/>"), HasSubstr("needs the attribute 'size'"));
+  EXPECT_THAT(refusal_of_shape("<cylinder radius=\"-1\" length=\"1\"/>"), HasSubstr("'radius'"));
+  EXPECT_THAT(refusal_of_shape("<sphere radius=\"1e30\"/>"), HasSubstr("'radius'"));
+}
+
+TEST_F(VisualRefusals, MeshesThatCannotBeReadNamingTheLink) {
+  EXPECT_THAT(refusal_of_shape("<mesh filename=\"none.obj\"/>"),
+              AllOf(HasSubstr("model.urdf:2: link 'a': none.obj: no such mesh file"),
+                    HasSubstr(folder_.string())));
+  EXPECT_THAT(refusal_of_shape("<mesh filename=\"http://x/y.obj\"/>"), HasSubstr("only file://"));
+  EXPECT_THAT(refusal_of_shape("<mesh filename=\"package://\"/>"), HasSubstr("names no file"));
+  EXPECT_THAT(refusal_of_shape("<mesh filename=\"x.obj\" scale=\"1 0 1\"/>"), HasSubstr("'scale'"));
+  write("bad.obj", "v 0 0 0\nf 1 2 3\n");
+  EXPECT_THAT(refusal_of_shape("<mesh filename=\"bad.obj\"/>"),
+              AllOf(HasSubstr("link 'a'"), HasSubstr("bad.obj")));
+}
+
+TEST_F(VisualRefusals, ColoursThatAreUndefinedOrAmbiguous) {
+  const std::string shape = "<geometry><box size=\"1 1 1\"/></geometry>";
+  EXPECT_THAT(refusal_of(shape, "<material name=\"m\"/>"), HasSubstr("'m' is defined nowhere"));
+  EXPECT_THAT(refusal_of(shape, "<material name=\"m\"><color rgba=\"0 0 2 1\"/></material>"),
+              HasSubstr("between 0 and 1"));
+  const auto colored = [&](const std::string& material) {
+    return "<visual>" + shape + material + "</visual>";
+  };
+  EXPECT_THAT(refusal_of_robot(link(
+                  "a", colored("<material name=\"m\"><color rgba=\"0 0 0 1\"/></material>") +
+                           colored("<material name=\"m\"><color rgba=\"1 0 0 1\"/></material>") +
+                           colored("<material name=\"m\"/>"))),
+              HasSubstr("with different colours"));
+}
+
+}  // namespace
+}  // namespace lockbox
