@@ -3,6 +3,7 @@
 
 #include "lockbox/capture/depth_folder.hpp"
 #include "lockbox/capture/frame_source.hpp"
+#include "lockbox/capture/live_device.hpp"
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/core/error.hpp"
 #include "realtime_source.hpp"
@@ -36,6 +37,10 @@ std::unique_ptr<FrameSource> open_recording(const std::string& source,
 }  // namespace
 
 std::unique_ptr<FrameSource> open_source(const std::string& source, const SourceOptions& options) {
+  constexpr std::string_view kLive = "openni2:";
+  if (source.compare(0, kLive.size(), kLive) == 0) {
+    return std::make_unique<LiveDevice>(source.substr(kLive.size()), options);
+  }
   std::unique_ptr<FrameSource> recording = open_recording(source, options);
   if (options.realtime) {
     return std::make_unique<RealtimeSource>(std::move(recording));

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Live depth cameras through OpenNI2.
+#pragma once
+
+#include "lockbox/capture/frame_source.hpp"
+
+namespace lockbox {
+
+/// Delivers the newest frame; a slow consumer misses frames, which shows as gaps in the index.
+class LiveDevice : public FrameSource {
+ public:
+  /// Opens the device with this URI, or the first one if it is empty, un-mirrored and, where there
+  /// is a choice, at 640x480, 30 Hz, 1 mm. Throws DeviceError.
+  explicit LiveDevice(const std::string& uri, const SourceOptions& options = {});
+  ~LiveDevice() override;
+
+  /// Throws DeviceError if the device is unplugged or delivers nothing for five seconds.
+  bool next(DepthFrame& frame) override;
+  std::optional<std::size_t> frame_count() const override { return std::nullopt; }
+  std::string description() const override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes genuine .oni recordings: OpenNI2's own recorder, fed by the virtual device driver.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "lockbox/core/depth_frame.hpp"
+
+namespace lockbox {
+
+/// OpenNI2 records in a helper process (lockbox-oni-recorder), because its recorder keeps state in
+/// static variables and a core busy, and because the calling program may have loaded an OpenNI2
+/// that does not know the virtual driver. If the calling program dies, the helper still finishes
+/// the recording of all frames written until then.
+///
+/// Depths come back bit for bit, but for what OpenNI2's encoder cannot hold: 65535 becomes 0 ("no
+/// measurement"), and where the last row ends with three equal pixels and a different one, that
+/// last pixel takes their value. Stamps come back in microseconds from the first. Focal lengths
+/// come back exactly if they have at most four decimals, else to 1e-4 pixels.
+class OniWriter {
+ public:
+  /// Throws InputError if the file cannot be written or OpenNI2 cannot describe the camera (the
+  /// principal point must be the middle of the image, the unit 1 mm or 0.1 mm).
+  OniWriter(const std::filesystem::path& file, const PinholeCamera& camera, int frames_per_second,
+            float metres_per_unit = 0.001F);
+
+  /// Without finish(), the file is completed but not verified.
+  ~OniWriter();
+
+  /// Stamps must increase.
+  void write(const DepthFrame& frame);
+
+  /// Completes the file, replays it, and compares every frame with what was written. Throws
+  /// DeviceError if they differ, InputError if no frame was written.
+  void finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Writes the frames that next_frame delivers until it returns false; returns their number.
+std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& camera,
+                      int frames_per_second, const std::function<bool(DepthFrame&)>& next_frame);
+
+/// Records the depth of a live device (`openni2:` or `openni2:<uri>`) until stop returns true,
+/// asked every 50 ms, or the device is unplugged; returns the number of frames. Throws InputError
+/// or DeviceError.
+std::size_t record(const std::string& source, const std::filesystem::path& file,
+                   const std::function<bool()>& stop);
+
+}  // namespace lockbox

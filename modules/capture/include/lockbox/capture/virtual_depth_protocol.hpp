@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a producer of depth frames and the virtual device driver say to each other, over a stream
+// socket: one header, then frames, each a u64 timestamp in microseconds and width * height depths
+// of u16, row by row; all little-endian. The end of the stream is the device being unplugged.
+#pragma once
+
+#include <cstdint>
+
+namespace lockbox {
+
+/// Devices are named `virtual-depth:<path of a Unix socket>`, on which the producer listens, or
+/// `virtual-depth:fd:<number>`, an inherited end of a socket pair.
+inline constexpr char kVirtualDepthPrefix[] = "virtual-depth:";
+
+/// If it holds the path of a socket, that device is found without naming it.
+inline constexpr char kVirtualDepthVariable[] = "LOCKBOX_VIRTUAL_DEPTH";
+
+/// A stream property (int). OpenNI2 drops the frames that a stream delivers before start() has
+/// returned to its caller; whoever may not lose them sets this to 1 after that.
+inline constexpr int kVirtualDepthBegin = 0x4C420001;
+
+struct VirtualDepthHeader {
+  char magic[8] = {'L', 'B', 'X', 'D', 'E', 'P', 'T', 'H'};
+  std::uint32_t version = 1;
+  std::uint32_t width = 0;              ///< pixels
+  std::uint32_t height = 0;             ///< pixels
+  std::uint32_t frames_per_second = 0;  ///< nominal
+  float horizontal_field_of_view = 0;   ///< radians
+  float vertical_field_of_view = 0;     ///< radians
+  std::uint32_t unit = 1000;            ///< micrometres: 1000 or 100
+  std::uint32_t hold = 0;               ///< 1: no frame before kVirtualDepthBegin is set
+};
+static_assert(sizeof(VirtualDepthHeader) == 40);
+
+}  // namespace lockbox

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/capture/oni_writer.hpp"
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "lockbox/capture/oni_player.hpp"
+#include "lockbox/capture/oni_validator.hpp"
+#include "lockbox/capture/virtual_depth.hpp"
+#include "lockbox/capture/virtual_depth_protocol.hpp"
+#include "lockbox/core/error.hpp"
+#include "recorder_process.hpp"
+
+namespace lockbox {
+namespace {
+
+/// Changes what the encoder of OpenNI2 would change, or worse, into something defined.
+void make_encodable(std::vector<std::uint16_t>& depth) {
+  for (std::uint16_t& value : depth) {
+    if (value == 65535) {  // beyond the encoder's table
+      value = 0;
+    }
+  }
+  // A run of equal pixels and a last one that differs come out in the wrong order.
+  const std::size_t n = depth.size();
+  if (depth[n - 4] == depth[n - 3] && depth[n - 3] == depth[n - 2]) {
+    depth[n - 1] = depth[n - 2];
+  }
+}
+
+std::size_t digest(const std::vector<std::uint16_t>& depth) {
+  return std::hash<std::string_view>()(std::string_view(reinterpret_cast<const char*>(depth.data()),
+                                                        depth.size() * sizeof(std::uint16_t)));
+}
+
+void require_writable(const std::filesystem::path& file) {
+  if (!std::ofstream(file, std::ios::binary)) {
+    throw InputError(file.string(), "cannot be written; does its folder exist, is it writable?");
+  }
+}
+
+/// OpenNI2 leaves as many zero bytes behind the end mark as there are bytes before it.
+void cut_tail(const std::filesystem::path& file) {
+  std::filesystem::resize_file(file, validate_oni(file).end);
+}
+
+std::array<int, 2> connected_sockets() {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw DeviceError("no socket to the recorder can be made");
+  }
+  return ends;
+}
+
+/// What was written of a frame, to compare with what comes back.
+struct Written {
+  double stamp;
+  std::size_t digest;
+};
+
+}  // namespace
+
+struct OniWriter::Impl {
+  Impl(const std::filesystem::path& path, const PinholeCamera& camera_, int frames_per_second,
+       float metres_per_unit)
+      : Impl(path, camera_, frames_per_second, metres_per_unit, connected_sockets()) {}
+
+  Impl(const std::filesystem::path& path, const PinholeCamera& camera_, int frames_per_second,
+       float metres_per_unit, std::array<int, 2> ends)
+      : file(path),
+        camera(camera_),
+        unit(metres_per_unit),
+        sender(std::in_place, ends[0], camera_, frames_per_second, metres_per_unit, true) {
+    require_writable(path);
+    recorder.emplace(
+        std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(RecorderProcess::kSocket), path,
+        ends[1]);
+    ::close(ends[1]);
+  }
+
+  void check(const DepthFrame& frame) const {
+    const std::string where = file.string();
+    if (frame.metres_per_unit != unit) {
+      throw InputError(where, "a frame has another depth unit than the recording");
+    }
+    if (!(frame.stamp >= 0.0) || (!written.empty() && frame.stamp <= written.back().stamp)) {
+      throw InputError(where, "the stamps of frames must increase");
+    }
+  }
+
+  /// To the recorder the device is unplugged; it takes what is still under way, and ends.
+  void close() {
+    sender.reset();
+    while (recorder->is_running()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
+  void verify() const {
+    OniPlayer player(file);
+    DepthFrame frame;
+    std::size_t count = 0;
+    for (; count < written.size() && player.next(frame); ++count) {
+      const double stamp = written[count].stamp - written.front().stamp;
+      if (digest(frame.depth) != written[count].digest || std::abs(frame.stamp - stamp) > 2e-6) {
+        throw DeviceError(file.string() + ": frame " + std::to_string(count) +
+                          " was recorded wrongly by OpenNI2");
+      }
+    }
+    if (count != written.size() || player.frame_count() != count) {
+      throw DeviceError(file.string() + ": OpenNI2 recorded " +
+                        std::to_string(*player.frame_count()) + " of " +
+                        std::to_string(written.size()) + " frames; is the disk full?");
+    }
+  }
+
+  std::filesystem::path file;
+  PinholeCamera camera;
+  float unit;
+  std::optional<VirtualDepthSender> sender;
+  std::optional<RecorderProcess> recorder;
+  DepthFrame encodable;
+  std::vector<Written> written;
+};
+
+OniWriter::OniWriter(const std::filesystem::path& file, const PinholeCamera& camera,
+                     int frames_per_second, float metres_per_unit)
+    : impl_(std::make_unique<Impl>(file, camera, frames_per_second, metres_per_unit)) {}
+
+OniWriter::~OniWriter() {
+  impl_->close();
+}
+
+void OniWriter::write(const DepthFrame& frame) {
+  impl_->check(frame);
+  impl_->encodable = frame;
+  make_encodable(impl_->encodable.depth);
+  try {
+    impl_->sender->send(impl_->encodable);
+  } catch (const DeviceError&) {
+    impl_->recorder->finish();  // knows the reason
+    throw;
+  }
+  impl_->written.push_back({frame.stamp, digest(impl_->encodable.depth)});
+}
+
+void OniWriter::finish() {
+  impl_->close();
+  impl_->recorder->finish();
+  if (impl_->written.empty()) {
+    std::filesystem::remove(impl_->file);
+    throw InputError(impl_->file.string(), "there were no frames to write");
+  }
+  cut_tail(impl_->file);
+  impl_->verify();
+}
+
+std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& camera,
+                      int frames_per_second, const std::function<bool(DepthFrame&)>& next_frame) {
+  DepthFrame frame;
+  frame.camera = camera;
+  if (!next_frame(frame)) {
+    throw InputError(file.string(), "there are no frames to write");
+  }
+  OniWriter writer(file, camera, frames_per_second, frame.metres_per_unit);
+  std::size_t count = 0;
+  do {
+    writer.write(frame);
+    ++count;
+  } while (next_frame(frame));
+  writer.finish();
+  return count;
+}
+
+std::size_t record(const std::string& source, const std::filesystem::path& file,
+                   const std::function<bool()>& stop) {
+  constexpr std::string_view kPrefix = "openni2:";
+  if (source.compare(0, kPrefix.size(), kPrefix) != 0) {
+    throw InputError(source, "only live devices are recorded: openni2: or openni2:<uri>");
+  }
+  require_writable(file);
+  RecorderProcess recorder(source.substr(kPrefix.size()), file);
+  while (recorder.is_running() && !stop()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  recorder.finish();
+  cut_tail(file);
+  return validate_oni(file).frame_count;
+}
+
+}  // namespace lockbox

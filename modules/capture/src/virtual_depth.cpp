@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/capture/virtual_depth.hpp"
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "lockbox/capture/virtual_depth_protocol.hpp"
+#include "lockbox/core/error.hpp"
+#include "openni_session.hpp"
+
+namespace lockbox {
+namespace {
+
+std::uint32_t unit_of(float metres_per_unit) {
+  if (metres_per_unit == 0.001F) {
+    return 1000;
+  }
+  if (metres_per_unit == 0.0001F) {
+    return 100;
+  }
+  throw InputError("depth unit", "OpenNI2 knows 1 mm and 0.1 mm only, not " +
+                                     std::to_string(metres_per_unit) + " m; write a depth folder");
+}
+
+VirtualDepthHeader header_of(const PinholeCamera& camera, int frames_per_second,
+                             float metres_per_unit) {
+  constexpr double kTolerance = 1e-6;  // pixels
+  if (std::abs(camera.cx - 0.5 * (camera.width - 1)) > kTolerance ||
+      std::abs(camera.cy - 0.5 * (camera.height - 1)) > kTolerance) {
+    throw InputError("camera", "its principal point (" + std::to_string(camera.cx) + ", " +
+                                   std::to_string(camera.cy) +
+                                   ") is not the middle of the image, which OpenNI2 cannot "
+                                   "describe; write a depth folder instead of an .oni file");
+  }
+  VirtualDepthHeader header;
+  header.width = static_cast<std::uint32_t>(camera.width);
+  header.height = static_cast<std::uint32_t>(camera.height);
+  header.frames_per_second = static_cast<std::uint32_t>(frames_per_second);
+  header.horizontal_field_of_view = field_of_view(camera.width, camera.fx);
+  header.vertical_field_of_view = field_of_view(camera.height, camera.fy);
+  header.unit = unit_of(metres_per_unit);
+  return header;
+}
+
+}  // namespace
+
+VirtualDepthSender::VirtualDepthSender(int socket, const PinholeCamera& camera,
+                                       int frames_per_second, float metres_per_unit, bool hold)
+    : socket_(socket), camera_(camera) {
+  try {
+    VirtualDepthHeader header = header_of(camera, frames_per_second, metres_per_unit);
+    header.hold = hold ? 1 : 0;
+    send_bytes(&header, sizeof(header));
+  } catch (...) {
+    ::close(socket_);
+    throw;
+  }
+}
+
+VirtualDepthSender::~VirtualDepthSender() {
+  if (socket_ >= 0) {
+    ::shutdown(socket_, SHUT_RDWR);  // seen at the other end even if a child process has a copy
+    ::close(socket_);
+  }
+}
+
+VirtualDepthSender::VirtualDepthSender(VirtualDepthSender&& other) noexcept
+    : socket_(std::exchange(other.socket_, -1)), camera_(other.camera_) {}
+
+void VirtualDepthSender::send(const DepthFrame& frame) {
+  if (!(frame.camera == camera_)) {
+    throw InputError("frame " + std::to_string(frame.index),
+                     "has another camera than the first; a device has one");
+  }
+  const auto timestamp = static_cast<std::uint64_t>(std::llround(frame.stamp * 1e6));
+  send_bytes(&timestamp, sizeof(timestamp));
+  send_bytes(frame.depth.data(), frame.depth.size() * sizeof(std::uint16_t));
+}
+
+bool VirtualDepthSender::try_send(const DepthFrame& frame) {
+  pollfd descriptor{socket_, POLLOUT, 0};
+  if (::poll(&descriptor, 1, 0) <= 0) {
+    return false;
+  }
+  send(frame);
+  return true;
+}
+
+void VirtualDepthSender::send_bytes(const void* bytes, std::size_t size) {
+  const auto* from = static_cast<const char*>(bytes);
+  while (size > 0) {
+    const ssize_t count = ::send(socket_, from, size, MSG_NOSIGNAL);
+    if (count <= 0) {
+      throw DeviceError("the virtual depth camera was closed by its user");
+    }
+    from += count;
+    size -= static_cast<std::size_t>(count);
+  }
+}
+
+VirtualDepthServer::VirtualDepthServer(const std::filesystem::path& socket) : path_(socket) {
+  sockaddr_un name{};
+  name.sun_family = AF_UNIX;
+  const std::string path = socket.string();
+  if (path.size() >= sizeof(name.sun_path)) {
+    throw DeviceError(path + ": the path of a socket may have at most 107 characters");
+  }
+  std::memcpy(name.sun_path, path.c_str(), path.size());
+  ::unlink(path.c_str());
+  socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (::bind(socket_, reinterpret_cast<const sockaddr*>(&name), sizeof(name)) != 0 ||
+      ::listen(socket_, 1) != 0) {
+    const std::string reason = std::strerror(errno);
+    ::close(socket_);
+    throw DeviceError(path + ": a socket cannot be created there (" + reason + ")");
+  }
+}
+
+VirtualDepthServer::~VirtualDepthServer() {
+  ::close(socket_);
+  ::unlink(path_.c_str());
+}
+
+std::string VirtualDepthServer::uri() const {
+  return kVirtualDepthPrefix + path_.string();
+}
+
+VirtualDepthSender VirtualDepthServer::accept(const PinholeCamera& camera, int frames_per_second,
+                                              float metres_per_unit) {
+  const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
+  if (connection < 0) {
+    throw DeviceError(path_.string() + ": no connection (" + std::strerror(errno) + ")");
+  }
+  return {connection, camera, frames_per_second, metres_per_unit};
+}
+
+}  // namespace lockbox
