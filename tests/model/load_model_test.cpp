@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "lockbox/core/error.hpp"
+#include "urdf_test.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A door with a knob fixed to it, and a bolt, on a frame; and the YAML file beside it.
+class LoadModelTest : public WithTemporaryFolder {
+ protected:
+  ArticulatedModel load(const std::string& yaml) const {
+    write("door.yaml", yaml);
+    const auto urdf = write(
+        "door.urdf", "<robot name=\"r\">" + link("frame") + link("door", box("0.1 0.1 0.02")) +
+                         link("knob", box("0.02 0.02 0.04")) + link("bolt", box("0.04 0.02 0.02")) +
+                         joint("hinge", "revolute", "frame", "door", kLimit) +
+                         joint("glue", "fixed", "door", "knob", "<origin xyz=\"0 0 0.02\"/>") +
+                         joint("slide", "prismatic", "frame", "bolt",
+                               "<origin xyz=\"0.2 0 0\"/>" + std::string(kLimit)) +
+                         joint("shadow", "prismatic", "bolt", "tip",
+                               "<mimic joint=\"slide\"/>" + std::string(kLimit)) +
+                         link("tip") + "</robot>");
+    LoadOptions options;
+    options.cache_directory = folder_ / "cache";
+    return load_model(urdf, options);
+  }
+
+  std::string refusal(const std::string& yaml) const {
+    return message_of<InputError>([&] { load(yaml); });
+  }
+};
+
+TEST_F(LoadModelTest, BuildsOneFieldForEachBodyWithGeometry) {
+  const ArticulatedModel model = load("voxel: 0.004\nlink_voxel: {bolt: 0.002}\n");
+  ASSERT_EQ(model.fields.size(), model.tree.bodies.size());
+  for (std::size_t b = 0; b < model.fields.size(); ++b) {
+    const Body& body = model.tree.bodies[b];
+    ASSERT_EQ(model.fields[b].has_value(), !body.visuals.empty()) << body.name;
+    if (!model.fields[b]) continue;
+    EXPECT_NEAR(model.fields[b]->voxel(), body.name == "bolt" ? 0.002 : 0.004, 1e-9);
+    const DistanceSample centre = model.fields[b]->sample(Eigen::Vector3f::Zero());
+    EXPECT_NEAR(centre.distance, -0.01F, 2e-3F);
+  }
+}
+
+TEST_F(LoadModelTest, ReadsErosionsByAnyLinkOfABody) {
+  const ModelParameters parameters =
+      load("erosion: 0.001\npair_erosion:\n- {links: [knob, bolt], erosion: 0.002}\n").parameters;
+  EXPECT_EQ(parameters.erosion, 0.001);
+  ASSERT_EQ(parameters.pair_erosion.size(), 1U);
+  EXPECT_EQ(parameters.pair_erosion.at({"bolt", "door"}), 0.002);
+  EXPECT_FALSE(parameters.initial_configuration);
+}
+
+TEST_F(LoadModelTest, ReadsTheInitialState) {
+  const ArticulatedModel model = load(
+      "initial_state:\n"
+      "  position: [0.1, 0.2, 1.3]\n"
+      "  quaternion: [0, 0, 0.707, 0.707]\n"
+      "  joints: {hinge: 0.5}\n");
+  ASSERT_TRUE(model.parameters.initial_configuration);
+  const Configuration& initial = *model.parameters.initial_configuration;
+  EXPECT_TRUE(initial.T_camera_base.translation().isApprox(Eigen::Vector3d(0.1, 0.2, 1.3)));
+  EXPECT_TRUE(initial.T_camera_base.linear().col(0).isApprox(Eigen::Vector3d::UnitY(), 1e-12));
+  EXPECT_EQ(joint_position(model.tree, initial, joint_index(model.tree, "hinge")), 0.5);
+  EXPECT_EQ(joint_position(model.tree, initial, joint_index(model.tree, "slide")), 0.0);
+}
+
+TEST_F(LoadModelTest, RefusesVoxelsAboveHalfTheThinnestWallByLink) {
+  EXPECT_THAT(refusal("link_voxel: {bolt: 0.015}\n"),
+              AllOf(HasSubstr("door.urdf"), HasSubstr("link 'bolt'")));
+}
+
+TEST_F(LoadModelTest, RefusesOpenMeshesByLink) {
+  write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+  const auto urdf = write("open.urdf", "<robot name=\"r\">" +
+                                           link("shell",
+                                                "<visual><geometry><mesh filename=\"open.obj\"/>"
+                                                "</geometry></visual>") +
+                                           "</robot>");
+  EXPECT_THAT(message_of<InputError>([&] { load_model(urdf); }), HasSubstr("link 'shell'"));
+}
+
+TEST_F(LoadModelTest, RefusesUnknownKeysAndBadValuesWithTheLine) {
+  EXPECT_THAT(refusal("voxel: 0.004\nvoxels: 1\n"), HasSubstr("door.yaml:2: unknown key 'voxels'"));
+  EXPECT_THAT(refusal("voxel: 0.004\nvoxel: 0.002\n"), HasSubstr("door.yaml:2: the key 'voxel'"));
+  EXPECT_THAT(refusal("voxel: 4mm\n"), HasSubstr("door.yaml:1: '4mm' is not a finite number"));
+  EXPECT_THAT(refusal("voxel: .nan\n"), HasSubstr("not a finite number"));
+  EXPECT_THAT(refusal("voxel: 0\n"), HasSubstr("must be positive"));
+  EXPECT_THAT(refusal("erosion: -1\n"), HasSubstr("must not be negative"));
+  EXPECT_THAT(refusal("link_voxel: {latch: 0.001}\n"), HasSubstr("no link 'latch'"));
+  EXPECT_THAT(refusal("link_voxel: {frame: 0.001}\n"), HasSubstr("'frame' has no geometry"));
+  EXPECT_THAT(refusal("link_voxel: {door: 0.002, knob: 0.001}\n"), HasSubstr("already"));
+  EXPECT_THAT(refusal("- voxel\n"), HasSubstr("door.yaml:1: a map"));
+  EXPECT_THAT(refusal("voxel: [\n"), HasSubstr("not YAML"));
+}
+
+TEST_F(LoadModelTest, RefusesPairsThatAreNoPairs) {
+  const auto pair = [&](const std::string& content) {
+    return refusal("pair_erosion:\n- {" + content + "}\n");
+  };
+  EXPECT_THAT(pair("links: [door, knob], erosion: 0.001"), HasSubstr("door.yaml:2: the two links"));
+  EXPECT_THAT(pair("links: [door], erosion: 0.001"), HasSubstr("a list of 2"));
+  EXPECT_THAT(pair("links: [door, bolt]"), HasSubstr("both keys"));
+  EXPECT_THAT(pair("link: [door, bolt], erosion: 0.001"), HasSubstr("unknown key 'link'"));
+  EXPECT_THAT(refusal("pair_erosion:\n- {links: [door, bolt], erosion: 0}\n"
+                      "- {links: [bolt, knob], erosion: 0}\n"),
+              HasSubstr("door.yaml:3: the pair"));
+}
+
+TEST_F(LoadModelTest, RefusesInitialStatesThatCannotBe) {
+  const auto state = [&](const std::string& content) {
+    return refusal("initial_state: {" + content + "}\n");
+  };
+  EXPECT_THAT(state("quaternion: [0, 0, 0, 2]"), HasSubstr("norm 2"));
+  EXPECT_THAT(state("position: [0, 0]"), HasSubstr("a list of 3"));
+  EXPECT_THAT(state("joints: {door: 1}"), HasSubstr("there are"));
+  EXPECT_THAT(state("joints: {shadow: 1}"), HasSubstr("it mimics; set 'slide'"));
+  EXPECT_THAT(state("joints: {hinge: 2}"), HasSubstr("moves between -1 and 1"));
+  EXPECT_THAT(state("pose: 1"), HasSubstr("unknown key 'pose'"));
+}
+
+}  // namespace
+}  // namespace lockbox
