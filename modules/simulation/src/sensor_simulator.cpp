@@ -16,6 +16,7 @@ namespace {
 using simulation::CorrelatedNoise;
 using simulation::NormalTable;
 using simulation::RandomStream;
+using simulation::Surface;
 
 constexpr float kUnit = 0.001F;          ///< metres a unit of the output
 constexpr int kJitteredRefinement = 2;   ///< samples a pixel and axis, under lateral jitter
@@ -33,6 +34,71 @@ int rounded(float x) {
   return static_cast<int>(x + (x < 0.0F ? -0.5F : 0.5F));
 }
 
+/// The sensor model in the numbers and types that a pixel needs.
+class PixelModel {
+ public:
+  PixelModel(const SensorModel& sensor, const PinholeCamera& camera, int refinement)
+      : refinement_(refinement),
+        unit_disparity_depth_(static_cast<float>(camera.fx * sensor.baseline)),
+        has_disparity_(sensor.disparity_noise > 0.0 || sensor.disparity_step > 0.0),
+        disparity_noise_(static_cast<float>(sensor.disparity_noise)),
+        disparity_step_(static_cast<float>(sensor.disparity_step)),
+        depth_noise_(static_cast<float>(sensor.depth_noise)),
+        depth_noise_growth_(static_cast<float>(sensor.depth_noise_growth)),
+        measured_share_(static_cast<float>(1.0 - sensor.dropout_rate)),
+        has_edge_dropouts_(sensor.edge_dropout_rate > 0.0),
+        measured_share_at_edges_(static_cast<float>(1.0 - sensor.edge_dropout_rate)),
+        squared_cosine_of_grazing_(static_cast<float>(std::pow(std::cos(sensor.grazing_angle), 2))),
+        min_range_(static_cast<float>(sensor.min_range)),
+        max_range_(static_cast<float>(sensor.max_range)) {}
+
+  /// Probability that pixel (u, v) is measured when it looks through that sample.
+  float measured_share(const Surface& surface, int u, int v, int sample_u, int sample_v) const {
+    float share = measured_share_;
+    if (has_edge_dropouts_ &&
+        surface.beside_jump(u * refinement_, v * refinement_, refinement_, unit_disparity_depth_)) {
+      share *= measured_share_at_edges_;
+    }
+    if (squared_cosine_of_grazing_ > 1e-9F) {
+      const float squared_cosine = surface.squared_cosine(sample_u, sample_v);
+      if (squared_cosine < squared_cosine_of_grazing_) {
+        share *= std::sqrt(squared_cosine / squared_cosine_of_grazing_);
+      }
+    }
+    return share;
+  }
+
+  /// The measured depth in units of the output, 0 beyond the range. z: true, finite, metres.
+  std::uint16_t measured(float z, float correlated, float white) const {
+    if (has_disparity_) {
+      float disparity = unit_disparity_depth_ / z + disparity_noise_ * correlated;
+      if (disparity_step_ > 0.0F) {
+        disparity = disparity_step_ * static_cast<float>(rounded(disparity / disparity_step_));
+      }
+      z = disparity > 0.0F ? unit_disparity_depth_ / disparity : 0.0F;
+    }
+    const float beyond = z - 0.4F;
+    z += white * (depth_noise_ + depth_noise_growth_ * beyond * beyond);
+    const bool in_range = z >= min_range_ && z <= max_range_;
+    return in_range ? static_cast<std::uint16_t>(rounded(z / kUnit)) : std::uint16_t{0};
+  }
+
+ private:
+  int refinement_;
+  float unit_disparity_depth_;
+  bool has_disparity_;
+  float disparity_noise_;
+  float disparity_step_;
+  float depth_noise_;
+  float depth_noise_growth_;
+  float measured_share_;
+  bool has_edge_dropouts_;
+  float measured_share_at_edges_;
+  float squared_cosine_of_grazing_;
+  float min_range_;
+  float max_range_;
+};
+
 }  // namespace
 
 struct SensorSimulator::Workspace {
@@ -43,57 +109,15 @@ struct SensorSimulator::Workspace {
   int refinement = sensor.lateral_jitter > 0.0 ? kJitteredRefinement : 1;
   PinholeCamera sample_camera = refined(camera, refinement);
   float jitter = jitter_before_rounding(sensor, refinement);
-  float unit_disparity_depth = static_cast<float>(camera.fx * sensor.baseline);
-  float cosine_of_grazing = static_cast<float>(std::cos(sensor.grazing_angle));
+  PixelModel pixel{sensor, camera, refinement};
   NormalTable normal{};
   CorrelatedNoise noise{correlation_kernel(sensor), camera.width, camera.height, seed};
 
-  void measure_row(const RenderedDepth& clean, std::uint64_t index, int v,
+  void measure_row(const Surface& surface, std::uint64_t index, int v,
                    const std::vector<float>& correlated, std::uint16_t* out) const;
-  float dropout_probability(const RenderedDepth& clean, int u, int v, int sample_u,
-                            int sample_v) const;
-  float with_noise(float z, float correlated, float white) const;
-  std::uint16_t in_units(float z) const;
 };
 
-/// Of a pixel (u, v) that looks through a sample.
-float SensorSimulator::Workspace::dropout_probability(const RenderedDepth& clean, int u, int v,
-                                                      int sample_u, int sample_v) const {
-  float measured = 1.0F - static_cast<float>(sensor.dropout_rate);
-  if (sensor.edge_dropout_rate > 0.0 &&
-      simulation::beside_jump(clean, u * refinement, v * refinement, refinement,
-                              unit_disparity_depth)) {
-    measured *= 1.0F - static_cast<float>(sensor.edge_dropout_rate);
-  }
-  if (cosine_of_grazing > 1e-6F) {
-    const float cosine = simulation::cosine_of_incidence(clean, sample_camera, sample_u, sample_v);
-    measured *= std::min(1.0F, cosine / cosine_of_grazing);
-  }
-  return 1.0F - measured;
-}
-
-float SensorSimulator::Workspace::with_noise(float z, float correlated, float white) const {
-  if (sensor.disparity_noise > 0.0 || sensor.disparity_step > 0.0) {
-    float disparity =
-        unit_disparity_depth / z + static_cast<float>(sensor.disparity_noise) * correlated;
-    if (sensor.disparity_step > 0.0) {
-      const auto step = static_cast<float>(sensor.disparity_step);
-      disparity = step * static_cast<float>(rounded(disparity / step));
-    }
-    z = disparity > 0.0F ? unit_disparity_depth / disparity : 0.0F;
-  }
-  const float beyond = z - 0.4F;
-  return z + white * static_cast<float>(sensor.depth_noise +
-                                        sensor.depth_noise_growth * beyond * beyond);
-}
-
-std::uint16_t SensorSimulator::Workspace::in_units(float z) const {
-  const bool in_range =
-      z >= static_cast<float>(sensor.min_range) && z <= static_cast<float>(sensor.max_range);
-  return in_range ? static_cast<std::uint16_t>(rounded(z / kUnit)) : std::uint16_t{0};
-}
-
-void SensorSimulator::Workspace::measure_row(const RenderedDepth& clean, std::uint64_t index, int v,
+void SensorSimulator::Workspace::measure_row(const Surface& surface, std::uint64_t index, int v,
                                              const std::vector<float>& correlated,
                                              std::uint16_t* out) const {
   RandomStream random(seed, index, static_cast<std::uint64_t>(v), kPurpose);
@@ -106,11 +130,11 @@ void SensorSimulator::Workspace::measure_row(const RenderedDepth& clean, std::ui
                                     sample_camera.height - 1);
     const float white = normal.long_tailed(bits >> 24U);
     const float uniform = static_cast<float>(bits >> 48U) * 0x1p-16F;
-    const float z = simulation::depth_at(clean, sample_u, sample_v);
+    const float z = surface.depth(sample_u, sample_v);
     const bool seen =
-        std::isfinite(z) && uniform >= dropout_probability(clean, u, v, sample_u, sample_v);
+        std::isfinite(z) && uniform < pixel.measured_share(surface, u, v, sample_u, sample_v);
     const auto i = static_cast<std::size_t>(u);
-    out[i] = seen ? in_units(with_noise(z, correlated[i], white)) : std::uint16_t{0};
+    out[i] = seen ? pixel.measured(z, correlated[i], white) : std::uint16_t{0};
   }
 }
 
@@ -134,13 +158,14 @@ void SensorSimulator::measure(const RenderedDepth& clean, std::uint64_t index, D
   frame.depth.resize(width * height);
   frame.metres_per_unit = kUnit;
   frame.index = index;
+  const Surface surface(clean, w.sample_camera);
   w.noise.generate(index, w.normal, w.executor);
   w.executor.for_each_chunk(
       height, kRowsAtOnce, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::vector<float> correlated;
         for (std::size_t v = begin; v < end; ++v) {
           w.noise.row(static_cast<int>(v), correlated);
-          w.measure_row(clean, index, static_cast<int>(v), correlated, &frame.depth[v * width]);
+          w.measure_row(surface, index, static_cast<int>(v), correlated, &frame.depth[v * width]);
         }
       });
 }
