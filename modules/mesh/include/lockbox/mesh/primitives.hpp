@@ -14,7 +14,7 @@ TriangleMesh make_box(const Eigen::Vector3d& size);
 TriangleMesh make_cylinder(double radius, double length);
 
 /// Metres. The vertices lie on the sphere, the faces at most 0.1 mm inside it for radii up to
-/// 0.5 m (32768 triangles at most). Throws InputError unless the radius is positive.
+/// 0.4 m (32768 triangles at most). Throws InputError unless the radius is positive.
 TriangleMesh make_sphere(double radius);
 
 }  // namespace lockbox
