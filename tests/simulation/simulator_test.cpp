@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/model/articulated_model.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 #include "small_models.hpp"
 
@@ -88,6 +92,38 @@ TEST(Simulator, StateThatIsNotCompleteIsRefused) {
   State joint_missing = start_of(tree);
   joint_missing.configuration.q[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(simulator.simulate(joint_missing, 0, frame), InputError);
+}
+
+// The scene promises: in the middle third, up to half of the box, never nearer to it than 5 cm.
+TEST(ShippedScene, ArmPassesBeforeTheLockboxWithoutTouchingIt) {
+  const std::string share = LOCKBOX_SHARE_DIRECTORY;
+  const KinematicTree tree = load_kinematic_tree(share + "/models/lockbox/lockbox.urdf");
+  const auto run = generate_trajectory(tree, {.frames = 91, .rate = 10.0});
+  const PlacedScene scene(read_scene(share + "/scenes/room_with_arm.yaml"), run);
+  Simulator with_arm(tree, kCamera, scene, sensor_model("ideal"), 1, Executor(2));
+  Simulator alone(tree, kCamera, PlacedScene(), sensor_model("ideal"), 1, Executor(2));
+  DepthFrame frame;
+  double most_hidden = 0.0;
+  for (std::size_t i = 0; i < run.size(); i += 3) {
+    with_arm.simulate(run[i], i, frame);
+    alone.simulate(run[i], i, frame);
+    int visible = 0;
+    int hidden = 0;
+    for (std::size_t k = 0; k < alone.clean().id.size(); ++k) {
+      if (alone.clean().id[k] == kNothing) continue;
+      ++visible;
+      if (with_arm.clean().id[k] == kOccluderId) {
+        ++hidden;
+        ASSERT_GT(alone.clean().depth[k] - with_arm.clean().depth[k], 0.05F) << i;
+      }
+    }
+    if (i < run.size() / 3 || i > 2 * run.size() / 3 + 1) {
+      EXPECT_EQ(hidden, 0) << i;
+    }
+    most_hidden = std::max(most_hidden, static_cast<double>(hidden) / visible);
+  }
+  EXPECT_GT(most_hidden, 0.35);
+  EXPECT_LT(most_hidden, 0.55);
 }
 
 }  // namespace
