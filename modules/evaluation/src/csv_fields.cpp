@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "csv_fields.hpp"
+
+#include <array>
+#include <charconv>
+#include <system_error>
+
+namespace lockbox {
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string_view> split_fields(std::string_view text) {
+  std::vector<std::string_view> fields;
+  for (auto comma = text.find(','); comma != std::string_view::npos; comma = text.find(',')) {
+    fields.push_back(trimmed(text.substr(0, comma)));
+    text.remove_prefix(comma + 1);
+  }
+  fields.push_back(trimmed(text));
+  return fields;
+}
+
+std::optional<double> parse_field(std::string_view field) {
+  double value = 0.0;
+  const char* const end = field.data() + field.size();
+  const auto [parsed_to, error] = std::from_chars(field.data(), end, value);
+  if (error != std::errc{} || parsed_to != end) return std::nullopt;
+  return value;
+}
+
+std::string field_text(double value) {
+  std::array<char, 32> text;
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), result.ptr};
+}
+
+}  // namespace lockbox
