@@ -50,6 +50,15 @@ TEST_F(LoadModelTest, BuildsOneFieldForEachBodyWithGeometry) {
   }
 }
 
+TEST_F(LoadModelTest, KeepsFieldsInTheCacheGivenOrInThatOfTheUser) {
+  load("voxel: 0.004\n");
+  EXPECT_FALSE(std::filesystem::is_empty(folder_ / "cache"));
+  ASSERT_EQ(setenv("XDG_CACHE_HOME", (folder_ / "xdg").c_str(), 1), 0);
+  load_model(folder_ / "door.urdf");
+  unsetenv("XDG_CACHE_HOME");
+  EXPECT_FALSE(std::filesystem::is_empty(folder_ / "xdg" / "lockbox"));
+}
+
 TEST_F(LoadModelTest, ReadsErosionsByAnyLinkOfABody) {
   const ModelParameters parameters =
       load("erosion: 0.001\npair_erosion:\n- {links: [knob, bolt], erosion: 0.002}\n").parameters;
