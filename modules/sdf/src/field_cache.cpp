@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/sdf/field_cache.hpp"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "field_file.hpp"
+#include "lockbox/mesh/content_hash.hpp"
+
+namespace lockbox {
+namespace {
+
+std::uint64_t key_of(const TriangleMesh& mesh, const FieldOptions& options) {
+  ContentHash hash;
+  hash.add(std::uint64_t{kFieldFormat});
+  hash.add(content_hash(mesh));
+  hash.add(options.voxel);
+  hash.add(options.band);
+  hash.add(options.far_reach);
+  hash.add(options.memory_budget);
+  return hash.value();
+}
+
+std::filesystem::path file_for(const std::filesystem::path& folder, std::uint64_t key) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%016llx.field", static_cast<unsigned long long>(key));
+  return folder / name;
+}
+
+std::optional<SignedDistanceField::Storage> read(const std::filesystem::path& file,
+                                                 std::uint64_t key) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    return std::nullopt;
+  }
+  const std::string bytes((std::istreambuf_iterator<char>(stream)),
+                          std::istreambuf_iterator<char>());
+  return from_bytes(bytes, key);
+}
+
+bool write_all(int descriptor, const std::string& bytes) {
+  std::size_t written = 0;
+  while (written < bytes.size()) {
+    const ssize_t n = ::write(descriptor, bytes.data() + written, bytes.size() - written);
+    if (n <= 0) {
+      return false;
+    }
+    written += static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+/// Under a name of its own first, so that nobody ever reads half a file. Failing is no error: the
+/// field is built again next time.
+void write(const std::filesystem::path& file, const std::string& bytes) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  std::string temporary = file.string() + ".XXXXXX";
+  const int descriptor = ::mkstemp(temporary.data());
+  if (descriptor < 0) {
+    return;
+  }
+  const bool is_written = write_all(descriptor, bytes);
+  const bool is_closed = ::close(descriptor) == 0;
+  if (!is_written || !is_closed || std::rename(temporary.c_str(), file.c_str()) != 0) {
+    std::filesystem::remove(temporary, error);
+  }
+}
+
+}  // namespace
+
+SignedDistanceField load_or_build_field(const TriangleMesh& mesh, const FieldOptions& options,
+                                        const std::filesystem::path& folder,
+                                        const Executor& executor) {
+  if (folder.empty()) {
+    return build_field(mesh, options, executor);
+  }
+  const std::uint64_t key = key_of(mesh, options);
+  const std::filesystem::path file = file_for(folder, key);
+  if (auto storage = read(file, key)) {
+    return SignedDistanceField(*std::move(storage));
+  }
+  SignedDistanceField field = build_field(mesh, options, executor);
+  write(file, to_bytes(field.storage(), key));
+  return field;
+}
+
+}  // namespace lockbox
