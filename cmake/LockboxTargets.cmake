@@ -16,6 +16,10 @@ if(LOCKBOX_SANITIZE)
   add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
 
+# Installed programs and libraries find each other wherever the prefix is moved to.
+file(RELATIVE_PATH library_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${library_folder})
+
 # lockbox_add_module(<name> SOURCES ... [PUBLIC targets...] [PRIVATE targets...])
 # makes the library lockbox::<name> from src/ and include/lockbox/<name>/.
 function(lockbox_add_module name)

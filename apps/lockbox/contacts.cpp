@@ -2,7 +2,6 @@
 #include "contacts.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
@@ -11,22 +10,28 @@ namespace lockbox::app {
 namespace {
 
 constexpr double kSpacing = 0.004;  // metres between samples of a surface
+constexpr double kReach = 0.001;    // metres; farther apart is no contact
+constexpr double kFacing = -0.8;    // cosine between the normals of faces that lie on each other
 
-std::vector<Eigen::Vector3d> surface_points(const TriangleMesh& mesh) {
-  std::vector<Eigen::Vector3d> points = mesh.vertices;  // corners penetrate deepest
-  for (const auto& sample : sample_surface(mesh, kSpacing)) points.push_back(sample.position);
-  return points;
+/// Signed distances to the field of those samples that face its surface and lie on it or below it.
+void append_contact_distances(const std::vector<SurfaceSample>& samples,
+                              const SignedDistanceField& field,
+                              const Eigen::Isometry3d& T_field_samples,
+                              std::vector<double>& distances) {
+  for (const auto& sample : samples) {
+    const auto at = field.sample((T_field_samples * sample.position).cast<float>());
+    const Eigen::Vector3d normal = T_field_samples.linear() * sample.normal;
+    if (at.distance < kReach && at.gradient.cast<double>().dot(normal) < kFacing) {
+      distances.push_back(at.distance);
+    }
+  }
 }
 
-/// How deep the points reach into the field; negative: how far they stay away.
-double penetration(const std::vector<Eigen::Vector3d>& points, const SignedDistanceField& field,
-                   const Eigen::Isometry3d& T_field_points) {
-  double deepest = -std::numeric_limits<double>::infinity();
-  for (const auto& point : points) {
-    const Eigen::Vector3f p_field = (T_field_points * point).cast<float>();
-    deepest = std::max(deepest, -static_cast<double>(field.sample(p_field).distance));
-  }
-  return deepest;
+/// Half of the values are smaller. Single samples say little: at edges fields round.
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 }  // namespace
@@ -35,17 +40,21 @@ std::vector<Contact> rest_contacts(const ArticulatedModel& model) {
   const auto& bodies = model.tree.bodies;
   std::vector<Eigen::Isometry3d> poses;
   forward_kinematics(model.tree, rest_configuration(model.tree), poses);
-  std::vector<std::vector<Eigen::Vector3d>> points;
-  for (const auto& body : bodies) points.push_back(surface_points(body.mesh));
+  std::vector<std::vector<SurfaceSample>> samples;
+  for (const auto& body : bodies) {
+    samples.push_back(body.visuals.empty() ? std::vector<SurfaceSample>()
+                                           : sample_surface(body.mesh, kSpacing));
+  }
 
   std::vector<Contact> contacts;
   for (std::size_t a = 0; a < bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < bodies.size(); ++b) {
       if (!model.fields[a] || !model.fields[b]) continue;
       const Eigen::Isometry3d T_b_a = poses[b].inverse() * poses[a];
-      const double overlap = std::max(penetration(points[a], *model.fields[b], T_b_a),
-                                      penetration(points[b], *model.fields[a], T_b_a.inverse()));
-      if (overlap > -kContactTolerance) contacts.push_back({a, b, overlap});
+      std::vector<double> distances;
+      append_contact_distances(samples[a], *model.fields[b], T_b_a, distances);
+      append_contact_distances(samples[b], *model.fields[a], T_b_a.inverse(), distances);
+      if (!distances.empty()) contacts.push_back({a, b, -median(distances)});
     }
   }
   return contacts;

@@ -14,7 +14,7 @@ inline constexpr double kContactTolerance = 2e-4;
 struct Contact {
   std::size_t body_a;
   std::size_t body_b;
-  double overlap;  ///< metres, deepest penetration; negative: the smallest gap
+  double overlap;  ///< metres, median over the faces in contact; negative: a gap
 };
 
 /// All pairs of bodies that touch or overlap in the rest configuration.

@@ -56,6 +56,7 @@ ExitStatus run(const CommandEntry& entry, std::span<char*> arguments) {
   options.set_config("--config", "", "Read options from FILE: lines `name = value`")
       ->type_name("FILE");
   options.allow_config_extras(CLI::config_extras_mode::error);
+  options.option_defaults()->always_capture_default();
   command->add_options(options);
   if (const auto status = parse(options, arguments)) return *status;
   try {

@@ -16,7 +16,8 @@ void ModelOptions::add_to(CLI::App& options) {
   options
       .add_option("--package-path", package_paths_,
                   "Folder to search for package:// meshes (repeatable), beside ROS_PACKAGE_PATH")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->default_str("");
 }
 
 std::filesystem::path ModelOptions::file() const {

@@ -96,7 +96,9 @@ double RunTotals::latency_percentile(double share) const {
 
 void write_run_description(const std::filesystem::path& file, const RunDescription& description,
                            const RunTotals& totals, RunEnd end, double seconds) {
+  constexpr std::size_t kDigits = 10;
   YAML::Emitter out;
+  out.SetDoublePrecision(kDigits);
   out << YAML::BeginMap;
   out << YAML::Key << "model" << YAML::Value
       << std::filesystem::absolute(description.model).string();

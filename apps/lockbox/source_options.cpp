@@ -27,7 +27,7 @@ void SourceArguments::add_to(CLI::App& options) {
 std::unique_ptr<FrameSource> SourceArguments::open() const {
   SourceOptions options;
   if (!camera_info_.empty()) options.camera_info = camera_info_;
-  if (depth_scale_ > 0.0) options.depth_scale = depth_scale_;
+  options.depth_scale = depth_scale_;
   options.realtime = realtime_;
   options.warn = [](const std::string& text) { std::cerr << "lockbox: warning: " << text << '\n'; };
   return open_source(source_, options);

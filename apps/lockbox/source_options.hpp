@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "lockbox/capture/frame_source.hpp"
@@ -22,7 +23,7 @@ class SourceArguments {
  private:
   std::string source_;
   std::string camera_info_;
-  double depth_scale_ = 0.0;
+  std::optional<double> depth_scale_;
   bool realtime_ = false;
 };
 

@@ -86,9 +86,11 @@ class TrackCommand : public Command {
         ->check(CLI::PositiveNumber);
     options.add_flag("--fixed-base", registration.fixed_base, "The base does not move");
     options.add_option("--lock-joint", locked_joints_, "Hold this joint (repeatable)")
-        ->type_name("NAME");
+        ->type_name("NAME")
+        ->default_str("");
     options.add_option("--collision", registration.collision, "off, literal or eroded")
         ->transform(CLI::CheckedTransformer(kCollisionModes))
+        ->type_name("MODE")
         ->default_str("eroded");
   }
 
