@@ -5,6 +5,7 @@
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/capture/live_device.hpp"
 #include "lockbox/capture/oni_player.hpp"
+#include "lockbox/capture/pcd_folder.hpp"
 #include "lockbox/core/error.hpp"
 #include "realtime_source.hpp"
 
@@ -15,6 +16,11 @@ std::unique_ptr<FrameSource> open_folder(const std::filesystem::path& folder,
                                          const SourceOptions& options) {
   if (std::filesystem::exists(folder / "depth.txt")) {
     return std::make_unique<DepthFolderSource>(folder, options);
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".pcd") {
+      return std::make_unique<PcdFolderSource>(folder, options);
+    }
   }
   throw InputError(folder.string(),
                    "this folder holds neither a depth.txt (a depth image sequence) nor .pcd files");

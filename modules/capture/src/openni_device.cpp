@@ -2,6 +2,7 @@
 #include "openni_device.hpp"
 
 #include <cstdlib>
+#include <string_view>
 #include <tuple>
 
 #include "lockbox/core/error.hpp"
@@ -10,10 +11,9 @@
 namespace lockbox {
 namespace {
 
-/// Recordings that were opened in this process stay in OpenNI2's list of devices; they have no
-/// name.
+/// Recordings that were opened in this process stay in OpenNI2's list of devices, under this name.
 bool is_live(const openni::DeviceInfo& info) {
-  return info.getName()[0] != '\0';
+  return std::string_view(info.getName()) != "oni File";
 }
 
 std::string first_device() {

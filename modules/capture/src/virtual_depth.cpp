@@ -127,6 +127,10 @@ VirtualDepthServer::~VirtualDepthServer() {
   ::unlink(path_.c_str());
 }
 
+void VirtualDepthServer::close() {
+  ::shutdown(socket_, SHUT_RDWR);
+}
+
 std::string VirtualDepthServer::uri() const {
   return kVirtualDepthPrefix + path_.string();
 }

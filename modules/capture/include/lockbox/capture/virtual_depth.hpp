@@ -49,7 +49,10 @@ class VirtualDepthServer {
 
   std::string uri() const;  ///< for `openni2:<uri>`
 
-  /// Waits until the device is opened.
+  /// Takes no more users: a waiting accept() throws. From any thread.
+  void close();
+
+  /// Waits until the device is opened. Throws DeviceError after close().
   VirtualDepthSender accept(const PinholeCamera& camera, int frames_per_second,
                             float metres_per_unit);
 
