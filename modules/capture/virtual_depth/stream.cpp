@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstring>
+#include <limits>
 
 namespace lockbox::virtual_depth {
 namespace {
@@ -33,7 +34,9 @@ OniVideoMode video_mode_of(const VirtualDepthHeader& header) {
 }
 
 Stream::Stream(Connection& connection, std::function<void()> on_end)
-    : connection_(connection), on_end_(std::move(on_end)), held_(connection.header().hold != 0) {}
+    : connection_(connection),
+      on_end_(std::move(on_end)),
+      limit_(connection.header().hold != 0 ? 0 : std::numeric_limits<int>::max()) {}
 
 Stream::~Stream() {
   stop();
@@ -59,7 +62,7 @@ int Stream::getRequiredFrameSize() {
 
 void Stream::run() {
   while (running_) {
-    if (held_) {
+    if (frame_index_ >= limit_) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       continue;
     }
@@ -122,10 +125,12 @@ OniStatus Stream::getProperty(int id, void* data, int* size) {
 }
 
 /// The device is what it is: setting a property to its value succeeds, all else but
-/// the sign to begin fails.
+/// the limit fails.
 OniStatus Stream::setProperty(int id, const void* data, int size) {
-  if (id == kVirtualDepthBegin) {
-    held_ = false;
+  if (id == kVirtualDepthLimit && size == static_cast<int>(sizeof(int))) {
+    int limit = 0;
+    std::memcpy(&limit, data, sizeof(limit));
+    limit_ = limit;
     return ONI_STATUS_OK;
   }
   std::array<char, 64> value;

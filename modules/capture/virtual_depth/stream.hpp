@@ -39,7 +39,7 @@ class Stream : public oni::driver::StreamBase {
   std::function<void()> on_end_;
   std::thread thread_;
   std::atomic<bool> running_{false};
-  std::atomic<bool> held_;
+  std::atomic<int> limit_;
   int frame_index_ = 0;
 };
 

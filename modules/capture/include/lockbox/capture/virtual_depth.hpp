@@ -17,7 +17,7 @@ class VirtualDepthSender {
  public:
   /// Takes over a connected stream socket. Throws InputError if OpenNI2 cannot describe the camera:
   /// the principal point must be the middle of the image, the unit 1 mm or 0.1 mm. With hold, the
-  /// device delivers nothing until its user sets kVirtualDepthBegin.
+  /// device delivers nothing until its user sets kVirtualDepthLimit.
   VirtualDepthSender(int socket, const PinholeCamera& camera, int frames_per_second,
                      float metres_per_unit, bool hold = false);
   ~VirtualDepthSender();

@@ -15,9 +15,9 @@ inline constexpr char kVirtualDepthPrefix[] = "virtual-depth:";
 /// If it holds the path of a socket, that device is found without naming it.
 inline constexpr char kVirtualDepthVariable[] = "LOCKBOX_VIRTUAL_DEPTH";
 
-/// A stream property (int). OpenNI2 drops the frames that a stream delivers before start() has
-/// returned to its caller; whoever may not lose them sets this to 1 after that.
-inline constexpr int kVirtualDepthBegin = 0x4C420001;
+/// A stream property (int): the device delivers no more than so many frames in all. Whoever may not
+/// lose frames raises it from 0, first after start() has returned: OpenNI2 drops what comes before.
+inline constexpr int kVirtualDepthLimit = 0x4C420001;
 
 struct VirtualDepthHeader {
   char magic[8] = {'L', 'B', 'X', 'D', 'E', 'P', 'T', 'H'};
@@ -28,7 +28,7 @@ struct VirtualDepthHeader {
   float horizontal_field_of_view = 0;   ///< radians
   float vertical_field_of_view = 0;     ///< radians
   std::uint32_t unit = 1000;            ///< micrometres: 1000 or 100
-  std::uint32_t hold = 0;               ///< 1: no frame before kVirtualDepthBegin is set
+  std::uint32_t hold = 0;               ///< 1: kVirtualDepthLimit begins at 0; 0: no limit
 };
 static_assert(sizeof(VirtualDepthHeader) == 40);
 
