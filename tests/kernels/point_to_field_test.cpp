@@ -177,21 +177,18 @@ TEST_F(PointToFieldTest, PointsOffTheFieldAndPaddingExplainNothing) {
   EXPECT_EQ(inverse_variance[kPoints - 1], 0.0F);
 }
 
-/// Association of hand-made distances with unit variance.
+/// Association of one point at hand-made distances from bodies, with unit variance.
 struct Association {
-  std::vector<std::vector<float>> distance, inverse_variance, weight;
-  std::vector<float> explained;
-
-  /// One point, at these distances from the bodies.
-  explicit Association(const std::vector<float>& distances) {
+  explicit Association(const std::vector<float>& distances, float visible_body = -1.0F)
+      : visible(kLanes, visible_body), explained(kLanes) {
     for (const float d : distances) {
+      body.push_back(static_cast<float>(body.size()));
       distance.emplace_back(kLanes, kPadding).front() = d;
       inverse_variance.emplace_back(kLanes, 1.0F);
       weight.emplace_back(kLanes, -1.0F);
     }
-    explained.resize(distance[0].size());
   }
-  double run(float cut) {
+  double run() {
     std::vector<const float*> d, iv;
     std::vector<float*> w;
     for (std::size_t l = 0; l < distance.size(); ++l) {
@@ -199,51 +196,68 @@ struct Association {
       iv.push_back(inverse_variance[l].data());
       w.push_back(weight[l].data());
     }
-    const double cost = associate(distance[0].size(), d, iv, cut, w, explained.data());
-    EXPECT_NEAR(cost, association_cost(distance[0].size(), d, iv, cut), 1e-4);
+    const Candidates candidates{kLanes, d, iv, body, visible.data(), kCut, kOdds};
+    const double cost = associate(candidates, w, explained.data());
+    EXPECT_NEAR(cost, association_cost(candidates), 1e-4);
     return cost;
   }
+
+  static constexpr float kCut = 4.0F;
+  static constexpr float kOdds = 20.0F;
+  std::vector<float> body, visible, explained;
+  std::vector<std::vector<float>> distance, inverse_variance, weight;
 };
 
-constexpr float kCut = 4.0F;
-constexpr double kOutlierCost = kCut * kCut / 6.0;
+constexpr double kOutlierCost = 0.5 * Association::kCut * Association::kCut;
 
-TEST(AssociationTest, LoneBodyHasTheBiweightLoss) {
+TEST(AssociationTest, LoneBodyIsQuadraticWithinTheCutAndConstantBeyond) {
   for (const float d : {0.0F, 0.5F, 2.0F, 3.9F, 4.1F, 100.0F}) {
     Association one({d});
-    const double u = std::max(0.0, 1.0 - static_cast<double>(d * d) / (kCut * kCut));
-    EXPECT_NEAR(one.run(kCut), -kOutlierCost * u * u * u, 1e-5);
-    EXPECT_NEAR(one.weight[0][0], u * u, 1e-6);
+    const double gaussian = std::exp(-0.5 * static_cast<double>(d * d));
+    const double expected = -std::log(std::exp(-kOutlierCost) + gaussian) - kOutlierCost;
+    EXPECT_NEAR(one.run(), expected, 1e-4);
+    EXPECT_NEAR(one.weight[0][0], gaussian / (gaussian + std::exp(-kOutlierCost)), 1e-5);
+    EXPECT_NEAR(one.explained[0], -expected, 1e-4);
   }
+  EXPECT_NEAR(Association({50.0F}).run(), 0.0, 1e-6);
 }
 
-TEST(AssociationTest, ABodyBeyondTheCutChangesNothing) {
+TEST(AssociationTest, ABodyFarBeyondTheCutChangesNothing) {
   Association alone({1.0F});
   Association with_far({1.0F, 50.0F});
-  EXPECT_NEAR(alone.run(kCut), with_far.run(kCut), 1e-5);
+  EXPECT_NEAR(alone.run(), with_far.run(), 1e-5);
   EXPECT_NEAR(alone.weight[0][0], with_far.weight[0][0], 1e-5);
   EXPECT_EQ(with_far.weight[1][0], 0.0F);
 }
 
 TEST(AssociationTest, TiesHaveNoWinner) {
   Association tie({0.7F, 0.7F, 0.7F});
-  tie.run(kCut);
+  tie.run();
   EXPECT_EQ(tie.weight[0][0], tie.weight[1][0]);
   EXPECT_EQ(tie.weight[1][0], tie.weight[2][0]);
+}
+
+TEST(AssociationTest, VisibilityDecidesBetweenBodiesThatAreAsNear) {
+  Association near({0.7F, 0.7F}, 1.0F);
+  near.run();
+  EXPECT_NEAR(near.weight[1][0] / near.weight[0][0], Association::kOdds, 1e-3);
+  Association moved({0.7F, 20.0F},
+                    1.0F);  // the visible body has left: the other explains the point
+  moved.run();
+  EXPECT_GT(moved.weight[0][0], 0.99F);
 }
 
 TEST(AssociationTest, WeightsAreTheDerivativeOfTheCost) {
   const std::vector<float> start{0.4F, -1.3F, 2.6F};
   constexpr float kStep = 1e-2F;
-  Association at(start);
-  at.run(kCut);
+  Association at(start, 2.0F);
+  at.run();
   for (std::size_t l = 0; l < 3; ++l) {
     double cost[2];
     for (int side = 0; side < 2; ++side) {
       auto d = start;
       d[l] += side == 0 ? -kStep : kStep;
-      Association moved(d);
-      cost[side] = moved.run(kCut);
+      cost[side] = Association(d, 2.0F).run();
     }
     const double numeric = (cost[1] - cost[0]) / (2.0 * static_cast<double>(kStep));
     EXPECT_NEAR(numeric, static_cast<double>(at.weight[l][0] * start[l]), 2e-3);

@@ -233,79 +233,60 @@ void LookUpDistance(const FieldView& field, const RigidMotion& motion, const Poi
   }
 }
 
-/// (1 - s / cut^2), zero beyond the cut and where the body explains nothing.
-HWY_INLINE Float remainder(const Float distance, const Float inverse_variance,
-                           const Float inverse_cut2) {
+/// exp(-s / 2) with s = distance^2 / variance; 0 where the body explains nothing.
+HWY_INLINE Float likelihood(const Float distance, const Float inverse_variance) {
   const FloatTag df;
-  const Float s = hn::Mul(hn::Mul(distance, distance), inverse_variance);
-  const Float u = hn::Max(hn::Zero(df), hn::NegMulAdd(s, inverse_cut2, hn::Set(df, 1.0F)));
-  return hn::IfThenElseZero(hn::Gt(inverse_variance, hn::Zero(df)), u);
+  const Float half =
+      hn::Mul(hn::Set(df, -0.5F), hn::Mul(hn::Mul(distance, distance), inverse_variance));
+  const Float bounded = hn::Max(half, hn::Set(df, -80.0F));  // exp of less is no float
+  return hn::IfThenElseZero(hn::Gt(inverse_variance, hn::Zero(df)), hn::Exp(df, bounded));
 }
 
 template <bool kWithWeights>
-double Associate(std::size_t size, std::span<const float* const> distance,
-                 std::span<const float* const> inverse_variance, float cut,
-                 std::span<float* const> weight, float* explained) {
+double AssociateAll(const Candidates& candidates, std::span<float* const> weight,
+                    float* explained) {
   const FloatTag df;
+  const float outlier_cost = 0.5F * candidates.cut * candidates.cut;
+  const Float c = hn::Set(df, outlier_cost);
+  const Float outlier = hn::Set(df, std::exp(-outlier_cost));
   const Float one = hn::Set(df, 1.0F);
-  const float c = cut * cut / 6.0F;
-  const Float minus_c = hn::Set(df, -c);
-  const Float outlier = hn::Set(df, std::exp(-c));
-  const Float inverse_cut2 = hn::Set(df, 1.0F / (cut * cut));
+  const Float visible_odds = hn::Set(df, candidates.visible_odds);
   Float total = hn::Zero(df);
-  for (std::size_t i = 0; i < size; i += hn::Lanes(df)) {
-    // c - rho = c u^3 is what a body explains; the weight of a lone body is u^2.
-    if (distance.size() == 1) {
-      const Float iv = hn::LoadU(df, inverse_variance[0] + i);
-      const Float u = remainder(hn::LoadU(df, distance[0] + i), iv, inverse_cut2);
-      const Float u2 = hn::Mul(u, u);
-      const Float gain = hn::Mul(hn::Set(df, c), hn::Mul(u2, u));
-      total = hn::Sub(total, gain);
-      if constexpr (kWithWeights) {
-        hn::StoreU(hn::Mul(u2, iv), df, weight[0] + i);
-        if (explained != nullptr) {
-          hn::StoreU(gain, df, explained + i);
-        }
-      }
-      continue;
-    }
+  for (std::size_t i = 0; i < candidates.size; i += hn::Lanes(df)) {
+    const Float visible = hn::LoadU(df, candidates.visible + i);
     Float sum = outlier;
-    for (std::size_t l = 0; l < distance.size(); ++l) {
-      const Float u = remainder(hn::LoadU(df, distance[l] + i),
-                                hn::LoadU(df, inverse_variance[l] + i), inverse_cut2);
-      const Float u2 = hn::Mul(u, u);
-      const Float likelihood = hn::Exp(df, hn::MulAdd(hn::Set(df, c), hn::Mul(u2, u), minus_c));
-      sum = hn::Add(sum, hn::Sub(likelihood, outlier));
+    for (std::size_t l = 0; l < candidates.distance.size(); ++l) {
+      const Float odds =
+          hn::IfThenElse(hn::Eq(visible, hn::Set(df, candidates.body[l])), visible_odds, one);
+      const Float share =
+          hn::Mul(odds, likelihood(hn::LoadU(df, candidates.distance[l] + i),
+                                   hn::LoadU(df, candidates.inverse_variance[l] + i)));
+      sum = hn::Add(sum, share);
       if constexpr (kWithWeights) {
-        hn::StoreU(hn::Mul(likelihood, u2), df, weight[l] + i);
+        hn::StoreU(share, df, weight[l] + i);
       }
     }
-    const Float gain = hn::Add(hn::Log(df, sum), hn::Set(df, c));
+    const Float gain = hn::Add(hn::Log(df, sum), c);
     total = hn::Sub(total, gain);
     if constexpr (kWithWeights) {
       const Float inverse_sum = hn::Div(one, sum);
-      for (std::size_t l = 0; l < distance.size(); ++l) {
-        const Float w = hn::Mul(hn::LoadU(df, weight[l] + i),
-                                hn::Mul(inverse_sum, hn::LoadU(df, inverse_variance[l] + i)));
+      for (std::size_t l = 0; l < candidates.distance.size(); ++l) {
+        const Float iv = hn::LoadU(df, candidates.inverse_variance[l] + i);
+        const Float w = hn::Mul(hn::LoadU(df, weight[l] + i), hn::Mul(inverse_sum, iv));
         hn::StoreU(w, df, weight[l] + i);
       }
-      if (explained != nullptr) {
-        hn::StoreU(gain, df, explained + i);
-      }
+      hn::StoreU(gain, df, explained + i);
     }
   }
   return static_cast<double>(hn::GetLane(hn::SumOfLanes(df, total)));
 }
 
-double AssociateWithWeights(std::size_t size, std::span<const float* const> distance,
-                            std::span<const float* const> inverse_variance, float cut,
-                            std::span<float* const> weight, float* explained) {
-  return Associate<true>(size, distance, inverse_variance, cut, weight, explained);
+double Associate(const Candidates& candidates, std::span<float* const> weight, float* explained) {
+  return AssociateAll<true>(candidates, weight, explained);
 }
 
-double AssociationCost(std::size_t size, std::span<const float* const> distance,
-                       std::span<const float* const> inverse_variance, float cut) {
-  return Associate<false>(size, distance, inverse_variance, cut, {}, nullptr);
+double AssociationCost(const Candidates& candidates) {
+  return AssociateAll<false>(candidates, {}, nullptr);
 }
 
 NormalSums Accumulate(std::size_t size, const FieldHits& hits, const float* weight) {
@@ -366,7 +347,7 @@ namespace lockbox::kernels {
 
 HWY_EXPORT(LookUp);
 HWY_EXPORT(LookUpDistance);
-HWY_EXPORT(AssociateWithWeights);
+HWY_EXPORT(Associate);
 HWY_EXPORT(AssociationCost);
 HWY_EXPORT(Accumulate);
 
@@ -380,16 +361,12 @@ void look_up_distance(const FieldView& field, const RigidMotion& body_from_camer
   HWY_DYNAMIC_DISPATCH(LookUpDistance)(field, body_from_camera, points, distance);
 }
 
-double associate(std::size_t size, std::span<const float* const> distance,
-                 std::span<const float* const> inverse_variance, float cut,
-                 std::span<float* const> weight, float* explained) {
-  return HWY_DYNAMIC_DISPATCH(AssociateWithWeights)(size, distance, inverse_variance, cut, weight,
-                                                    explained);
+double associate(const Candidates& candidates, std::span<float* const> weight, float* explained) {
+  return HWY_DYNAMIC_DISPATCH(Associate)(candidates, weight, explained);
 }
 
-double association_cost(std::size_t size, std::span<const float* const> distance,
-                        std::span<const float* const> inverse_variance, float cut) {
-  return HWY_DYNAMIC_DISPATCH(AssociationCost)(size, distance, inverse_variance, cut);
+double association_cost(const Candidates& candidates) {
+  return HWY_DYNAMIC_DISPATCH(AssociationCost)(candidates);
 }
 
 NormalSums accumulate(std::size_t size, const FieldHits& hits, const float* weight) {

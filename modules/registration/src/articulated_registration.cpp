@@ -13,6 +13,8 @@ using Index = Eigen::Index;
 
 constexpr double kBaseUnit = 0.25;                        // metres, and radians for its rotation
 constexpr double kContinuousUnit = std::numbers::pi / 4;  // a quarter of half a turn either way
+constexpr float kObjectGain = 1.0F;   // of the outlier cost: within the cut, as good as explained
+constexpr double kStaleView = 0.002;  // metres that surfaces may move before they are drawn again
 constexpr int kMaxDampings = 5;
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
@@ -30,19 +32,31 @@ StepScale step_scale(const KinematicTree& tree, const RegistrationOptions& optio
   return scale;
 }
 
-double farthest_surface(const ArticulatedModel& model) {
-  BodyPoses poses;
-  Configuration rest = rest_configuration(model.tree);
+/// How far surfaces move, at most, for a unit of each unknown (metres per metre or radian).
+Eigen::VectorXd surface_levers(const ArticulatedModel& model) {
+  const KinematicTree& tree = model.tree;
+  Configuration rest = rest_configuration(tree);
   rest.T_camera_base.setIdentity();
-  forward_kinematics(model.tree, rest, poses);
-  double reach = 0.0;
+  BodyPoses poses;
+  std::vector<BodyJacobian> jacobians;
+  forward_kinematics(tree, rest, poses);
+  body_jacobians(tree, poses, jacobians);
+  Eigen::VectorXd levers = Eigen::VectorXd::Zero(6 + tree.variables());
   for (std::size_t b = 0; b < model.fields.size(); ++b) {
-    if (model.fields[b]) {
-      const Eigen::AlignedBox3d box = model.fields[b]->bounds().transformed(poses[b]);
-      reach = std::max(reach, box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm());
+    if (!model.fields[b]) {
+      continue;
+    }
+    const Eigen::AlignedBox3d& box = model.fields[b]->bounds();
+    for (int corner = 0; corner < 8; ++corner) {
+      const Eigen::Vector3d p = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+      for (Index i = 0; i < levers.size(); ++i) {
+        const auto twist = jacobians[b].col(i);
+        const Eigen::Vector3d motion = twist.head<3>() + twist.tail<3>().cross(p);
+        levers[i] = std::max(levers[i], motion.norm());
+      }
     }
   }
-  return reach;
+  return levers;
 }
 
 /// The share of the start's spread that iteration k of n still allows: 1 at first, 0 at last.
@@ -51,7 +65,7 @@ double spread_share(int k, int n) {
     return k == 0 ? 1.0 : 0.0;
   }
   const double rest = 1.0 - static_cast<double>(k) / (n - 1);
-  return std::max(0.0, rest * rest);
+  return rest > 0.0 ? rest * rest : 0.0;
 }
 
 }  // namespace
@@ -64,7 +78,7 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
       executor_(executor),
       collision_(model, options),
       scale_(step_scale(model.tree, options)),
-      reach_(farthest_surface(model)) {
+      levers_(surface_levers(model)) {
   options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
   systems_.resize(model.tree.bodies.size());
 }
@@ -75,8 +89,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.configuration = start;
   result_.converged = false;
   result_.iterations = 0;
-  forward_kinematics(model_.tree, start, poses_);
-  surface_.render(model_, poses_, cloud.camera(), executor_);
+  look_at(cloud, start);
   for (int k = 0; k < annealing.iterations && !result_.converged; ++k) {
     const double iteration_spread = annealing.spread * spread_share(k, annealing.iterations);
     const double cost = linearize(cloud, iteration_spread);
@@ -99,12 +112,23 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   return result_;
 }
 
+/// Renders what the configuration shows, and labels the cloud's points with it.
+void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configuration& configuration) {
+  forward_kinematics(model_.tree, configuration, poses_);
+  surface_.render(model_, poses_, cloud.camera(), executor_);
+  surface_.label(cloud, visible_);
+  rendered_ = configuration;
+}
+
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
+  if (surface_distance(rendered_, result_.configuration) > kStaleView) {
+    look_at(cloud, result_.configuration);
+  }
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
   std::fill(systems_.begin(), systems_.end(), BodySystem{});
   result_.model_cost =
-      model_term_.linearize(model_, poses_, cloud, options_, spread, executor_, systems_);
+      model_term_.linearize(model_, poses_, cloud, visible_, options_, spread, executor_, systems_);
   result_.free_cost = 0.0;
   if (options_.lambda_free > 0.0) {
     mark_object_pixels(cloud);
@@ -123,7 +147,7 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
 double ArticulatedRegistration::cost_at(const TiledCloud& cloud,
                                         const Configuration& configuration) {
   forward_kinematics(model_.tree, configuration, trial_poses_);
-  double cost = model_term_.cost(model_, trial_poses_, cloud, executor_);
+  double cost = model_term_.cost(model_, trial_poses_, cloud, visible_, executor_);
   if (options_.lambda_free > 0.0) {
     cost += free_term_.cost(trial_poses_);
   }
@@ -177,14 +201,9 @@ double ArticulatedRegistration::surface_distance(const Configuration& a,
 }
 
 double ArticulatedRegistration::largest_move(const Eigen::VectorXd& step) const {
-  double move = step.head<3>().norm() + reach_ * step.segment<3>(3).norm();
-  for (int v = 0; v < model_.tree.variables(); ++v) {
-    const auto& joint = model_.tree.joints[static_cast<std::size_t>(
-        model_.tree.variable_joint[static_cast<std::size_t>(v)])];
-    const double lever = joint.type == JointType::prismatic ? 1.0 : reach_;
-    move = std::max(move, lever * std::abs(step[6 + v]));
-  }
-  return move;
+  const Eigen::VectorXd moves = step.cwiseProduct(levers_).cwiseAbs();
+  const double base = moves.head<3>().norm() + moves.segment<3>(3).norm();
+  return moves.size() > 6 ? std::max(base, moves.tail(moves.size() - 6).maxCoeff()) : base;
 }
 
 void ArticulatedRegistration::mark_object_pixels(const TiledCloud& cloud) {
@@ -192,7 +211,7 @@ void ArticulatedRegistration::mark_object_pixels(const TiledCloud& cloud) {
   const std::vector<float>& explained = model_term_.explained();
   for (const Tile& tile : cloud.tiles()) {
     for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-      object_[cloud.pixel()[i]] = explained[i] > 0.0F ? 1 : 0;
+      object_[cloud.pixel()[i]] = explained[i] > kObjectGain ? 1 : 0;
     }
   }
 }

@@ -83,10 +83,19 @@ class Neighbourhood {
   const RegistrationOptions& options_;
 };
 
-/// Tukey's biweight as in kernels::associate: (1 - s / cut^2), zero beyond the cut.
-double remainder(double residual, double inverse_variance, double cut) {
-  return std::max(0.0, 1.0 - residual * residual * inverse_variance / (cut * cut));
+/// The mixture of kernels::associate for a single body: what is explained, and the weight.
+struct Loss {
+  double explained;  ///< c - E
+  double weight;     ///< 1 for small residuals, 0 for outliers
+};
+Loss loss(double residual, double inverse_variance, double cut) {
+  const double outlier_cost = 0.5 * cut * cut;
+  const double gaussian = std::exp(-0.5 * residual * residual * inverse_variance);
+  const double sum = gaussian + std::exp(-outlier_cost);
+  return {std::log(sum) + outlier_cost, gaussian / sum};
 }
+
+constexpr double kLeastWeight = 1e-3;  // below it a sample is not worth keeping
 
 }  // namespace
 
@@ -138,7 +147,7 @@ double FreeSpaceTerm::linearize(const VisibleSurface& surface, const BodyPoses& 
                               across2 * std::pow(observed.sigma_lateral(p.z()), 2) +
                               spread * spread;
       const double inverse_variance = 1.0 / variance;
-      if (remainder(length, inverse_variance, options.cut) > 0.0) {
+      if (loss(length, inverse_variance, options.cut).weight > kLeastWeight) {
         pulls.push_back({p_body, nearest->p_camera, direction, inverse_variance, samples[i].body});
       }
     }
@@ -152,8 +161,8 @@ double FreeSpaceTerm::linearize(const VisibleSurface& surface, const BodyPoses& 
   for (const Pull& pull : pulls_) {
     const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
     const double residual = pull.direction.dot(T * pull.p_body - pull.target);
-    const double u = remainder(residual, pull.inverse_variance, cut_);
-    const double w = weight_ * u * u * pull.inverse_variance;
+    const double w =
+        weight_ * loss(residual, pull.inverse_variance, cut_).weight * pull.inverse_variance;
     const Eigen::Vector3d n_body = T.linear().transpose() * pull.direction;
     Twist row;
     row << n_body, pull.p_body.cross(n_body);
@@ -165,12 +174,11 @@ double FreeSpaceTerm::linearize(const VisibleSurface& surface, const BodyPoses& 
 }
 
 double FreeSpaceTerm::cost(const BodyPoses& T_camera_body) const {
-  const double outlier = cut_ * cut_ / 6.0;
   double total = 0.0;
   for (const Pull& pull : pulls_) {
     const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
     const double residual = pull.direction.dot(T * pull.p_body - pull.target);
-    total -= weight_ * outlier * std::pow(remainder(residual, pull.inverse_variance, cut_), 3);
+    total -= weight_ * loss(residual, pull.inverse_variance, cut_).explained;
   }
   return total;
 }

@@ -111,15 +111,30 @@ void ModelTerm::select_candidates(const ArticulatedModel& model, const BodyPoses
       tiles_.push_back({t, first, candidates_.size() - first});
     }
   }
+  body_numbers_.assign(candidates_.begin(), candidates_.end());
   inverse_variance_.resize(candidates_.size() * kTilePoints);
   tile_gradients_.resize(candidates_.size());
 }
 
+kernels::Candidates ModelTerm::candidates_of(const TileCandidates& tile, const TiledCloud& cloud,
+                                             const std::vector<float>& visible,
+                                             const Scratch& scratch) const {
+  const Tile& points = cloud.tiles()[tile.tile];
+  return {points.padded,
+          {scratch.distance.data(), tile.count},
+          {scratch.inverse_variance.data(), tile.count},
+          {body_numbers_.data() + tile.first, tile.count},
+          visible.data() + points.first,
+          cut_,
+          visible_odds_};
+}
+
 double ModelTerm::linearize(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                            const TiledCloud& cloud, const RegistrationOptions& options,
-                            double spread, const Executor& executor,
-                            std::vector<BodySystem>& systems) {
+                            const TiledCloud& cloud, const std::vector<float>& visible,
+                            const RegistrationOptions& options, double spread,
+                            const Executor& executor, std::vector<BodySystem>& systems) {
   cut_ = static_cast<float>(options.cut);
+  visible_odds_ = static_cast<float>(options.visible_odds);
   select_candidates(model, T_camera_body, cloud, options, spread);
   explained_.assign(cloud.x().size(), 0.0F);
   const kernels::PointNoise noise{
@@ -148,10 +163,9 @@ double ModelTerm::linearize(const ArticulatedModel& model, const BodyPoses& T_ca
         kernels::look_up(model.fields[body]->view(), body_from_camera(T_camera_body[body]), noise,
                          points_of(cloud, tile), scratch.hits[l]);
       }
-      chunk_costs_[chunk] += kernels::associate(
-          tile.padded, {scratch.distance.data(), candidates.count},
-          {scratch.inverse_variance.data(), candidates.count}, cut_,
-          {scratch.weight.data(), candidates.count}, explained_.data() + tile.first);
+      chunk_costs_[chunk] += kernels::associate(candidates_of(candidates, cloud, visible, scratch),
+                                                {scratch.weight.data(), candidates.count},
+                                                explained_.data() + tile.first);
       for (std::size_t l = 0; l < candidates.count; ++l) {
         const int body = candidates_[candidates.first + l];
         const kernels::NormalSums tile_sums =
@@ -180,7 +194,8 @@ double ModelTerm::linearize(const ArticulatedModel& model, const BodyPoses& T_ca
 }
 
 double ModelTerm::cost(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                       const TiledCloud& cloud, const Executor& executor) {
+                       const TiledCloud& cloud, const std::vector<float>& visible,
+                       const Executor& executor) {
   std::fill(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
   executor.for_each_chunk(
       tiles_.size(), kTilesPerChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
@@ -197,8 +212,7 @@ double ModelTerm::cost(const ArticulatedModel& model, const BodyPoses& T_camera_
                                       scratch.hits[l].distance);
           }
           chunk_costs_[chunk] +=
-              kernels::association_cost(tile.padded, {scratch.distance.data(), candidates.count},
-                                        {scratch.inverse_variance.data(), candidates.count}, cut_);
+              kernels::association_cost(candidates_of(candidates, cloud, visible, scratch));
         }
       });
   return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);

@@ -7,9 +7,8 @@
 namespace lockbox {
 namespace {
 
-// The surface is sampled at about this image width, whatever the sensor's resolution: outlines are
-// then averaged over hundreds of samples, and the z-buffer costs about a millisecond.
-constexpr int kSampleColumns = 320;
+// One sample a pixel for common sensors: outlines are decided by few samples, so none is spared.
+constexpr int kSampleColumns = 640;
 
 }  // namespace
 
@@ -18,6 +17,7 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
   if (!renderer_ || !(camera == full_camera_)) {
     const int factor = std::max(1, (camera.width + kSampleColumns / 2) / kSampleColumns);
     full_camera_ = camera;
+    reduction_ = factor;
     pixels_per_sample_ = static_cast<double>(factor) * factor;
     renderer_ = std::make_unique<DepthRenderer>(reduced(camera, factor), executor);
   }
@@ -43,6 +43,22 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
         const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(body)];
         samples_.push_back({(T.inverse() * p_camera).cast<float>(), body});
       }
+    }
+  }
+}
+
+void VisibleSurface::label(const TiledCloud& cloud, std::vector<float>& visible) const {
+  visible.resize(cloud.x().size());
+  const auto width = static_cast<std::size_t>(cloud.camera().width);
+  const auto reduction = static_cast<std::size_t>(reduction_);
+  const auto columns = static_cast<std::size_t>(image_.width);
+  const auto rows = static_cast<std::size_t>(image_.height);
+  for (const Tile& tile : cloud.tiles()) {
+    for (std::size_t i = tile.first; i < tile.first + tile.padded; ++i) {
+      const std::size_t u = cloud.pixel()[i] % width / reduction;
+      const std::size_t v = cloud.pixel()[i] / width / reduction;
+      visible[i] = u < columns && v < rows ? static_cast<float>(image_.id[v * columns + u])
+                                           : static_cast<float>(kNothing);
     }
   }
 }

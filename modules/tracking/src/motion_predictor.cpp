@@ -6,7 +6,7 @@
 namespace lockbox {
 namespace {
 
-constexpr double kLeastSpread = 0.002;   // metres
+constexpr double kLeastSpread = 0.004;   // metres
 constexpr double kLargestSpread = 0.05;  // metres
 constexpr double kSpreadFactor = 2.0;    // of the latest surface error
 constexpr double kSpreadDecay = 0.7;     // a frame

@@ -64,22 +64,34 @@ void look_up(const FieldView& field, const RigidMotion& body_from_camera, const 
 void look_up_distance(const FieldView& field, const RigidMotion& body_from_camera,
                       const PointSpan& points, float* distance);
 
-/// Bounded robust loss of s = distance^2 / variance (Tukey's biweight, Beaton and Tukey 1974):
-/// rho(s) = c (1 - (1 - s / cut^2)^3) below cut, c = cut^2 / 6 above; rho(s) = s / 2 near 0.
+/// The bodies that compete for the points of a tile.
+struct Candidates {
+  std::size_t size;                                ///< points
+  std::span<const float* const> distance;          ///< by candidate
+  std::span<const float* const> inverse_variance;  ///< by candidate
+  std::span<const float> body;                     ///< by candidate: its number
+  const float* visible;                            ///< by point: number of the body in its pixel
+  float cut;
+  float visible_odds;
+};
+
+/// The cost of a point: minus the logarithm of a mixture of Gaussians, one a body, and outliers,
 ///
-/// Association to several bodies is the soft minimum
-///   E = -log(e^-c + sum_l (e^-rho_l - e^-c)),
-/// which is rho for a single body, c for none, and has no winner among equals.
+///   E = -log(e^-c + sum_l odds_l exp(-s_l / 2)),   s_l = distance_l^2 / variance_l,  c = cut^2
+///   / 2.
+///
+/// For a single body it is s / 2 up to about the cut and c beyond it; among several it is their
+/// soft minimum, which has no winner among equals. A body that is predicted to be what the point's
+/// pixel shows has odds `visible_odds`, others 1: where two bodies meet, both are near, and only
+/// visibility tells which one was measured.
+///
 /// Returns sum (E - c) over the points, so that an unexplained point counts zero, and writes
-/// weight[l][i] = 2 dE / d(distance_l^2), the weight of the point in body l's normal equations.
-/// `explained`, if not null, receives c - E per point.
-double associate(std::size_t size, std::span<const float* const> distance,
-                 std::span<const float* const> inverse_variance, float cut,
-                 std::span<float* const> weight, float* explained);
+/// weight[l][i] = 2 dE / d(distance_l^2), the weight of the point in body l's normal equations, and
+/// explained[i] = c - E.
+double associate(const Candidates& candidates, std::span<float* const> weight, float* explained);
 
 /// The cost alone, as associate returns it.
-double association_cost(std::size_t size, std::span<const float* const> distance,
-                        std::span<const float* const> inverse_variance, float cut);
+double association_cost(const Candidates& candidates);
 
 /// Sums of one body over points, in the twist (v, w) of the body's own frame: the row of a point is
 /// a = -(n, p x n), since a body that moves by xi changes the distance by a . xi.

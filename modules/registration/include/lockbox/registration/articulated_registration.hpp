@@ -63,7 +63,8 @@ class ArticulatedRegistration {
   const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
                                   const Annealing& annealing);
 
-  /// A bound on how far any surface of the model lies apart in two configurations, metres.
+  /// How far surfaces of the model lie apart in two near configurations, metres: the most that the
+  /// base or any single joint contributes.
   double surface_distance(const Configuration& a, const Configuration& b) const;
 
   const RegistrationOptions& options() const { return options_; }
@@ -71,6 +72,7 @@ class ArticulatedRegistration {
   const ArticulatedModel& model() const { return model_; }
 
  private:
+  void look_at(const TiledCloud& cloud, const Configuration& configuration);
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration);
   bool improve(const TiledCloud& cloud, double cost);
@@ -87,9 +89,11 @@ class ArticulatedRegistration {
   CollisionTerm collision_;
   VisibleSurface surface_;
   StepScale scale_;
-  double reach_;  ///< metres from the base's origin to the farthest surface
+  Eigen::VectorXd levers_;  ///< by unknown: metres that surfaces move for a unit, at most
 
   RegistrationResult result_;
+  Configuration rendered_;  ///< what surface_ shows
+  std::vector<float> visible_;
   BodyPoses poses_;
   BodyPoses trial_poses_;
   std::vector<BodyJacobian> jacobians_;

@@ -13,6 +13,7 @@
 
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/parallel.hpp"
+#include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/normal_equations.hpp"
 #include "lockbox/registration/registration_options.hpp"
@@ -25,15 +26,17 @@ using BodyPoses = std::vector<Eigen::Isometry3d>;  ///< T_camera_body by body
 class ModelTerm {
  public:
   /// Selects candidates and variances at these poses, and adds each body's system to systems.
+  /// visible: by point of the cloud, the number of the body predicted in its pixel, -1 for none.
   /// spread: how far off the poses may still be, metres. Returns the cost relative to that of
   /// explaining nothing (so it is negative).
   double linearize(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                   const TiledCloud& cloud, const RegistrationOptions& options, double spread,
-                   const Executor& executor, std::vector<BodySystem>& systems);
+                   const TiledCloud& cloud, const std::vector<float>& visible,
+                   const RegistrationOptions& options, double spread, const Executor& executor,
+                   std::vector<BodySystem>& systems);
 
   /// The cost at other poses under the selection of the last linearisation.
   double cost(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-              const TiledCloud& cloud, const Executor& executor);
+              const TiledCloud& cloud, const std::vector<float>& visible, const Executor& executor);
 
   /// What the last linearisation found of each point of the cloud (its arrays' indices): how much
   /// of the outlier cost c it is spared, 0 .. c.
@@ -65,9 +68,15 @@ class ModelTerm {
                          const TiledCloud& cloud, const RegistrationOptions& options,
                          double spread);
 
+  kernels::Candidates candidates_of(const TileCandidates& tile, const TiledCloud& cloud,
+                                    const std::vector<float>& visible,
+                                    const Scratch& scratch) const;
+
   float cut_ = 0.0F;
+  float visible_odds_ = 1.0F;
   std::vector<TileCandidates> tiles_;
-  std::vector<int> candidates_;  ///< bodies, tile by tile
+  std::vector<int> candidates_;      ///< bodies, tile by tile
+  std::vector<float> body_numbers_;  ///< the same, as the kernels compare them
   std::vector<float> inverse_variance_;
   std::vector<float> explained_;
   std::vector<TileGradient> tile_gradients_;

@@ -22,7 +22,9 @@ struct RegistrationOptions {
   SensorNoise noise;
   double cut = 4.0;  ///< residuals beyond this many standard deviations count as outliers
 
-  double lambda_free = 1.0;
+  double visible_odds = 20.0;  ///< of the body predicted in a pixel against others as near
+
+  double lambda_free = 3.0;
   double free_space_dead_zone = 3.0;  ///< standard deviations along the ray
 
   CollisionMode collision = CollisionMode::eroded;

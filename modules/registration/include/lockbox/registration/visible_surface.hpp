@@ -25,6 +25,9 @@ class VisibleSurface {
   void render(const ArticulatedModel& model, const BodyPoses& T_camera_body,
               const PinholeCamera& camera, const Executor& executor);
 
+  /// visible[i]: number of the body in the pixel of the cloud's point i, -1 where there is none.
+  void label(const TiledCloud& cloud, std::vector<float>& visible) const;
+
   const std::vector<VisibleSample>& samples() const { return samples_; }
   double pixels_per_sample() const { return pixels_per_sample_; }
 
@@ -34,6 +37,7 @@ class VisibleSurface {
   std::vector<RenderItem> items_;
   RenderedDepth image_;
   std::vector<VisibleSample> samples_;
+  int reduction_ = 1;  ///< pixels of the camera along each side of a sample
   double pixels_per_sample_ = 1.0;
 };
 
