@@ -23,12 +23,14 @@ pcl::PointCloud<pcl::PointXYZ> to_pcl(const lockbox::OrganizedCloud& cloud) {
 
 extern "C" {
 
-__attribute__((visibility("default"))) std::string lockbox_load_pcd(
-    const std::filesystem::path& file, lockbox::OrganizedCloud& cloud) try {
+__attribute__((visibility("default"))) bool lockbox_load_pcd(const std::filesystem::path& file,
+                                                             lockbox::OrganizedCloud& cloud,
+                                                             std::string& problem) try {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // the caller reports
   pcl::PointCloud<pcl::PointXYZ> points;
   if (pcl::PCDReader().read(file.string(), points) != 0) {
-    return "PCL cannot read it";
+    problem = "PCL cannot read it";
+    return false;
   }
   cloud.width = static_cast<int>(points.width);
   cloud.height = static_cast<int>(points.height);
@@ -36,16 +38,22 @@ __attribute__((visibility("default"))) std::string lockbox_load_pcd(
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::copy_n(points[i].data, 3, cloud.xyz.begin() + static_cast<std::ptrdiff_t>(3 * i));
   }
-  return {};
+  return true;
 } catch (const std::exception& error) {
-  return error.what();
+  problem = error.what();
+  return false;
 }
 
-__attribute__((visibility("default"))) std::string lockbox_save_pcd(
-    const std::filesystem::path& file, const lockbox::OrganizedCloud& cloud) try {
-  const int result = pcl::PCDWriter().writeBinaryCompressed(file.string(), to_pcl(cloud));
-  return result == 0 ? std::string() : "PCL cannot write it";
+__attribute__((visibility("default"))) bool lockbox_save_pcd(const std::filesystem::path& file,
+                                                             const lockbox::OrganizedCloud& cloud,
+                                                             std::string& problem) try {
+  if (pcl::PCDWriter().writeBinaryCompressed(file.string(), to_pcl(cloud)) != 0) {
+    problem = "PCL cannot write it";
+    return false;
+  }
+  return true;
 } catch (const std::exception& error) {
-  return error.what();
+  problem = error.what();
+  return false;
 }
 }

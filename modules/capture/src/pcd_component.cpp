@@ -26,15 +26,15 @@ Function* find_function(const char* name) {
 
 void load_pcd(const std::filesystem::path& file, OrganizedCloud& cloud) {
   check_pcd(file);
-  const std::string problem = find_function<LoadPcd>(kLoadPcd)(file, cloud);
-  if (!problem.empty()) {
+  std::string problem;
+  if (!find_function<LoadPcd>(kLoadPcd)(file, cloud, problem)) {
     throw InputError(file.string(), problem);
   }
 }
 
 void save_pcd(const std::filesystem::path& file, const OrganizedCloud& cloud) {
-  const std::string problem = find_function<SavePcd>(kSavePcd)(file, cloud);
-  if (!problem.empty()) {
+  std::string problem;
+  if (!find_function<SavePcd>(kSavePcd)(file, cloud, problem)) {
     throw InputError(file.string(), problem);
   }
 }

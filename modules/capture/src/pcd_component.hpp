@@ -15,10 +15,12 @@ struct OrganizedCloud {
   std::vector<float> xyz;  ///< metres, three values a pixel
 };
 
-/// Functions that liblockbox_pcd.so exports under these names. They return an empty text, or what
-/// went wrong: exceptions do not cross the boundary.
-using LoadPcd = std::string(const std::filesystem::path& file, OrganizedCloud& cloud);
-using SavePcd = std::string(const std::filesystem::path& file, const OrganizedCloud& cloud);
+/// Functions that liblockbox_pcd.so exports under these names. They return whether they succeeded,
+/// or else the reason in problem: exceptions do not cross the boundary.
+using LoadPcd = bool(const std::filesystem::path& file, OrganizedCloud& cloud,
+                     std::string& problem);
+using SavePcd = bool(const std::filesystem::path& file, const OrganizedCloud& cloud,
+                     std::string& problem);
 inline constexpr char kPcdComponent[] = "liblockbox_pcd.so";
 inline constexpr char kLoadPcd[] = "lockbox_load_pcd";
 inline constexpr char kSavePcd[] = "lockbox_save_pcd";
