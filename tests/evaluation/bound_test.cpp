@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "lockbox/mesh/primitives.hpp"
@@ -73,18 +74,29 @@ TEST(Bound, OfDepthSumsIndependentPixels) {
   EXPECT_NEAR(bound_sigma(information)[2], 1.0 / std::sqrt(expected), 1e-3 / std::sqrt(expected));
 }
 
-// The mean of the disparity noise over the image has the variance sigma^2 A / N; rounding noise of
-// step / sqrt(12) stays white.
-TEST(Bound, OfDepthCountsCorrelatedNoiseByItsArea) {
+// The whole covariance, pixel by pixel: C = white I + sigma^2 exp(-r^2 / (2 L^2)); moving the plate
+// by dz changes each disparity by -F/z^2 dz.
+TEST(Bound, OfDepthIsThatOfGeneralizedLeastSquaresUnderCorrelatedNoise) {
+  const PinholeCamera camera{30, 20, 60.0, 60.0, 14.5, 9.5};
   SensorModel sensor = sensor_with_jitter();
   sensor.correlation_length = 3.0;
   sensor.disparity_step = 0.125;
-  const KinematicTree tree = sliding_plate(4.0, 4.0);
-  const Eigen::MatrixXd information = information_of(tree, plate_at(0, 0), sensor);
   const double white = 0.125 * 0.125 / 12.0 + kMillimetre * kMillimetre;
-  const double variance = kNoise * kNoise * correlation_area(sensor) + white;
-  const double expected = 64 * 48 * std::pow(kDisparity / kDepth, 2) / variance;
-  EXPECT_NEAR(information(2, 2), expected, 1e-3 * expected);
+  Eigen::MatrixXd covariance(600, 600);
+  for (int i = 0; i < 600; ++i) {
+    for (int j = 0; j < 600; ++j) {
+      const double distance = std::hypot(i % 30 - j % 30, i / 30 - j / 30);
+      covariance(i, j) = kNoise * kNoise * std::exp(-0.5 * std::pow(distance / 3.0, 2));
+    }
+    covariance(i, i) += white;
+  }
+  const Eigen::VectorXd derivative = Eigen::VectorXd::Constant(600, -kDisparity / kDepth);
+  const double expected = derivative.dot(covariance.ldlt().solve(derivative));
+
+  const KinematicTree tree = sliding_plate(4.0, 4.0);
+  const double information =
+      DepthInformation(tree, camera, sensor, Executor(1)).compute(plate_at(0, 0))(2, 2);
+  EXPECT_NEAR(information, expected, 0.02 * expected);
 }
 
 TEST(Bound, IsInfiniteAlongAPlateThatFillsTheImage) {
@@ -135,15 +147,22 @@ TEST(Bound, OfAnEdgeIsThatOfABlurredStep) {
   EXPECT_LT(information(1, 1), 1e-6 * expected);
 }
 
+// The base has no shape of its own: whatever the hinge does, a motion of the base does too.
 TEST(Bound, TellsApartOnlyWhatTheFrameTellsApart) {
-  // The base has no shape of its own: its motion along x and the joint's look the same.
   const TriangleMesh wall_mesh = make_box({8.0, 8.0, kThickness});
-  const std::vector<RenderItem> scenery = {wall(wall_mesh, 1.1)};
-  const Eigen::VectorXd sigma = bound_sigma(
-      information_of(sliding_plate(0.5, 0.4), plate_at(0, 0), sensor_with_jitter(), scenery));
-  EXPECT_TRUE(std::isinf(sigma[0]));
-  EXPECT_TRUE(std::isinf(sigma[6]));
-  EXPECT_LT(sigma[1], 0.002);
+  const std::vector<RenderItem> scenery = {wall(wall_mesh, 1.5)};
+  KinematicTree tree = sliding_plate(0.5, 0.4);
+  SensorModel sensor = sensor_with_jitter();
+  for (const double correlation_length : {0.0, 3.0}) {
+    sensor.correlation_length = correlation_length;
+    tree.joints[0].type = JointType::revolute;
+    tree.joints[0].axis = Eigen::Vector3d::UnitZ();
+    tree.joints[0].T_parent_joint.translation() = Eigen::Vector3d(0.1, 0.2, 0.0);
+    const Eigen::VectorXd sigma =
+        bound_sigma(information_of(tree, plate_at(-0.1, -0.2), sensor, scenery));
+    for (const int unknown : {0, 1, 5, 6}) EXPECT_TRUE(std::isinf(sigma[unknown])) << unknown;
+    for (const int unknown : {2, 3, 4}) EXPECT_LT(sigma[unknown], 0.1) << unknown;
+  }
 }
 
 TEST(Bound, IsInfiniteForWhatIsHidden) {

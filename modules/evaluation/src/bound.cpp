@@ -5,49 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "lockbox/model/forward_kinematics.hpp"
+#include "noise_field.hpp"
 #include "pixel_model.hpp"
 #include "sampled_view.hpp"
 
 namespace lockbox {
-namespace {
-
-/// Sums over the pixels of a tile, in which the disparity noise is one unknown number.
-class TileInformation {
- public:
-  explicit TileInformation(Eigen::Index unknowns) { set_zero(unknowns); }
-
-  void set_zero(Eigen::Index unknowns) {
-    squares_.setZero(unknowns, unknowns);
-    sums_.setZero(unknowns);
-    weight_ = 0.0;
-  }
-
-  void add_static(double weight) { weight_ += weight; }
-
-  void add(const Eigen::VectorXd& derivative, double weight) {
-    squares_.selfadjointView<Eigen::Lower>().rankUpdate(derivative, weight);
-    sums_ += weight * derivative;
-    weight_ += weight;
-  }
-
-  /// noise_variance: of the common number. Adds the lower triangle.
-  void add_to(Eigen::MatrixXd& information, double noise_variance) const {
-    information += squares_;
-    const double known = noise_variance / (1.0 + noise_variance * weight_);
-    information.selfadjointView<Eigen::Lower>().rankUpdate(sums_, -known);
-  }
-
- private:
-  Eigen::MatrixXd squares_;
-  Eigen::VectorXd sums_;
-  double weight_ = 0.0;
-};
-
-}  // namespace
-
 struct DepthInformation::Workspace {
   Workspace(const KinematicTree& model, const PinholeCamera& pinhole,
             const SensorModel& depth_sensor, const Executor& workers)
@@ -55,28 +21,27 @@ struct DepthInformation::Workspace {
         camera(pinhole),
         executor(workers),
         view(pinhole, depth_sensor, workers),
-        pixels(view, depth_sensor, static_cast<int>(model.bodies.size())) {
-    if (depth_sensor.correlation_length == 0.0) return;
-    const double area = correlation_area(depth_sensor);
-    tile = std::max(1, static_cast<int>(std::lround(std::sqrt(area))));
-    tile_variance =
-        depth_sensor.disparity_noise * depth_sensor.disparity_noise * area / (tile * tile);
+        pixels(view, pinhole, depth_sensor, static_cast<int>(model.bodies.size())) {
+    if (depth_sensor.correlation_length > 0.0 && depth_sensor.disparity_noise > 0.0) {
+      noise.emplace(depth_sensor, pinhole, workers);
+    }
   }
 
   void place(const Configuration& configuration, std::span<const RenderItem> scenery);
-  Eigen::MatrixXd sum_tile_row(int first_row) const;
+  Eigen::MatrixXd sum_row(int v);
 
   const KinematicTree& tree;
   PinholeCamera camera;
   Executor executor;
   SampledView view;
   PixelModeler pixels;
-  int tile = 8;                ///< side, pixels
-  double tile_variance = 0.0;  ///< of the disparity noise that a tile has in common, pixels^2
+  std::optional<NoiseField> noise;  ///< if the sensor's is correlated
 
   std::vector<RenderItem> items;
   std::vector<Eigen::Isometry3d> T_camera_body;
   std::vector<BodyJacobian> jacobians;  ///< to twists in the camera's frame
+  ChannelImage weights;                 ///< chance to be measured / variance of each pixel
+  ChannelImage weighted;                ///< the same times the derivative by all unknowns
 };
 
 void DepthInformation::Workspace::place(const Configuration& configuration,
@@ -94,32 +59,24 @@ void DepthInformation::Workspace::place(const Configuration& configuration,
   }
 }
 
-Eigen::MatrixXd DepthInformation::Workspace::sum_tile_row(int first_row) const {
+/// Of the pixels of a row, as if they erred independently; their weights go into the images.
+Eigen::MatrixXd DepthInformation::Workspace::sum_row(int v) {
   const Eigen::Index unknowns = 6 + tree.variables();
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  TileInformation sums(unknowns);
   Eigen::VectorXd derivative(unknowns);
   PixelModel pixel;
-  const int last_row = std::min(first_row + tile, camera.height);
-  for (int first = 0; first < camera.width; first += tile) {
-    sums.set_zero(unknowns);
-    for (int v = first_row; v < last_row; ++v) {
-      for (int u = first; u < std::min(first + tile, camera.width); ++u) {
-        pixels.model(u, v, pixel);
-        if (pixel.measured == 0.0) continue;
-        const double weight = pixel.measured / pixel.variance;
-        if (pixel.derivatives.empty()) {
-          sums.add_static(weight);
-          continue;
-        }
-        derivative.setZero();
-        for (const auto& [body, by_twist] : pixel.derivatives) {
-          derivative.noalias() += jacobians[static_cast<std::size_t>(body)].transpose() * by_twist;
-        }
-        sums.add(derivative, weight);
-      }
+  for (int u = 0; u < camera.width; ++u) {
+    pixels.model(u, v, pixel);
+    if (pixel.measured == 0.0) continue;
+    const double weight = pixel.measured / pixel.variance;
+    *weights.at(u, v) = weight;
+    if (pixel.derivatives.empty()) continue;
+    derivative.setZero();
+    for (const auto& [body, by_twist] : pixel.derivatives) {
+      derivative.noalias() += jacobians[static_cast<std::size_t>(body)].transpose() * by_twist;
     }
-    sums.add_to(information, tile_variance);
+    Eigen::Map<Eigen::VectorXd>(weighted.at(u, v), unknowns) = weight * derivative;
+    information.selfadjointView<Eigen::Lower>().rankUpdate(derivative, weight);
   }
   return information;
 }
@@ -137,20 +94,25 @@ Eigen::MatrixXd DepthInformation::compute(const Configuration& configuration,
   Workspace& w = *workspace_;
   w.place(configuration, scenery);
   w.view.render(w.items);
-  const auto tile = static_cast<std::size_t>(w.tile);
-  std::vector<Eigen::MatrixXd> rows(chunk_count(static_cast<std::size_t>(w.camera.height), tile));
-  w.executor.for_each(rows.size(),
-                      [&](std::size_t i) { rows[i] = w.sum_tile_row(static_cast<int>(i * tile)); });
   const Eigen::Index unknowns = 6 + w.tree.variables();
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  for (const Eigen::MatrixXd& row : rows) information += row;
-  return information.selfadjointView<Eigen::Lower>();
+  w.weights.resize(w.camera.width, w.camera.height, 1);
+  w.weighted.resize(w.camera.width, w.camera.height, static_cast<std::size_t>(unknowns));
+  std::vector<Eigen::MatrixXd> rows(static_cast<std::size_t>(w.camera.height));
+  w.executor.for_each(rows.size(),
+                      [&](std::size_t v) { rows[v] = w.sum_row(static_cast<int>(v)); });
+  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  for (const Eigen::MatrixXd& row : rows) lower += row;
+  Eigen::MatrixXd information = lower.selfadjointView<Eigen::Lower>();
+  if (w.noise) information -= w.noise->lost_information(w.weights, w.weighted);
+  return information;
 }
 
 // Scaled to a unit diagonal, so that metres and radians of all joints are alike.
 Eigen::VectorXd bound_sigma(const Eigen::MatrixXd& information) {
-  constexpr double kRounding = 1e-12;  ///< smaller eigenvalues are zeros
-  constexpr double kPartOfNull = 1e-6;
+  // Smaller eigenvalues are zeros: what conjugate gradients leave of one stays below 1e-6.
+  constexpr double kZero = 1e-5;
+  // An unknown with a larger share in their directions is not determined.
+  constexpr double kNullShare = 1e-6;
   const Eigen::ArrayXd diagonal = information.diagonal().array();
   const Eigen::ArrayXd scale = (diagonal > 0.0).select(diagonal.max(1e-300).rsqrt(), 0.0);
   const Eigen::MatrixXd scaled =
@@ -159,12 +121,11 @@ Eigen::VectorXd bound_sigma(const Eigen::MatrixXd& information) {
   Eigen::VectorXd sigma(information.rows());
   for (Eigen::Index i = 0; i < sigma.size(); ++i) {
     const Eigen::ArrayXd shares = eigen.eigenvectors().row(i).array().square();
-    const auto is_null = eigen.eigenvalues().array() < kRounding;
+    const auto is_null = eigen.eigenvalues().array() < kZero;
     const double null_share = is_null.select(shares, 0.0).sum();
     const double variance = is_null.select(0.0, shares / eigen.eigenvalues().array()).sum();
     const double deviation = scale[i] * std::sqrt(variance);
-    const bool determined =
-        scale[i] > 0.0 && null_share < kPartOfNull && deviation < kNoInformation;
+    const bool determined = scale[i] > 0.0 && null_share < kNullShare && deviation < kNoInformation;
     sigma[i] = determined ? deviation : std::numeric_limits<double>::infinity();
   }
   return sigma;

@@ -25,16 +25,55 @@ std::vector<double> jitter_weights(double sigma, int reach, double shift) {
   return weights;
 }
 
-}  // namespace
-
-/// Flow of a surface point in the image, pixels by the twist of its body in the camera's frame.
-struct PixelModeler::Motion {
-  Twist u;
-  Twist v;
+/// A surface point p, by its ray (x, y, 1) and its depth.
+struct SurfacePoint {
+  double x;
+  double y;
+  double z;
 };
 
-PixelModeler::PixelModeler(const SampledView& view, const SensorModel& sensor, int bodies)
+// p moves with v + w x p under its body's twist (v, w) in the camera's frame: its depth with
+// (0, 0, 1).v + (p_y, -p_x, 0).w, its ray with the rest divided by z.
+
+/// Change of the disparity with the twist, pixels.
+Twist disparity_rate(const SurfacePoint& p, double disparity) {
+  const double scale = -disparity / p.z;
+  Twist rate;
+  rate << 0.0, 0.0, scale, scale * p.y * p.z, -scale * p.x * p.z, 0.0;
+  return rate;
+}
+
+/// Flow along the image's rows with the twist, pixels. focal_length: of the image, pixels.
+Twist flow_along_u(const SurfacePoint& p, double focal_length) {
+  const double scale = focal_length / p.z;
+  Twist flow;
+  flow << scale, 0.0, -scale * p.x, -focal_length * p.x * p.y, focal_length * (1.0 + p.x * p.x),
+      -focal_length * p.y;
+  return flow;
+}
+
+/// The same along its columns.
+Twist flow_along_v(const SurfacePoint& p, double focal_length) {
+  const double scale = focal_length / p.z;
+  Twist flow;
+  flow << 0.0, scale, -scale * p.y, -focal_length * (1.0 + p.y * p.y), focal_length * p.x * p.y,
+      focal_length * p.x;
+  return flow;
+}
+
+SurfacePoint surface_point(const SampledView& view, int u, int v) {
+  const Eigen::Vector3d ray = view.sample_camera().back_project(u, v, 1.0);
+  return {
+      ray.x(), ray.y(),
+      static_cast<double>(view.unit_disparity_depth()) / static_cast<double>(view.disparity(u, v))};
+}
+
+}  // namespace
+
+PixelModeler::PixelModeler(const SampledView& view, const PinholeCamera& camera,
+                           const SensorModel& sensor, int bodies)
     : view_(view),
+      camera_(camera),
       sensor_(sensor),
       bodies_(bodies),
       jitter_variance_(square(effective_jitter(sensor))) {
@@ -47,30 +86,6 @@ PixelModeler::PixelModeler(const SampledView& view, const SensorModel& sensor, i
   for (double& weight : between_weights_) weight /= sum;
 }
 
-// A surface point p moves with v + w x p: its depth with e_z.v + (p_y, -p_x, 0).w.
-Twist PixelModeler::disparity_rate(int u, int v) const {
-  const double d = static_cast<double>(view_.disparity(u, v));
-  const double z = static_cast<double>(view_.unit_disparity_depth()) / d;
-  const Eigen::Vector3d p = view_.sample_camera().back_project(u, v, z);
-  Twist rate;
-  rate << 0.0, 0.0, 1.0, p.y(), -p.x(), 0.0;
-  return -d / z * rate;
-}
-
-PixelModeler::Motion PixelModeler::image_motion(int u, int v) const {
-  const PinholeCamera& camera = view_.sample_camera();
-  const double z = static_cast<double>(view_.unit_disparity_depth() / view_.disparity(u, v));
-  const Eigen::Vector3d p = camera.back_project(u, v, z);
-  const double x = p.x() / z;
-  const double y = p.y() / z;
-  Motion motion;
-  motion.u << 1.0, 0.0, -x, -x * p.y(), z + x * p.x(), -p.y();
-  motion.v << 0.0, 1.0, -y, -z - y * p.y(), y * p.x(), p.x();
-  motion.u *= camera.fx / (kRefinement * z);
-  motion.v *= camera.fy / (kRefinement * z);
-  return motion;
-}
-
 double PixelModeler::independent_variance(double disparity) const {
   const double z = static_cast<double>(view_.unit_disparity_depth()) / disparity;
   const double depth_noise = sensor_.depth_noise + sensor_.depth_noise_growth * square(z - 0.4);
@@ -80,12 +95,11 @@ double PixelModeler::independent_variance(double disparity) const {
          square(disparity / z) * depth_variance;
 }
 
-void PixelModeler::add(PixelModel& pixel, int id, const Twist& derivative) const {
-  if (id < 0 || id >= bodies_) return;
+void PixelModeler::add(PixelModel& pixel, int body, const Twist& derivative) {
   const auto found = std::find_if(pixel.derivatives.begin(), pixel.derivatives.end(),
-                                  [id](const auto& entry) { return entry.body == id; });
+                                  [body](const auto& entry) { return entry.body == body; });
   if (found == pixel.derivatives.end()) {
-    pixel.derivatives.push_back({id, derivative});
+    pixel.derivatives.push_back({body, derivative});
   } else {
     found->derivative += derivative;
   }
@@ -93,6 +107,7 @@ void PixelModeler::add(PixelModel& pixel, int id, const Twist& derivative) const
 
 void PixelModeler::model(int u, int v, PixelModel& pixel) const {
   pixel.measured = 0.0;
+  pixel.mean = 0.0;
   pixel.variance = 0.0;
   pixel.derivatives.clear();
   if (view_.is_smooth(u, v)) {
@@ -115,11 +130,15 @@ void PixelModeler::model_smooth(int u, int v, PixelModel& pixel) const {
   const double slope_v =
       slope(view_.disparity(sample_u, sample_v - 1), view_.disparity(sample_u, sample_v + 1));
   pixel.measured = 1.0 - sensor_.dropout_rate;
+  pixel.mean = disparity;
   pixel.variance =
       independent_variance(disparity) + jitter_variance_ * (square(slope_u) + square(slope_v));
-  const Motion motion = image_motion(sample_u, sample_v);
-  add(pixel, view_.id(sample_u, sample_v),
-      disparity_rate(sample_u, sample_v) - slope_u * motion.u - slope_v * motion.v);
+  const std::int16_t id = view_.id(sample_u, sample_v);
+  if (!moves(id)) return;
+  const SurfacePoint p = surface_point(view_, sample_u, sample_v);
+  add(pixel, id,
+      disparity_rate(p, disparity) - slope_u * flow_along_u(p, camera_.fx) -
+          slope_v * flow_along_v(p, camera_.fy));
 }
 
 /// The part of the derivative that comes from the step between two neighbouring samples.
@@ -131,9 +150,11 @@ void PixelModeler::add_step(PixelModel& pixel, int u, int v, int next_u, int nex
   if (here == 0.0F || next == 0.0F || here == next) return;
   const int nearer_u = here > next ? u : next_u;
   const int nearer_v = here > next ? v : next_v;
-  const Motion motion = image_motion(nearer_u, nearer_v);
+  const std::int16_t id = view_.id(nearer_u, nearer_v);
+  if (!moves(id)) return;
+  const SurfacePoint p = surface_point(view_, nearer_u, nearer_v);
   const double scale = -weight * static_cast<double>(next - here) * kRefinement;
-  add(pixel, view_.id(nearer_u, nearer_v), scale * (next_u > u ? motion.u : motion.v));
+  add(pixel, id, scale * (next_u > u ? flow_along_u(p, camera_.fx) : flow_along_v(p, camera_.fy)));
 }
 
 /// Sums over the samples that a pixel may look at.
@@ -159,9 +180,11 @@ void PixelModeler::add_sample(PixelModel& pixel, Blur& blur, int u, int v, std::
   if (u < 0 || v < 0 || u >= view_.width() || v >= view_.height()) return;
   const double weight = weights_[column] * weights_[row];
   blur.inside += weight;
-  if (view_.disparity(u, v) == 0.0F) return;
-  blur.add(weight, static_cast<double>(view_.disparity(u, v)));
-  add(pixel, view_.id(u, v), weight * disparity_rate(u, v));
+  const auto disparity = static_cast<double>(view_.disparity(u, v));
+  if (disparity == 0.0) return;
+  blur.add(weight, disparity);
+  const std::int16_t id = view_.id(u, v);
+  if (moves(id)) add(pixel, id, weight * disparity_rate(surface_point(view_, u, v), disparity));
   add_step(pixel, u, v, u + 1, v, between_weights_[column] * weights_[row]);
   add_step(pixel, u, v, u, v + 1, weights_[column] * between_weights_[row]);
 }
@@ -178,11 +201,11 @@ void PixelModeler::model_broken(int u, int v, PixelModel& pixel) const {
     }
   }
   if (blur.total == 0.0) return;
-  const double mean = blur.mean / blur.total;
+  pixel.mean = blur.mean / blur.total;
   const double at_edge = blur.nearest - blur.farthest > 1.0 ? sensor_.edge_dropout_rate : 0.0;
   pixel.measured = blur.total / blur.inside * (1.0 - sensor_.dropout_rate) * (1.0 - at_edge);
-  pixel.variance =
-      independent_variance(mean) + std::max(0.0, blur.squares / blur.total - square(mean));
+  pixel.variance = independent_variance(pixel.mean) +
+                   std::max(0.0, blur.squares / blur.total - square(pixel.mean));
   for (auto& entry : pixel.derivatives) entry.derivative /= blur.total;
 }
 

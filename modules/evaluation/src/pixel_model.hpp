@@ -12,9 +12,10 @@
 
 namespace lockbox {
 
-/// A pixel's measured disparity: its scatter, and the derivative of its mean by body twists.
+/// A pixel's measured disparity: its mean and scatter, and the mean's derivative by body twists.
 struct PixelModel {
   double measured = 0.0;  ///< chance that the pixel measures anything
+  double mean = 0.0;      ///< of the disparity, pixels
   double variance = 0.0;  ///< pixels^2, of all that is this pixel's own: not of correlated noise
 
   struct BodyDerivative {
@@ -27,27 +28,27 @@ struct PixelModel {
 /// Items with ids 0 .. bodies - 1 move, all others stand still.
 class PixelModeler {
  public:
-  PixelModeler(const SampledView& view, const SensorModel& sensor, int bodies);
+  PixelModeler(const SampledView& view, const PinholeCamera& camera, const SensorModel& sensor,
+               int bodies);
 
   /// Of pixel (u, v). The model's memory is reused.
   void model(int u, int v, PixelModel& pixel) const;
 
  private:
-  struct Motion;
   struct Blur;
 
   void model_smooth(int u, int v, PixelModel& pixel) const;
   void model_broken(int u, int v, PixelModel& pixel) const;
+  bool moves(int id) const { return id >= 0 && id < bodies_; }
   void add_sample(PixelModel& pixel, Blur& blur, int u, int v, std::size_t column,
                   std::size_t row) const;
-  void add(PixelModel& pixel, int id, const Twist& derivative) const;
+  static void add(PixelModel& pixel, int body, const Twist& derivative);
   void add_step(PixelModel& pixel, int u, int v, int next_u, int next_v, double weight) const;
-  Twist disparity_rate(int u, int v) const;
-  Motion image_motion(int u, int v) const;
   double independent_variance(double disparity) const;
 
   const SampledView& view_;
-  const SensorModel sensor_;
+  PinholeCamera camera_;
+  SensorModel sensor_;
   int bodies_;
   double jitter_variance_;
   std::vector<double> weights_;          ///< of samples -reach .. reach, normalised
