@@ -76,7 +76,7 @@ std::string write_figure(const std::filesystem::path& stem, const Figure& figure
   OutputFile file(script);
   std::ostream& out = file.stream();
   write_data(out, panels);
-  out << "set datafile missing 'nan'\nset key outside right\nset grid\n";
+  out << "set key outside right\nset grid\nset lmargin 12\nset rmargin 30\n";
   const std::filesystem::path png = std::filesystem::absolute(with_suffix(stem, ".png"));
   write_drawing(out, figure, panels, "pngcairo", png);
   write_drawing(out, figure, panels, "svg", std::filesystem::path(png).replace_extension(".svg"));
