@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What one registration step promises: it finds the configuration, keeps what it was told to keep,
+// respects limits, and gives the same bits for any number of threads.
+#include <gtest/gtest.h>
+
+#include "lockbox/registration/articulated_registration.hpp"
+#include "mechanism.hpp"
+
+namespace lockbox {
+namespace {
+
+class AlignmentTest : public ::testing::Test {
+ protected:
+  const ArticulatedModel& model = mechanism();
+  const Configuration truth = mechanism_start(model);
+  const TiledCloud cloud = cloud_of(measured(model, truth, "primesense"));
+
+  Configuration displaced(double metres, double radians) const {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(6 + model.tree.variables());
+    step.head<6>() << metres, -metres, metres, radians, radians, -radians;
+    step[6] = 0.5 * metres;
+    step[7] = radians;
+    step[8] = 0.5 * radians;
+    return stepped(truth, step);
+  }
+
+  Twist base_error(const Configuration& found) const {
+    return log_se3(truth.T_camera_base.inverse() * found.T_camera_base);
+  }
+};
+
+TEST_F(AlignmentTest, FindsBaseAndJointsFromAnOffset) {
+  ArticulatedRegistration registration(model, {}, Executor(1));
+  const RegistrationResult& result = registration.align(cloud, displaced(0.015, 0.05), {0.02, 25});
+  const Twist error = base_error(result.configuration);
+  EXPECT_LT(error.head<3>().norm(), 2.4e-3);  // one pixel: 0.7 m / 287.9
+  EXPECT_LT(error.tail<3>().norm(), 5e-3);
+  EXPECT_NEAR(result.configuration.q[0], truth.q[0], 2e-3);
+  EXPECT_NEAR(result.configuration.q[1], truth.q[1], 0.02);
+  EXPECT_GT(result.agreement.explained, 0.9);
+  EXPECT_LT(result.agreement.contradicted, 0.02);
+}
+
+TEST_F(AlignmentTest, SameBitsForAnyNumberOfThreads) {
+  std::vector<Configuration> found;
+  for (const int threads : {1, 2, 3, 8}) {
+    ArticulatedRegistration registration(model, {}, Executor(threads));
+    found.push_back(registration.align(cloud, displaced(0.005, 0.02), {0.01, 5}).configuration);
+    EXPECT_EQ(found.back().T_camera_base.matrix(), found.front().T_camera_base.matrix());
+    EXPECT_EQ(found.back().q, found.front().q);
+  }
+}
+
+TEST_F(AlignmentTest, FixedBaseAndLockedJointsDoNotMove) {
+  RegistrationOptions options;
+  options.fixed_base = true;
+  options.locked = {false, true, false};
+  ArticulatedRegistration registration(model, options, Executor(1));
+  Configuration start = truth;
+  start.q[0] += 0.004;
+  start.q[1] += 0.02;
+  const RegistrationResult& result = registration.align(cloud, start, {0.01, 10});
+  EXPECT_EQ(result.configuration.T_camera_base.matrix(), start.T_camera_base.matrix());
+  EXPECT_EQ(result.configuration.q[1], start.q[1]);
+  EXPECT_NEAR(result.configuration.q[0], truth.q[0], 2e-3);
+  EXPECT_EQ(result.sigma[0], 0.0);
+}
+
+TEST_F(AlignmentTest, LimitsAreNeverLeft) {
+  Configuration at_limit = truth;
+  at_limit.q[0] = 0.08;
+  const TiledCloud seen = cloud_of(measured(model, at_limit, "primesense", 3));
+  ArticulatedRegistration registration(model, {}, Executor(1));
+  const RegistrationResult& result = registration.align(seen, at_limit, {0.005, 10});
+  EXPECT_LE(result.configuration.q[0], 0.08);
+  EXPECT_NEAR(result.configuration.q[0], 0.08, 2e-3);
+}
+
+TEST_F(AlignmentTest, AnEmptyCloudMovesNothingAndIsNotObservable) {
+  DepthFrame nothing = measured(model, truth, "ideal");
+  std::fill(nothing.depth.begin(), nothing.depth.end(), std::uint16_t{0});
+  ArticulatedRegistration registration(model, {}, Executor(1));
+  const RegistrationResult& result = registration.align(cloud_of(nothing), truth, {0.01, 5});
+  EXPECT_EQ(result.configuration.T_camera_base.matrix(), truth.T_camera_base.matrix());
+  for (const bool observable : result.observable) {
+    EXPECT_FALSE(observable);
+  }
+  EXPECT_EQ(result.agreement.explained, 0.0);
+}
+
+}  // namespace
+}  // namespace lockbox

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mechanism.hpp"
+
+#include "lockbox/core/lie.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace lockbox {
+namespace {
+
+constexpr char kUrdf[] = R"(<robot name="mechanism">
+  <link name="plate"><visual><geometry><box size="0.4 0.4 0.02"/></geometry></visual></link>
+  <link name="block"><visual><geometry><box size="0.08 0.06 0.05"/></geometry></visual></link>
+  <link name="arm">
+    <visual><origin xyz="0.06 0 0"/><geometry><box size="0.16 0.04 0.02"/></geometry></visual>
+  </link>
+  <link name="knob">
+    <visual><geometry><cylinder radius="0.015" length="0.05"/></geometry></visual>
+    <visual><origin xyz="0 0 0.03"/><geometry><box size="0.04 0.05 0.02"/></geometry></visual>
+  </link>
+  <link name="follower"><visual><geometry><box size="0.05 0.05 0.03"/></geometry></visual></link>
+  <joint name="slide" type="prismatic">
+    <parent link="plate"/><child link="block"/><origin xyz="-0.05 0.05 0.035"/>
+    <axis xyz="1 0 0"/><limit lower="-0.08" upper="0.08" effort="1" velocity="1"/>
+  </joint>
+  <joint name="turn" type="revolute">
+    <parent link="block"/><child link="arm"/><origin xyz="0 0 0.035"/>
+    <axis xyz="0 0 1"/><limit lower="-1.2" upper="1.2" effort="1" velocity="1"/>
+  </joint>
+  <joint name="twist" type="continuous">
+    <parent link="arm"/><child link="knob"/><origin xyz="0.1 0 0.035" rpy="0 0 0.4"/>
+    <axis xyz="0 0 1"/>
+  </joint>
+  <joint name="follow" type="prismatic">
+    <parent link="plate"/><child link="follower"/><origin xyz="0.14 -0.08 0.025"/>
+    <axis xyz="0 1 0"/><limit lower="-0.1" upper="0.1" effort="1" velocity="1"/>
+    <mimic joint="slide" multiplier="0.8" offset="0.01"/>
+  </joint>
+</robot>
+)";
+
+std::filesystem::path write_urdf() {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("lockbox_mechanism_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "mechanism.urdf") << kUrdf;
+  return folder / "mechanism.urdf";
+}
+
+}  // namespace
+
+const ArticulatedModel& mechanism() {
+  static const ArticulatedModel model = [] {
+    LoadOptions options;
+    options.cache_directory = std::filesystem::path();
+    const auto file = write_urdf();
+    ArticulatedModel loaded = load_model(file, options);
+    std::filesystem::remove_all(file.parent_path());
+    return loaded;
+  }();
+  return model;
+}
+
+Configuration mechanism_start(const ArticulatedModel& model) {
+  Configuration configuration = rest_configuration(model.tree);
+  Eigen::Isometry3d facing = Eigen::Isometry3d::Identity();
+  facing.linear() = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
+  facing.translation() = Eigen::Vector3d(0.01, -0.02, 0.7);
+  Twist tilt;
+  tilt << 0.0, 0.0, 0.0, 0.3, -0.2, 0.1;
+  configuration.T_camera_base = facing * exp_se3(tilt);
+  set_joint_position(model.tree, configuration, "slide", 0.02);
+  set_joint_position(model.tree, configuration, "turn", 0.3);
+  set_joint_position(model.tree, configuration, "twist", -0.5);
+  return configuration;
+}
+
+DepthFrame measured(const ArticulatedModel& model, const Configuration& configuration,
+                    const std::string& sensor, std::uint64_t seed) {
+  const PinholeCamera camera{320, 240, 287.9, 287.9, 159.5, 119.5};
+  State state;
+  state.configuration = configuration;
+  // A wall behind: without it pixels beside the mechanism are unknown, and its outline is too.
+  Scene scene;
+  scene.planes.push_back({SceneFrame::world, {0.0, 0.0, 1.3}, {0.0, 0.0, -1.0}, {5.0, 5.0}});
+  Simulator simulator(model.tree, camera, PlacedScene(scene, {state}), sensor_model(sensor), seed,
+                      Executor(1));
+  DepthFrame frame;
+  simulator.simulate(state, 0, frame);
+  return frame;
+}
+
+TiledCloud cloud_of(const DepthFrame& frame) {
+  TiledCloud cloud;
+  cloud.assign(frame, CloudOptions{}, Executor(1));
+  return cloud;
+}
+
+}  // namespace lockbox

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A small mechanism with every kind of joint, and what a camera sees of it.
+#pragma once
+
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/simulation/simulator.hpp"
+
+namespace lockbox {
+
+/// A plate (40 x 40 x 2 cm) in its own x-y plane that carries: `slide`, a block along x; on the
+/// block `turn`, an arm about z; on the arm `twist`, a knob about the arm's x (continuous); and
+/// `follower`, a second block along y that mimics `slide`. Chains of three, all in contact.
+const ArticulatedModel& mechanism();
+
+/// Seen from about 0.7 m, joints in mid-range, tilted.
+Configuration mechanism_start(const ArticulatedModel& model);
+
+/// What a sensor measures of the configuration, before a wall.
+DepthFrame measured(const ArticulatedModel& model, const Configuration& configuration,
+                    const std::string& sensor, std::uint64_t seed = 1);
+
+TiledCloud cloud_of(const DepthFrame& frame);
+
+}  // namespace lockbox
