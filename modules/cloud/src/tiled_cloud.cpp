@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check_frame.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
 
@@ -36,14 +37,8 @@ void TiledCloud::resize(const PinholeCamera& camera) {
 
 void TiledCloud::assign(const DepthFrame& frame, const CloudOptions& options,
                         const Executor& executor) {
+  check_frame(frame);
   const PinholeCamera& camera = frame.camera;
-  if (camera.width <= 0 || camera.height <= 0 || !(camera.fx > 0.0) || !(camera.fy > 0.0)) {
-    throw InputError("depth frame", "the camera has no size or no focal length");
-  }
-  if (frame.depth.size() !=
-      static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)) {
-    throw InputError("depth frame", "the image does not have the size that the camera states");
-  }
   resize(camera);
   executor.for_each_chunk(static_cast<std::size_t>(camera.height), kTileSize,
                           [&](std::size_t begin, std::size_t end, std::size_t row) {
@@ -126,6 +121,9 @@ void TiledCloud::finish_tile(Tile& tile) {
 }
 
 void TiledCloud::keep(const std::vector<std::uint8_t>& mask) {
+  if (mask.size() != depth_.size()) {
+    throw InputError("mask of points to keep", "it does not have the size of the image");
+  }
   for (Tile& tile : tiles_) {
     std::size_t slot = tile.first;
     for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {

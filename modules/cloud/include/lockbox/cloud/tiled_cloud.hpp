@@ -38,7 +38,8 @@ class TiledCloud {
   /// Converts and filters in one pass. Throws InputError if camera and depth do not fit together.
   void assign(const DepthFrame& frame, const CloudOptions& options, const Executor& executor);
 
-  /// Keeps only points whose pixel is set in the mask (one byte a pixel).
+  /// Keeps only points whose pixel is set in the mask (one byte a pixel); depth() stays as it is.
+  /// Throws InputError if the mask has another size than the image.
   void keep(const std::vector<std::uint8_t>& mask);
 
   const PinholeCamera& camera() const { return camera_; }

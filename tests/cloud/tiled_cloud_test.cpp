@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/cloud/tiled_cloud.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "lockbox/core/error.hpp"
+
+namespace lockbox {
+namespace {
+
+const PinholeCamera kCamera{100, 70, 80.0, 90.0, 49.0, 34.5};
+
+std::size_t pixel_at(int u, int v) {
+  return static_cast<std::size_t>(v) * static_cast<std::size_t>(kCamera.width) +
+         static_cast<std::size_t>(u);
+}
+
+DepthFrame flat_frame(std::uint16_t millimetres) {
+  DepthFrame frame;
+  frame.camera = kCamera;
+  frame.depth.assign(pixel_at(0, kCamera.height), millimetres);
+  return frame;
+}
+
+DepthFrame random_frame() {
+  DepthFrame frame = flat_frame(0);
+  std::mt19937 random(5);
+  for (auto& depth : frame.depth) {
+    depth = static_cast<std::uint16_t>(random() % 3 == 0 ? 0 : 900 + random() % 200);
+  }
+  return frame;
+}
+
+TiledCloud converted(const DepthFrame& frame, const CloudOptions& options = {}, int threads = 2) {
+  TiledCloud cloud;
+  cloud.assign(frame, options, Executor(threads));
+  return cloud;
+}
+
+/// Calls visit(index) for all valid points.
+template <typename Visit>
+void for_each_point(const TiledCloud& cloud, const Visit& visit) {
+  for (const Tile& tile : cloud.tiles()) {
+    for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
+      visit(i);
+    }
+  }
+}
+
+TEST(TiledCloud, BackProjectsEveryMeasurementOnce) {
+  const DepthFrame frame = random_frame();
+  const TiledCloud cloud = converted(frame, {.flying_pixel_jump = 0.0});
+  std::vector<int> seen(frame.depth.size(), 0);
+  for_each_point(cloud, [&](std::size_t i) {
+    const auto pixel = cloud.pixel()[i];
+    ++seen[pixel];
+    const auto expected =
+        kCamera.back_project(pixel % 100, pixel / 100, 0.001 * frame.depth[pixel]);
+    EXPECT_NEAR(cloud.x()[i], expected.x(), 1e-6);
+    EXPECT_NEAR(cloud.y()[i], expected.y(), 1e-6);
+    EXPECT_NEAR(cloud.z()[i], expected.z(), 1e-6);
+  });
+  for (std::size_t pixel = 0; pixel < seen.size(); ++pixel) {
+    EXPECT_EQ(seen[pixel], frame.depth[pixel] > 0 ? 1 : 0);
+  }
+}
+
+TEST(TiledCloud, TilesBoundTheirPointsAndPadWithNone) {
+  const TiledCloud cloud = converted(random_frame());
+  ASSERT_EQ(cloud.tiles().size(), 7U * 5U);
+  for (const Tile& tile : cloud.tiles()) {
+    ASSERT_GT(tile.count, 0U);
+    EXPECT_GE(tile.padded, tile.count);
+    Eigen::AlignedBox3f bounds;
+    for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
+      bounds.extend(Eigen::Vector3f(cloud.x()[i], cloud.y()[i], cloud.z()[i]));
+    }
+    EXPECT_TRUE(bounds.isApprox(tile.bounds));
+    for (std::size_t i = tile.first + tile.count; i < tile.first + tile.padded; ++i) {
+      EXPECT_FALSE(bounds.contains(Eigen::Vector3f(cloud.x()[i], cloud.y()[i], cloud.z()[i])));
+    }
+  }
+}
+
+TEST(TiledCloud, DropsWhatIsOutOfRange) {
+  DepthFrame frame = flat_frame(0);
+  frame.depth[pixel_at(3, 3)] = 499;
+  frame.depth[pixel_at(5, 3)] = 500;
+  frame.depth[pixel_at(7, 3)] = 2000;
+  frame.depth[pixel_at(9, 3)] = 2001;
+  const CloudOptions range{.min_depth = 0.4999, .max_depth = 2.0001, .flying_pixel_jump = 0.0};
+  const TiledCloud cloud = converted(frame, range);
+  EXPECT_EQ(cloud.valid_points(), 2U);
+  EXPECT_EQ(cloud.depth()[pixel_at(3, 3)], 0.0F);
+  EXPECT_NEAR(cloud.depth()[pixel_at(5, 3)], 0.5F, 1e-6F);
+  EXPECT_NEAR(cloud.depth()[pixel_at(7, 3)], 2.0F, 1e-6F);
+  EXPECT_EQ(cloud.depth()[pixel_at(9, 3)], 0.0F);
+}
+
+// Rows: 1 m | 1.2 | 1.4 m; the pixels at 1.2 m hang between the two surfaces.
+TEST(TiledCloud, RemovesPixelsThatHangBetweenSurfaces) {
+  DepthFrame frame = flat_frame(1000);
+  for (int v = 0; v < kCamera.height; ++v) {
+    for (int u = 50; u < kCamera.width; ++u) {
+      frame.depth[pixel_at(u, v)] = u == 50 ? 1200 : 1400;
+    }
+  }
+  const TiledCloud cloud = converted(frame);
+  for (int v = 0; v < kCamera.height; ++v) {
+    EXPECT_NEAR(cloud.depth()[pixel_at(49, v)], 1.0F, 1e-6F);
+    EXPECT_EQ(cloud.depth()[pixel_at(50, v)], 0.0F);
+    EXPECT_NEAR(cloud.depth()[pixel_at(51, v)], 1.4F, 1e-6F);
+  }
+}
+
+TEST(TiledCloud, KeepsBothSidesOfASharpEdge) {
+  DepthFrame frame = flat_frame(1000);
+  for (int v = 20; v < 50; ++v) {
+    std::fill_n(frame.depth.begin() + static_cast<std::ptrdiff_t>(pixel_at(30, v)), 40, 700);
+  }
+  EXPECT_EQ(converted(frame).valid_points(), frame.depth.size());
+}
+
+TEST(TiledCloud, FiltersTheMirroredImageAlike) {
+  const DepthFrame frame = random_frame();
+  DepthFrame mirrored = frame;
+  DepthFrame flipped = frame;
+  for (int v = 0; v < kCamera.height; ++v) {
+    for (int u = 0; u < kCamera.width; ++u) {
+      mirrored.depth[pixel_at(99 - u, v)] = frame.depth[pixel_at(u, v)];
+      flipped.depth[pixel_at(u, 69 - v)] = frame.depth[pixel_at(u, v)];
+    }
+  }
+  const TiledCloud cloud = converted(frame);
+  const TiledCloud of_mirrored = converted(mirrored);
+  const TiledCloud of_flipped = converted(flipped);
+  const auto unmeasured = static_cast<std::size_t>(
+      std::count(frame.depth.begin(), frame.depth.end(), std::uint16_t{0}));
+  EXPECT_LT(cloud.valid_points(), frame.depth.size() - unmeasured);  // there is what to filter
+  for (int v = 0; v < kCamera.height; ++v) {
+    for (int u = 0; u < kCamera.width; ++u) {
+      EXPECT_EQ(of_mirrored.depth()[pixel_at(99 - u, v)], cloud.depth()[pixel_at(u, v)]);
+      EXPECT_EQ(of_flipped.depth()[pixel_at(u, 69 - v)], cloud.depth()[pixel_at(u, v)]);
+    }
+  }
+}
+
+TEST(TiledCloud, KeepsTheMaskedPixelsOnly) {
+  const DepthFrame frame = random_frame();
+  TiledCloud cloud = converted(frame, {.flying_pixel_jump = 0.0});
+  const std::vector<float> depth = cloud.depth();
+  std::vector<std::uint8_t> mask(frame.depth.size());
+  std::size_t expected = 0;
+  for (std::size_t pixel = 0; pixel < mask.size(); ++pixel) {
+    mask[pixel] = pixel % 5 == 0 ? 1 : 0;
+    expected += mask[pixel] != 0 && frame.depth[pixel] != 0 ? 1 : 0;
+  }
+  cloud.keep(mask);
+  EXPECT_EQ(cloud.valid_points(), expected);
+  EXPECT_EQ(cloud.depth(), depth);
+  for_each_point(cloud, [&](std::size_t i) {
+    EXPECT_EQ(cloud.pixel()[i] % 5, 0U);
+    EXPECT_NEAR(cloud.z()[i], depth[cloud.pixel()[i]], 1e-6F);
+  });
+}
+
+TEST(TiledCloud, SameForAnyNumberOfThreads) {
+  const DepthFrame frame = random_frame();
+  const TiledCloud reference = converted(frame, {}, 1);
+  for (const int threads : {2, 8}) {
+    const TiledCloud cloud = converted(frame, {}, threads);
+    EXPECT_EQ(cloud.depth(), reference.depth());
+    ASSERT_EQ(cloud.valid_points(), reference.valid_points());
+    for_each_point(reference, [&](std::size_t i) {
+      EXPECT_EQ(cloud.pixel()[i], reference.pixel()[i]);
+      EXPECT_EQ(cloud.x()[i], reference.x()[i]);
+      EXPECT_EQ(cloud.y()[i], reference.y()[i]);
+      EXPECT_EQ(cloud.z()[i], reference.z()[i]);
+    });
+  }
+}
+
+TEST(TiledCloud, IsReusedForAnotherImageSize) {
+  TiledCloud cloud = converted(random_frame());
+  DepthFrame small;
+  small.camera = {8, 6, 10.0, 10.0, 3.5, 2.5};
+  small.depth.assign(48, 1000);
+  cloud.assign(small, {}, Executor(2));
+  EXPECT_EQ(cloud.tiles().size(), 1U);
+  EXPECT_EQ(cloud.valid_points(), 48U);
+}
+
+TEST(TiledCloud, RefusesWhatDoesNotFitTogether) {
+  TiledCloud cloud = converted(flat_frame(1000));
+  DepthFrame frame = flat_frame(1000);
+  frame.depth.pop_back();
+  EXPECT_THROW(cloud.assign(frame, {}, Executor(1)), InputError);
+  frame = flat_frame(1000);
+  frame.camera.fx = 0.0;
+  EXPECT_THROW(cloud.assign(frame, {}, Executor(1)), InputError);
+  EXPECT_THROW(cloud.assign(DepthFrame(), {}, Executor(1)), InputError);
+  EXPECT_THROW(cloud.keep(std::vector<std::uint8_t>(5, 1)), InputError);
+}
+
+}  // namespace
+}  // namespace lockbox
