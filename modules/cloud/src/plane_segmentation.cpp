@@ -5,7 +5,6 @@
 #include <pcl/segmentation/sac_segmentation.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace lockbox {
@@ -19,21 +18,26 @@ constexpr double kSupport = 1.5;
 constexpr double kExplained = 2.5;
 /// Share of the samples below which a plane is not worth finding.
 constexpr double kMinSupport = 0.02;
-constexpr int kMaxTrials = 150;
-/// Every fourth sample is enough to find a plane by.
-constexpr std::size_t kThinning = 4;
+constexpr int kMaxTrials = 200;
+/// That a trial hits the plane; so high because the best of many trials is the more exact one, and
+/// an inexact one joins two parallel planes.
+constexpr double kSuccess = 0.999999;
 
 Eigen::Vector3f ray_of(const pcl::PointXYZ& point) {
   return {point.x / point.z, point.y / point.z, 1.0F};
 }
 
-pcl::PointCloud<pcl::PointXYZ>::Ptr ray_coordinates(const SampleGrid& grid,
-                                                    const std::vector<int>& samples) {
+/// Of every third measured sample of every third row: enough to find planes by.
+pcl::PointCloud<pcl::PointXYZ>::Ptr ray_coordinates(const SampleGrid& grid) {
   auto rays = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  rays->reserve(samples.size() / kThinning + 1);
-  for (std::size_t i = 0; i < samples.size(); i += kThinning) {
-    const pcl::PointXYZ& point = (*grid.points)[static_cast<std::size_t>(samples[i])];
-    rays->push_back({point.x / point.z, point.y / point.z, kInverseDepthScale / point.z});
+  for (int row = 0; row < grid.rows; row += 3) {
+    for (int column = 0; column < grid.columns; column += 3) {
+      const std::size_t sample = grid.index(column, row);
+      if (grid.is_measured(sample)) {
+        const pcl::PointXYZ& point = (*grid.points)[sample];
+        rays->push_back({point.x / point.z, point.y / point.z, kInverseDepthScale / point.z});
+      }
+    }
   }
   return rays;
 }
@@ -62,9 +66,8 @@ void remove_explained(const Plane& plane, double noise, const pcl::PointCloud<pc
 // pcl::SACSegmentation: RANSAC with a fixed seed, a few milliseconds on these few points.
 // pcl::OrganizedMultiPlaneSegmentation needs normals first (36 ms), and those of noisy points
 // cannot tell two parallel planes from one.
-std::vector<Plane> find_planes(const SampleGrid& grid, const std::vector<int>& samples,
-                               double noise) {
-  const auto rays = ray_coordinates(grid, samples);
+std::vector<Plane> find_planes(const SampleGrid& grid, double noise) {
+  const auto rays = ray_coordinates(grid);
   const auto remaining = pcl::make_shared<std::vector<int>>();
   for (std::size_t i = 0; i < rays->size(); ++i) {
     remaining->push_back(static_cast<int>(i));
@@ -76,6 +79,7 @@ std::vector<Plane> find_planes(const SampleGrid& grid, const std::vector<int>& s
   ransac.setMethodType(pcl::SAC_RANSAC);
   ransac.setDistanceThreshold(kSupport * noise * double{kInverseDepthScale});
   ransac.setMaxIterations(kMaxTrials);
+  ransac.setProbability(kSuccess);
   ransac.setInputCloud(rays);
   std::vector<Plane> planes;
   while (planes.size() < kMaxPlanes && remaining->size() >= min_support) {
@@ -116,18 +120,17 @@ std::vector<int> surface_planes(const SampleGrid& grid, const std::vector<Plane>
     }
   }
   std::vector<int> surface(grid.size(), -1);
-  const int columns = grid.columns;
-  for (int row = 1; row + 1 < grid.rows; ++row) {
-    for (int column = 1; column + 1 < columns; ++column) {
-      const std::size_t here = grid.index(column, row);
-      const std::array<std::size_t, 4> neighbours{
-          grid.index(column - 1, row), grid.index(column + 1, row), grid.index(column, row - 1),
-          grid.index(column, row + 1)};
-      const bool inside =
-          std::all_of(neighbours.begin(), neighbours.end(), [&](std::size_t neighbour) {
-            return nearest[neighbour] == nearest[here] || !grid.is_measured(neighbour);
-          });
-      surface[here] = inside ? nearest[here] : -1;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const int here = nearest[grid.index(column, row)];
+      const auto in_plane = [&](int c, int r) {
+        const bool in_image = c >= 0 && c < grid.columns && r >= 0 && r < grid.rows;
+        return !in_image || !grid.is_measured(grid.index(c, r)) ||
+               nearest[grid.index(c, r)] == here;
+      };
+      const bool inside = in_plane(column - 1, row) && in_plane(column + 1, row) &&
+                          in_plane(column, row - 1) && in_plane(column, row + 1);
+      surface[grid.index(column, row)] = inside ? here : -1;
     }
   }
   return surface;

@@ -24,10 +24,8 @@ struct Plane {
 
 inline constexpr std::size_t kMaxPlanes = 8;
 
-/// The largest planes among some of the samples, the largest first; at most kMaxPlanes.
-/// noise: standard deviation of 1/depth.
-std::vector<Plane> find_planes(const SampleGrid& grid, const std::vector<int>& samples,
-                               double noise);
+/// The largest planes, the largest first; at most kMaxPlanes. noise: standard deviation of 1/depth.
+std::vector<Plane> find_planes(const SampleGrid& grid, double noise);
 
 /// Number of the plane nearest to a measurement, -1 if all are farther than tolerance (1/metre).
 int nearest_plane(const std::vector<Plane>& planes, const Eigen::Vector3f& ray, float inverse_depth,

@@ -122,16 +122,6 @@ std::vector<std::uint8_t> to_pixels(const TiledCloud& cloud, const SampleGrid& g
   return mask;
 }
 
-std::vector<int> indices_of(const std::vector<std::uint8_t>& marked) {
-  std::vector<int> indices;
-  for (std::size_t i = 0; i < marked.size(); ++i) {
-    if (marked[i] != 0) {
-      indices.push_back(static_cast<int>(i));
-    }
-  }
-  return indices;
-}
-
 }  // namespace
 
 std::optional<std::vector<std::uint8_t>> ObjectSegmenter::segment(
@@ -142,7 +132,7 @@ std::optional<std::vector<std::uint8_t>> ObjectSegmenter::segment(
   }
   const SampleGrid grid(cloud);
   const auto near = near_bodies(grid, bodies, margin);
-  const std::vector<Plane> planes = find_planes(grid, indices_of(near), options_.depth_noise);
+  const std::vector<Plane> planes = find_planes(grid, options_.depth_noise);
   const auto tolerance = static_cast<float>(kOnPlane * options_.depth_noise);
   const std::vector<int> surface = surface_planes(grid, planes, tolerance);
   const auto is_scene = scene_planes(grid, planes, surface, near, bodies, margin);
