@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_segmentation.hpp"
 
-#include <pcl/ModelCoefficients.h>
-#include <pcl/segmentation/sac_segmentation.h>
+#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/sac_model_plane.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 namespace lockbox {
 namespace {
@@ -18,6 +20,9 @@ constexpr double kSupport = 1.5;
 constexpr double kExplained = 2.5;
 /// Share of the samples below which a plane is not worth finding.
 constexpr double kMinSupport = 0.02;
+constexpr int kRefinements = 2;
+/// Twice the area of the triangle of three points that are drawn, for rays at unit depth.
+constexpr float kMinSpread = 0.003F;
 constexpr int kMaxTrials = 200;
 /// That a trial hits the plane; so high because the best of many trials is the more exact one, and
 /// an inexact one joins two parallel planes.
@@ -42,17 +47,60 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr ray_coordinates(const SampleGrid& grid) {
   return rays;
 }
 
-/// From a x + b y + c w + d = 0 in ray coordinates; nothing for a plane through the camera.
-bool to_plane(const std::vector<float>& abcd, Plane& plane) {
-  if (abcd.size() != 4 || std::abs(abcd[2]) < 1e-3F) {
-    return false;
+/// Draws triples that are wide apart: they give a plane more exactly, and PCL complains on the
+/// console about collinear ones, which are frequent where disparity is rounded.
+class PlaneModel : public pcl::SampleConsensusModelPlane<pcl::PointXYZ> {
+ public:
+  using SampleConsensusModelPlane::SampleConsensusModelPlane;
+
+ protected:
+  bool isSampleGood(const pcl::Indices& samples) const override {
+    const auto point = [&](std::size_t i) -> Eigen::Vector2f {
+      return (*input_)[static_cast<std::size_t>(samples[i])].getVector3fMap().head<2>();
+    };
+    const Eigen::Vector2f first = point(1) - point(0);
+    const Eigen::Vector2f second = point(2) - point(0);
+    return std::abs(first.x() * second.y() - first.y() * second.x()) > kMinSpread;
   }
-  plane.m = Eigen::Vector3f(abcd[0], abcd[1], abcd[3]) / (-abcd[2] * kInverseDepthScale);
-  return true;
+};
+
+/// Of a x + b y + c w + d = 0 in ray coordinates; nothing for a plane through the camera.
+std::optional<Plane> to_plane(const Eigen::VectorXf& abcd) {
+  if (!abcd.allFinite() || std::abs(abcd[2]) < 1e-3F) {
+    return std::nullopt;
+  }
+  return Plane{Eigen::Vector3f(abcd[0], abcd[1], abcd[3]) / (-abcd[2] * kInverseDepthScale)};
+}
+
+/// The plane with the largest support among the remaining points, if that is at least min_support.
+std::optional<Plane> largest_plane(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& rays,
+                                   const pcl::Indices& remaining, double noise,
+                                   std::size_t min_support) {
+  const double threshold = kSupport * noise * double{kInverseDepthScale};
+  const auto model = pcl::make_shared<PlaneModel>(rays, remaining);
+  pcl::RandomSampleConsensus<pcl::PointXYZ> ransac(model, threshold);
+  ransac.setMaxIterations(kMaxTrials);
+  ransac.setProbability(kSuccess);
+  if (!ransac.computeModel()) {
+    return std::nullopt;
+  }
+  Eigen::VectorXf coefficients;
+  ransac.getModelCoefficients(coefficients);
+  pcl::Indices support;
+  for (int i = 0; i < kRefinements; ++i) {
+    model->selectWithinDistance(coefficients, threshold, support);
+    if (support.size() < min_support) {
+      return std::nullopt;
+    }
+    Eigen::VectorXf refined;
+    model->optimizeModelCoefficients(support, coefficients, refined);
+    coefficients = refined;
+  }
+  return to_plane(coefficients);
 }
 
 void remove_explained(const Plane& plane, double noise, const pcl::PointCloud<pcl::PointXYZ>& rays,
-                      std::vector<int>& remaining) {
+                      pcl::Indices& remaining) {
   const auto is_explained = [&](int i) {
     const pcl::PointXYZ& ray = rays[static_cast<std::size_t>(i)];
     return plane.residual({ray.x, ray.y, 1.0F}, ray.z / kInverseDepthScale) < kExplained * noise;
@@ -63,36 +111,24 @@ void remove_explained(const Plane& plane, double noise, const pcl::PointCloud<pc
 
 }  // namespace
 
-// pcl::SACSegmentation: RANSAC with a fixed seed, a few milliseconds on these few points.
+// pcl::RandomSampleConsensus, seeded, a few milliseconds on these few points; what
+// pcl::SACSegmentation wraps, for the sake of the model above.
 // pcl::OrganizedMultiPlaneSegmentation needs normals first (36 ms), and those of noisy points
 // cannot tell two parallel planes from one.
 std::vector<Plane> find_planes(const SampleGrid& grid, double noise) {
   const auto rays = ray_coordinates(grid);
-  const auto remaining = pcl::make_shared<std::vector<int>>();
-  for (std::size_t i = 0; i < rays->size(); ++i) {
-    remaining->push_back(static_cast<int>(i));
-  }
+  pcl::Indices remaining(rays->size());
+  std::iota(remaining.begin(), remaining.end(), 0);
   const auto min_support =
       std::max<std::size_t>(10, static_cast<std::size_t>(kMinSupport * double(rays->size())));
-  pcl::SACSegmentation<pcl::PointXYZ> ransac;
-  ransac.setModelType(pcl::SACMODEL_PLANE);
-  ransac.setMethodType(pcl::SAC_RANSAC);
-  ransac.setDistanceThreshold(kSupport * noise * double{kInverseDepthScale});
-  ransac.setMaxIterations(kMaxTrials);
-  ransac.setProbability(kSuccess);
-  ransac.setInputCloud(rays);
   std::vector<Plane> planes;
-  while (planes.size() < kMaxPlanes && remaining->size() >= min_support) {
-    pcl::PointIndices support;
-    pcl::ModelCoefficients coefficients;
-    ransac.setIndices(remaining);
-    ransac.segment(support, coefficients);
-    Plane plane;
-    if (support.indices.size() < min_support || !to_plane(coefficients.values, plane)) {
+  while (planes.size() < kMaxPlanes && remaining.size() >= min_support) {
+    const auto plane = largest_plane(rays, remaining, noise, min_support);
+    if (!plane) {
       break;
     }
-    planes.push_back(plane);
-    remove_explained(plane, noise, *rays, *remaining);
+    planes.push_back(*plane);
+    remove_explained(*plane, noise, *rays, remaining);
   }
   return planes;
 }
