@@ -16,6 +16,8 @@ const std::vector<CommandEntry>& commands() {
        "lockbox evaluate --estimate out/run/states.csv --reference groundtruth.csv "
        "--output out/errors",
        make_evaluate_command},
+      {"experiment", "Repeats an experiment of the project, with raw results and figures",
+       "lockbox experiment collision --output out/collision", make_experiment_command},
       {"inspect", "Shows a model: its tree, distance fields, contacts, and a picture",
        "lockbox inspect --model lockbox --picture lockbox.png", make_inspect_command},
   };

@@ -24,6 +24,7 @@ std::unique_ptr<Command> make_track_command();
 std::unique_ptr<Command> make_simulate_command();
 std::unique_ptr<Command> make_record_command();
 std::unique_ptr<Command> make_evaluate_command();
+std::unique_ptr<Command> make_experiment_command();
 std::unique_ptr<Command> make_inspect_command();
 
 }  // namespace lockbox::app

@@ -23,18 +23,6 @@ std::string text(bool value) {
   return value ? "true" : "false";
 }
 
-std::string text(CollisionMode mode) {
-  switch (mode) {
-    case CollisionMode::off:
-      return "off";
-    case CollisionMode::literal:
-      return "literal";
-    case CollisionMode::eroded:
-      return "eroded";
-  }
-  return "";
-}
-
 std::string text(const std::vector<bool>& values) {
   std::string list;
   for (const bool value : values) list.append(list.empty() ? "" : " ").append(text(value));
@@ -51,6 +39,18 @@ std::string value_of(const CLI::Option& option) {
 }
 
 }  // namespace
+
+std::string collision_mode_text(CollisionMode mode) {
+  switch (mode) {
+    case CollisionMode::off:
+      return "off";
+    case CollisionMode::literal:
+      return "literal";
+    case CollisionMode::eroded:
+      return "eroded";
+  }
+  return "";
+}
 
 NamedValues options_in_force(const CLI::App& options) {
   NamedValues values;
@@ -72,7 +72,7 @@ NamedValues parameters_in_force(const TrackerOptions& options) {
       {"cut", text(registration.cut)},
       {"lambda_free", text(registration.lambda_free)},
       {"free_space_dead_zone", text(registration.free_space_dead_zone)},
-      {"collision", text(registration.collision)},
+      {"collision", collision_mode_text(registration.collision)},
       {"lambda_collision", text(registration.lambda_collision)},
       {"collision_sigma", text(registration.collision_sigma)},
       {"erosion", text(registration.erosion)},

@@ -14,14 +14,12 @@
 #include "lockbox/simulation/simulator.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 #include "model_options.hpp"
+#include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {
-
-/// A PrimeSense-class sensor at full resolution.
-constexpr PinholeCamera kDefaultCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
 
 constexpr int kUsualRate = 30;  // frames a second
 
@@ -124,7 +122,7 @@ class SimulateCommand : public Command {
   }
 
   PinholeCamera camera() const {
-    if (camera_info_.empty()) return kDefaultCamera;
+    if (camera_info_.empty()) return kPrimeSenseCamera;
     const CameraCalibration calibration = read_camera_info(camera_info_);
     if (calibration.has_distortion()) {
       throw InputError(camera_info_, "images are rendered without distortion; set it to zero");

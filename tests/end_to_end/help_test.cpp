@@ -9,7 +9,8 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::vector<std::string> kCommands = {"track", "simulate", "record", "evaluate", "inspect"};
+const std::vector<std::string> kCommands = {"track",    "simulate",   "record",
+                                            "evaluate", "experiment", "inspect"};
 
 TEST(Help, ListsAllCommands) {
   const auto result = run_tool({"--help"});
@@ -21,7 +22,7 @@ TEST(Help, OfEachCommandShowsItsOptionsAndAnExample) {
   for (const auto& command : kCommands) {
     const auto result = run_tool({command, "--help"});
     EXPECT_EQ(result.status, 0) << command;
-    EXPECT_THAT(result.output, HasSubstr("Example:\n  lockbox " + command + " --"));
+    EXPECT_THAT(result.output, HasSubstr("Example:\n  lockbox " + command + " "));
     EXPECT_THAT(result.output, HasSubstr("--config"));
     EXPECT_THAT(result.errors, IsEmpty());
   }
