@@ -65,6 +65,13 @@ TEST(Welding, DropsWhatHasNoArea) {
   EXPECT_EQ(result.vertices.size(), 8U);
 }
 
+TEST(Welding, DropsTrianglesThatAreThereTwice) {
+  TriangleMesh mesh = make_box({1, 1, 1});
+  append(mesh, mesh);
+  mesh.triangles.push_back({mesh.triangles[0][1], mesh.triangles[0][2], mesh.triangles[0][0]});
+  EXPECT_EQ(welded(mesh).triangles, welded(make_box({1, 1, 1})).triangles);
+}
+
 TEST(Welding, OfNothingIsNothing) {
   EXPECT_TRUE(welded({}).triangles.empty());
 }

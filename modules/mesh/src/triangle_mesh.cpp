@@ -48,10 +48,17 @@ TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& T_a_b) {
 
 void append(TriangleMesh& mesh, const TriangleMesh& other) {
   const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  mesh.triangles.reserve(mesh.triangles.size() + other.triangles.size());
-  for (const auto& triangle : other.triangles) {
-    mesh.triangles.push_back({triangle[0] + offset, triangle[1] + offset, triangle[2] + offset});
+  const std::size_t vertices = other.vertices.size();
+  const std::size_t triangles = other.triangles.size();
+  // By number, not by iterator: a mesh may be appended to itself.
+  mesh.vertices.reserve(offset + vertices);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    mesh.vertices.emplace_back(other.vertices[v]);
+  }
+  mesh.triangles.reserve(mesh.triangles.size() + triangles);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const auto [a, b, c] = other.triangles[t];
+    mesh.triangles.push_back({a + offset, b + offset, c + offset});
   }
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <unordered_map>
 
 #include "lockbox/mesh/repair.hpp"
@@ -64,6 +66,12 @@ class VertexIndex {
   std::unordered_multimap<Cell, std::uint32_t, CellHash> cells_;
 };
 
+/// The same for the same corners in the same sense of rotation.
+std::array<std::uint32_t, 3> smallest_first(std::array<std::uint32_t, 3> triangle) {
+  std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+  return triangle;
+}
+
 }  // namespace
 
 TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
@@ -77,6 +85,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
   constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> merged(mesh.vertices.size(), kUnseen);
   std::vector<std::uint32_t> renumbered(mesh.vertices.size(), kUnseen);
+  std::set<std::array<std::uint32_t, 3>> seen;
   TriangleMesh result;
   for (auto triangle : mesh.triangles) {
     for (std::uint32_t& vertex : triangle) {
@@ -98,7 +107,9 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
       }
       vertex = renumbered[vertex];
     }
-    result.triangles.push_back(triangle);
+    if (seen.insert(smallest_first(triangle)).second) {
+      result.triangles.push_back(triangle);
+    }
   }
   return result;
 }

@@ -112,7 +112,7 @@ SignedDistanceField build_field(const TriangleMesh& mesh, const FieldOptions& op
       sample_coarse_grid(solid.tree(), solid.winding(), options.far_reach, executor), solid);
   const FineGrid first = choose_fine_grid(solid, options, executor);
   SignedDistanceField field = with_fine_grid(coarse, first, solid, executor);
-  if (options.voxel > 0.0 || !solid.winding().is_closed()) {
+  if (options.voxel > 0.0) {
     return field;
   }
   // Interpolation rounds sharp edges off, by a volume that falls with the voxel's square; on small
@@ -129,7 +129,10 @@ SignedDistanceField build_field(const TriangleMesh& mesh, const FieldOptions& op
       break;
     }
     field = with_fine_grid(coarse, grid, solid, executor);
-    error = volume_error(field);
+    const double previous = std::exchange(error, volume_error(field));
+    if (error > 0.8 * previous) {
+      break;  // not a matter of the voxel: a mesh with gaps has no exact volume
+    }
   }
   return field;
 }

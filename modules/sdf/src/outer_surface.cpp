@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "lockbox/mesh/surface_sampling.hpp"
@@ -14,18 +15,40 @@ namespace {
 /// How far beside the surface the winding number is asked for, as a share of the diagonal.
 constexpr double kStandOff = 2e-5;
 
+/// A part of the mesh that can bury another part, or be buried.
 struct Bounded {
-  std::uint32_t shell;
+  std::uint32_t part;
   Eigen::AlignedBox3d box;
+  double piece;  ///< longest side of the pieces that a triangle within the box is judged by
 };
 
-std::vector<Bounded> shell_bounds(const TriangleMesh& mesh, const Shells& shells) {
-  std::vector<Bounded> boxes(shells.count);
+/// Each closed shell is a part; all that is not closed is one together, for it bounds nothing
+/// alone.
+Shells find_parts(const TriangleMesh& mesh) {
+  Shells parts = find_shells(mesh);
+  std::vector<std::uint8_t> is_open(parts.count, 0);
+  for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> edge) {
+    if (edge.size() != 2) {
+      for (const HalfEdge& half : edge) {
+        is_open[parts.of_triangle[half.triangle]] = 1;
+      }
+    }
+  });
+  for (std::uint32_t& part : parts.of_triangle) {
+    part = is_open[part] != 0 ? parts.count : part;
+  }
+  ++parts.count;
+  return parts;
+}
+
+std::vector<Bounded> part_bounds(const TriangleMesh& mesh, const Shells& parts) {
+  std::vector<Bounded> boxes(parts.count);
+  for (std::uint32_t part = 0; part < parts.count; ++part) {
+    boxes[part] = {part, {}, 0.0};
+  }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint32_t shell = shells.of_triangle[t];
-    boxes[shell].shell = shell;
     for (const Eigen::Vector3d& corner : mesh.corners(t)) {
-      boxes[shell].box.extend(corner);
+      boxes[parts.of_triangle[t]].box.extend(corner);
     }
   }
   return boxes;
@@ -44,8 +67,8 @@ class BuriedRemover {
   BuriedRemover(const TriangleMesh& mesh, const WindingTree& winding)
       : mesh_(mesh),
         winding_(winding),
-        shells_(find_shells(mesh)),
-        boxes_(shell_bounds(mesh, shells_)),
+        parts_(find_parts(mesh)),
+        boxes_(part_bounds(mesh, parts_)),
         middle_(bounds(mesh).center()),
         diagonal_(bounds(mesh).diagonal().norm()) {}
 
@@ -65,9 +88,12 @@ class BuriedRemover {
  private:
   std::vector<Bounded> others_near(const Eigen::AlignedBox3d& box, std::uint32_t triangle) const {
     std::vector<Bounded> others;
-    for (const Bounded& shell : boxes_) {
-      if (shell.shell != shells_.of_triangle[triangle] && is_near(box, shell.box)) {
-        others.push_back(shell);
+    const std::uint32_t open_part = parts_.count - 1;
+    for (const Bounded& part : boxes_) {
+      const bool is_other = part.part != parts_.of_triangle[triangle];
+      if ((is_other || part.part == open_part) && !part.box.isEmpty() && is_near(box, part.box)) {
+        // What is not closed seldom buries itself: a coarser look must do.
+        others.push_back({part.part, part.box, diagonal_ / (is_other ? 64.0 : 16.0)});
       }
     }
     return others;
@@ -81,26 +107,20 @@ class BuriedRemover {
   /// parts, so that only the border of the buried region is cut finely.
   bool keep_exposed(const Corners& piece, const Eigen::Vector3d& normal,
                     const std::vector<Bounded>& others) {
-    const Eigen::AlignedBox3d box = box_of(piece);
-    if (std::none_of(others.begin(), others.end(),
-                     [&](const Bounded& other) { return is_near(box, other.box); })) {
+    const double judged = judged_length(box_of(piece), others);
+    if (std::isinf(judged)) {
       surface_.volume += volume_below(piece);
       pieces_.push_back(piece);
       return true;
     }
     std::size_t longest = 0;
     const double length = longest_side(piece, longest);
-    if (length <= diagonal_ / 128.0) {
-      const int exposed = count_exposed(piece, normal);
-      const bool is_mixed = exposed > 0 && exposed < kProbes;
-      if (!is_mixed || length <= diagonal_ / 1024.0) {
-        if (is_exposed((piece[0] + piece[1] + piece[2]) / 3.0, normal)) {
-          surface_.volume += volume_below(piece);
-        }
-        if (exposed > 0) {
-          pieces_.push_back(piece);
-        }
-        return exposed > 0;
+    if (length <= judged) {
+      const Probes probes = probe(piece, normal);
+      const bool is_mixed = std::any_of(probes.begin(), probes.end(),
+                                        [&](int jump) { return jump != probes.front(); });
+      if (!is_mixed || length <= judged / 4.0) {
+        return keep_judged(piece, probes);
       }
     }
     const std::size_t first = pieces_.size();
@@ -118,6 +138,40 @@ class BuriedRemover {
     return left_whole && right_whole;
   }
 
+  /// Of the parts that come near the box, the finest piece; infinity if none does.
+  double judged_length(const Eigen::AlignedBox3d& box, const std::vector<Bounded>& others) const {
+    double length = std::numeric_limits<double>::infinity();
+    for (const Bounded& other : others) {
+      length = is_near(box, other.box) ? std::min(length, other.piece) : length;
+    }
+    return length;
+  }
+
+  /// How often each of four points is surface, see jump_at(): the middle, then near the corners.
+  using Probes = std::array<int, 4>;
+
+  Probes probe(const Corners& piece, const Eigen::Vector3d& normal) const {
+    const Eigen::Vector3d middle = (piece[0] + piece[1] + piece[2]) / 3.0;
+    Probes probes = {jump_at(middle, normal), 0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      probes[i + 1] = jump_at(piece[i] + 0.01 * (middle - piece[i]), normal);
+    }
+    return probes;
+  }
+
+  /// The volume goes by the middle of a piece, so that errors even out; but no piece is dropped
+  /// while any of it is exposed. Where faces of several shells coincide, each gets its share.
+  bool keep_judged(const Corners& piece, const Probes& probes) {
+    if (probes.front() != 0) {
+      surface_.volume += volume_below(piece) / probes.front();
+    }
+    const bool is_kept = std::any_of(probes.begin(), probes.end(), [](int n) { return n != 0; });
+    if (is_kept) {
+      pieces_.push_back(piece);
+    }
+    return is_kept;
+  }
+
   static double longest_side(const Corners& piece, std::size_t& longest) {
     double length = 0.0;
     for (std::size_t side = 0; side < 3; ++side) {
@@ -130,21 +184,14 @@ class BuriedRemover {
     return length;
   }
 
-  static constexpr int kProbes = 4;
-
-  /// At the middle and just inside the corners.
-  int count_exposed(const Corners& piece, const Eigen::Vector3d& normal) const {
-    const Eigen::Vector3d middle = (piece[0] + piece[1] + piece[2]) / 3.0;
-    int exposed = is_exposed(middle, normal) ? 1 : 0;
-    for (const Eigen::Vector3d& corner : piece) {
-      exposed += is_exposed(corner + 0.01 * (middle - corner), normal) ? 1 : 0;
-    }
-    return exposed;
-  }
-
-  bool is_exposed(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
+  /// By how much the winding number rises from the outside to the inside; 0 where both sides are
+  /// inside the solid, or both outside.
+  int jump_at(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
     const Eigen::Vector3d offset = kStandOff * diagonal_ * normal;
-    return winding_.is_inside(p + offset) != winding_.is_inside(p - offset);
+    const double outside = winding_.counted(p + offset);
+    const double inside = winding_.counted(p - offset);
+    const int jump = static_cast<int>(std::lround(inside - outside));
+    return (outside > 0.5) == (inside > 0.5) ? 0 : (jump == 0 ? 1 : jump);
   }
 
   /// The piece's term of the divergence theorem, m^3.
@@ -161,7 +208,7 @@ class BuriedRemover {
 
   const TriangleMesh& mesh_;
   const WindingTree& winding_;
-  Shells shells_;
+  Shells parts_;
   std::vector<Bounded> boxes_;
   Eigen::Vector3d middle_;
   double diagonal_;
@@ -176,11 +223,12 @@ double open_share(const TriangleMesh& mesh, const WindingTree& winding) {
     return 0.0;
   }
   constexpr double kSamples = 2000.0;
+  constexpr double kPrecise = 12.0;
   const double stand_off = kStandOff * bounds(mesh).diagonal().norm();
   const auto samples = sample_surface(mesh, std::sqrt(surface_area(mesh) / kSamples));
   double sum = 0.0;
   for (const SurfaceSample& sample : samples) {
-    const double outside = winding(sample.position + stand_off * sample.normal);
+    const double outside = winding(sample.position + stand_off * sample.normal, kPrecise);
     sum += std::abs(outside - std::round(outside));
   }
   // A hole takes away the solid angle that it is seen under, 2 pi at most of the 4 pi.

@@ -18,7 +18,7 @@ struct OuterSurface {
 double open_share(const TriangleMesh& mesh, const WindingTree& winding);
 
 /// Drops what lies within other shells: there the winding number exceeds one half on both sides.
-/// A triangle that is only partly buried is cut, down to about a thousandth of the body's
+/// A triangle that is only partly buried is cut, down to a 250th of the body's
 /// diagonal; what is buried of the last pieces stays.
 OuterSurface find_outer_surface(const TriangleMesh& mesh, const WindingTree& winding);
 

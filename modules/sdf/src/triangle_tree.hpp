@@ -6,13 +6,9 @@
 #include <optional>
 
 #include "lockbox/mesh/triangle_mesh.hpp"
+#include "point_triangle.hpp"
 
 namespace lockbox {
-
-using Corners = std::array<Eigen::Vector3d, 3>;
-
-/// Squared distance from p to a triangle, m^2 (Ericson, Real-Time Collision Detection, 5.1.5).
-double squared_distance(const Eigen::Vector3d& p, const Corners& triangle);
 
 /// Immutable; all queries are thread-safe and deterministic.
 class TriangleTree {

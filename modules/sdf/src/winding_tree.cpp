@@ -41,11 +41,11 @@ WindingTree::WindingTree(const TriangleMesh& mesh)
   }
 }
 
-double WindingTree::operator()(const Eigen::Vector3d& p) const {
-  return solid_angle_of(0, p) / (4.0 * std::numbers::pi);
+double WindingTree::operator()(const Eigen::Vector3d& p, double far) const {
+  return solid_angle_of(0, p, far) / (4.0 * std::numbers::pi);
 }
 
-bool WindingTree::is_inside(const Eigen::Vector3d& p) const {
+double WindingTree::counted(const Eigen::Vector3d& p) const {
   // Directions that CAD faces are unlikely to lie along; where one meets an edge, try the next.
   static const std::array<Eigen::Vector3d, 3> kDirections = {
       Eigen::Vector3d(0.2831, 0.5417, 0.7915).normalized(),
@@ -54,25 +54,23 @@ bool WindingTree::is_inside(const Eigen::Vector3d& p) const {
   if (is_closed_) {
     for (const Eigen::Vector3d& direction : kDirections) {
       if (const auto exits = tree_.net_exits(p, direction)) {
-        return *exits > 0;
+        return *exits;
       }
     }
   }
-  return (*this)(p) > 0.5;
+  return (*this)(p);
 }
 
-double WindingTree::solid_angle_of(std::uint32_t node, const Eigen::Vector3d& p) const {
-  // Beyond this many radii a cluster is taken for a dipole.
-  constexpr double kFar = 3.0;
+double WindingTree::solid_angle_of(std::uint32_t node, const Eigen::Vector3d& p, double far) const {
   const Dipole& dipole = dipoles_[node];
   const Eigen::Vector3d offset = dipole.centre - p;
   const double squared = offset.squaredNorm();
-  if (squared > kFar * kFar * dipole.radius * dipole.radius) {
+  if (squared > far * far * dipole.radius * dipole.radius) {
     return dipole.area.dot(offset) / (squared * std::sqrt(squared));
   }
   const TriangleTree::Node& range = tree_.nodes()[node];
   if (range.right != 0) {
-    return solid_angle_of(node + 1, p) + solid_angle_of(range.right, p);
+    return solid_angle_of(node + 1, p, far) + solid_angle_of(range.right, p, far);
   }
   double sum = 0.0;
   for (std::uint32_t slot = range.begin; slot < range.end; ++slot) {

@@ -11,12 +11,15 @@ class WindingTree {
  public:
   explicit WindingTree(const TriangleMesh& mesh);
 
-  /// Agrees with winding_number(mesh, p) to about 0.01.
-  double operator()(const Eigen::Vector3d& p) const;
+  /// Clusters farther than far times their radius act as dipoles; at 3 the result agrees with
+  /// winding_number(mesh, p) to about 0.01, and the error falls with the square of far.
+  double operator()(const Eigen::Vector3d& p, double far = 3.0) const;
 
-  /// Whether the winding number exceeds one half. Where the whole surface is closed that number is
-  /// an integer, and counting the faces along a ray gives it sooner.
-  bool is_inside(const Eigen::Vector3d& p) const;
+  /// The winding number; where the whole surface is closed it is an integer, and counting the faces
+  /// along a ray gives it exactly, and sooner.
+  double counted(const Eigen::Vector3d& p) const;
+
+  bool is_inside(const Eigen::Vector3d& p) const { return counted(p) > 0.5; }
 
   bool is_closed() const { return is_closed_; }
 
@@ -28,7 +31,7 @@ class WindingTree {
   };
 
   /// Sum of the solid angles of the triangles below a node, steradians.
-  double solid_angle_of(std::uint32_t node, const Eigen::Vector3d& p) const;
+  double solid_angle_of(std::uint32_t node, const Eigen::Vector3d& p, double far) const;
 
   TriangleTree tree_;
   bool is_closed_;

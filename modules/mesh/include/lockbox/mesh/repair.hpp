@@ -7,7 +7,8 @@
 namespace lockbox {
 
 /// Merges vertices closer than tolerance (metres; default a millionth of the bounds' diagonal) into
-/// the first of them, drops the triangles that lose their area and the vertices nobody uses.
+/// the first of them, drops the triangles that lose their area or repeat another, and the
+/// vertices that nobody uses.
 TriangleMesh welded(const TriangleMesh& mesh, double tolerance = 0.0);
 
 /// Turns triangles until neighbours agree, shell by shell, keeping as much of the area as possible
