@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_segmentation.hpp"
 
-#include <pcl/sample_consensus/ransac.h>
+#include <pcl/sample_consensus/msac.h>
 #include <pcl/sample_consensus/sac_model_plane.h>
 
 #include <algorithm>
@@ -15,15 +15,23 @@ namespace {
 /// Length that makes 1/depth a coordinate like the others: so small that planes are seldom steep
 /// in it, and distances from them are differences in 1/depth. Metres.
 constexpr float kInverseDepthScale = 0.1F;
-/// In standard deviations: what supports a plane, and what is not looked at again for the next.
+/// Planes are found by the means of so many by so many samples. The noise of neighbours goes
+/// together: what is left of its standard deviation is this share.
+constexpr int kBlock = 3;
+constexpr double kBlockNoise = 0.6;
+/// Second difference of 1/depth that is still noise, in standard deviations of a sample (3 sigma of
+/// the difference of independent ones).
+constexpr double kMaxBend = 8.0;
+/// In standard deviations of a block: what supports a plane, and what is not looked at again for
+/// the next.
 constexpr double kSupport = 1.5;
-constexpr double kExplained = 2.5;
-/// Share of the samples below which a plane is not worth finding.
+constexpr double kExplained = 4.0;
+/// Share of the blocks below which a plane is not worth finding.
 constexpr double kMinSupport = 0.02;
 constexpr int kRefinements = 2;
 /// Twice the area of the triangle of three points that are drawn, for rays at unit depth.
-constexpr float kMinSpread = 0.003F;
-constexpr int kMaxTrials = 200;
+constexpr float kMinSpread = 0.01F;
+constexpr int kMaxTrials = 300;
 /// That a trial hits the plane; so high because the best of many trials is the more exact one, and
 /// an inexact one joins two parallel planes.
 constexpr double kSuccess = 0.999999;
@@ -32,15 +40,37 @@ Eigen::Vector3f ray_of(const pcl::PointXYZ& point) {
   return {point.x / point.z, point.y / point.z, 1.0F};
 }
 
-/// Of every third measured sample of every third row: enough to find planes by.
-pcl::PointCloud<pcl::PointXYZ>::Ptr ray_coordinates(const SampleGrid& grid) {
+/// The mean of a block of 3 x 3 samples in ray coordinates, which lies on the plane that they lie
+/// on; nothing if some are not measured or an edge runs through them.
+std::optional<Eigen::Vector3f> block_mean(const SampleGrid& grid, int column, int row,
+                                          double noise) {
+  Eigen::Matrix3f inverse_depth;
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  for (int r = 0; r < kBlock; ++r) {
+    for (int c = 0; c < kBlock; ++c) {
+      const pcl::PointXYZ& point = (*grid.points)[grid.index(column + c, row + r)];
+      inverse_depth(r, c) = 1.0F / point.z;
+      mean += Eigen::Vector3f(point.x, point.y, kInverseDepthScale) / (9.0F * point.z);
+    }
+  }
+  const auto bend = [&](const Eigen::Vector3f& line) {
+    return std::abs(line[0] - 2.0F * line[1] + line[2]);
+  };
+  const auto max_bend = static_cast<float>(kMaxBend * noise);
+  for (int i = 0; i < kBlock; ++i) {
+    if (!(bend(inverse_depth.row(i)) < max_bend && bend(inverse_depth.col(i)) < max_bend)) {
+      return std::nullopt;
+    }
+  }
+  return mean;
+}
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr ray_coordinates(const SampleGrid& grid, double noise) {
   auto rays = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  for (int row = 0; row < grid.rows; row += 3) {
-    for (int column = 0; column < grid.columns; column += 3) {
-      const std::size_t sample = grid.index(column, row);
-      if (grid.is_measured(sample)) {
-        const pcl::PointXYZ& point = (*grid.points)[sample];
-        rays->push_back({point.x / point.z, point.y / point.z, kInverseDepthScale / point.z});
+  for (int row = 0; row + kBlock <= grid.rows; row += kBlock) {
+    for (int column = 0; column + kBlock <= grid.columns; column += kBlock) {
+      if (const auto mean = block_mean(grid, column, row, noise)) {
+        rays->push_back({mean->x(), mean->y(), mean->z()});
       }
     }
   }
@@ -78,14 +108,14 @@ std::optional<Plane> largest_plane(const pcl::PointCloud<pcl::PointXYZ>::ConstPt
                                    std::size_t min_support) {
   const double threshold = kSupport * noise * double{kInverseDepthScale};
   const auto model = pcl::make_shared<PlaneModel>(rays, remaining);
-  pcl::RandomSampleConsensus<pcl::PointXYZ> ransac(model, threshold);
-  ransac.setMaxIterations(kMaxTrials);
-  ransac.setProbability(kSuccess);
-  if (!ransac.computeModel()) {
+  pcl::MEstimatorSampleConsensus<pcl::PointXYZ> consensus(model, threshold);
+  consensus.setMaxIterations(kMaxTrials);
+  consensus.setProbability(kSuccess);
+  if (!consensus.computeModel()) {
     return std::nullopt;
   }
   Eigen::VectorXf coefficients;
-  ransac.getModelCoefficients(coefficients);
+  consensus.getModelCoefficients(coefficients);
   pcl::Indices support;
   for (int i = 0; i < kRefinements; ++i) {
     model->selectWithinDistance(coefficients, threshold, support);
@@ -111,24 +141,26 @@ void remove_explained(const Plane& plane, double noise, const pcl::PointCloud<pc
 
 }  // namespace
 
-// pcl::RandomSampleConsensus, seeded, a few milliseconds on these few points; what
-// pcl::SACSegmentation wraps, for the sake of the model above.
-// pcl::OrganizedMultiPlaneSegmentation needs normals first (36 ms), and those of noisy points
+// pcl::MEstimatorSampleConsensus, seeded, a few milliseconds on these few points: it scores by
+// squared distances, where pcl::RandomSampleConsensus counts points and so prefers a plane that
+// cuts through two parallel ones. pcl::SACSegmentation wraps both, but draws from a model of its
+// own. pcl::OrganizedMultiPlaneSegmentation needs normals first (36 ms), and those of noisy points
 // cannot tell two parallel planes from one.
 std::vector<Plane> find_planes(const SampleGrid& grid, double noise) {
-  const auto rays = ray_coordinates(grid);
+  const auto rays = ray_coordinates(grid, noise);
+  const double block_noise = kBlockNoise * noise;
   pcl::Indices remaining(rays->size());
   std::iota(remaining.begin(), remaining.end(), 0);
   const auto min_support =
       std::max<std::size_t>(10, static_cast<std::size_t>(kMinSupport * double(rays->size())));
   std::vector<Plane> planes;
   while (planes.size() < kMaxPlanes && remaining.size() >= min_support) {
-    const auto plane = largest_plane(rays, remaining, noise, min_support);
+    const auto plane = largest_plane(rays, remaining, block_noise, min_support);
     if (!plane) {
       break;
     }
     planes.push_back(*plane);
-    remove_explained(*plane, noise, *rays, remaining);
+    remove_explained(*plane, block_noise, *rays, remaining);
   }
   return planes;
 }

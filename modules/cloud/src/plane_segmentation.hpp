@@ -6,7 +6,7 @@
 // same everywhere. Two parallel planes 18 mm apart stay two, near and far.
 #pragma once
 
-#include <cstdint>
+#include <cmath>
 #include <vector>
 
 #include "sample_grid.hpp"
