@@ -94,7 +94,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
     const double iteration_spread = annealing.spread * spread_share(k, annealing.iterations);
     const double cost = linearize(cloud, iteration_spread);
     ++result_.iterations;
-    const bool moved = improve(cloud, cost);
+    const bool moved = improve(cloud, cost, annealing.hold_joints);
     result_.converged = !moved && iteration_spread == 0.0;
   }
   // The covariance, and what the model explains, belong to the solution.
@@ -155,8 +155,8 @@ double ArticulatedRegistration::cost_at(const TiledCloud& cloud,
 }
 
 /// Takes the best acceptable step; false if there was none, or none worth taking.
-bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost) {
-  const StepLimits limits = step_limits();
+bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool hold_joints) {
+  const StepLimits limits = step_limits(hold_joints);
   double damping = 0.0;
   for (int trial = 0; trial <= kMaxDampings; ++trial) {
     const Eigen::VectorXd step = bounded_step(equations_, damping, limits, scale_);
@@ -173,7 +173,7 @@ bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost) {
   return false;
 }
 
-StepLimits ArticulatedRegistration::step_limits() const {
+StepLimits ArticulatedRegistration::step_limits(bool hold_joints) const {
   const Index n = scale_.unit.size();
   constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   StepLimits limits{Eigen::VectorXd::Constant(n, -kUnlimited),
@@ -185,7 +185,7 @@ StepLimits ArticulatedRegistration::step_limits() const {
   for (int v = 0; v < model_.tree.variables(); ++v) {
     const VariableLimits range = variable_limits(model_.tree, v);
     const double q = result_.configuration.q[v];
-    const bool locked = options_.locked[static_cast<std::size_t>(v)];
+    const bool locked = hold_joints || options_.locked[static_cast<std::size_t>(v)];
     limits.lower[6 + v] = locked ? 0.0 : std::min(0.0, range.lower - q);
     limits.upper[6 + v] = locked ? 0.0 : std::max(0.0, range.upper - q);
   }

@@ -36,8 +36,7 @@ const TrackingResult& Tracker::process(const DepthFrame& frame) {
   result_.stamp = frame.stamp;
   if (start_) {
     predictor_.reset(frame.stamp, *start_);
-    const RegistrationResult& found =
-        registration_.align(cloud_, *start_, {options_.start_spread, options_.start_iterations});
+    const RegistrationResult& found = find_start(*start_);
     judge(found);
     predictor_.reset(frame.stamp, found.configuration);
     start_.reset();
@@ -52,6 +51,14 @@ const TrackingResult& Tracker::process(const DepthFrame& frame) {
   result_.latency_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
   return result_;
+}
+
+const RegistrationResult& Tracker::find_start(const Configuration& start) {
+  const Configuration placed =
+      registration_.align(cloud_, start, {options_.start_spread, options_.start_iterations, true})
+          .configuration;
+  return registration_.align(cloud_, placed,
+                             {options_.start_joint_spread, options_.start_joint_iterations});
 }
 
 void Tracker::judge(const RegistrationResult& registered) {

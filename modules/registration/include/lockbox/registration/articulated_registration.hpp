@@ -34,8 +34,9 @@ struct Agreement {
 
 /// Gates begin with the spread and end with the sensor's noise alone.
 struct Annealing {
-  double spread = 0.0;  ///< metres: how far surfaces may be from where the start puts them
-  int iterations = 3;   ///< linearisations, at most
+  double spread = 0.0;       ///< metres: how far surfaces may be from where the start puts them
+  int iterations = 3;        ///< linearisations, at most
+  bool hold_joints = false;  ///< move the base only
 };
 
 struct RegistrationResult {
@@ -75,8 +76,8 @@ class ArticulatedRegistration {
   void look_at(const TiledCloud& cloud, const Configuration& configuration);
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration);
-  bool improve(const TiledCloud& cloud, double cost);
-  StepLimits step_limits() const;
+  bool improve(const TiledCloud& cloud, double cost, bool hold_joints);
+  StepLimits step_limits(bool hold_joints) const;
   void mark_object_pixels(const TiledCloud& cloud);
   void measure_agreement(const TiledCloud& cloud);
   double largest_move(const Eigen::VectorXd& step) const;

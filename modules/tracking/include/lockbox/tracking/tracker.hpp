@@ -25,10 +25,12 @@ struct TrackerOptions {
   CloudOptions cloud;
   int threads = 0;  ///< 0: all cores
 
-  /// Where the start may be wrong: surfaces this far off are still found (metres), in this many
-  /// linearisations.
+  /// The first frame: the base alone, from where its surfaces are this far off (metres), then the
+  /// joints too, within a narrow gate: wide gates would turn and slide parts onto each other.
   double start_spread = 0.04;
   int start_iterations = 30;
+  double start_joint_spread = 0.005;
+  int start_joint_iterations = 10;
 
   /// `tracking` needs at least these shares of the visible surface: explained of all of it, and of
   /// the part that is explained or contradicted.
@@ -67,6 +69,7 @@ class Tracker {
   const CollisionTerm& collision() const { return registration_.collision(); }
 
  private:
+  const RegistrationResult& find_start(const Configuration& start);
   void judge(const RegistrationResult& registered);
 
   const ArticulatedModel& model_;
