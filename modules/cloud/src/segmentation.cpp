@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "cluster.hpp"
@@ -68,6 +69,15 @@ double expected_pixels(const PinholeCamera& camera, const std::vector<ExpectedBo
     most = visible.isEmpty() ? most : std::max(most, visible.volume());
   }
   return most;
+}
+
+std::vector<std::uint8_t> outside_scene_planes(const std::vector<int>& surface,
+                                               const std::vector<std::uint8_t>& is_scene) {
+  std::vector<std::uint8_t> outside(surface.size());
+  std::transform(surface.begin(), surface.end(), outside.begin(), [&](int plane) {
+    return plane < 0 || is_scene[static_cast<std::size_t>(plane)] == 0 ? 1 : 0;
+  });
+  return outside;
 }
 
 std::vector<Cell> make_cells(const SampleGrid& grid, const std::vector<std::uint8_t>& object,
@@ -137,17 +147,10 @@ std::optional<std::vector<std::uint8_t>> ObjectSegmenter::segment(
   const std::vector<int> surface = surface_planes(grid, planes, tolerance);
   const auto is_scene = scene_planes(grid, planes, surface, near, bodies, margin);
 
-  std::vector<std::uint8_t> candidates(grid.size(), 1);
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const bool of_scene = surface[i] >= 0 && is_scene[static_cast<std::size_t>(surface[i])] != 0;
-    candidates[i] = of_scene ? 0 : 1;
-  }
   const double gap = options_.cluster_gap * mean_distance(bodies);
-  auto object =
-      clusters_of_object(grid, candidates, near_bodies(grid, bodies, kClusterMargin * margin), gap);
-  std::transform(object.begin(), object.end(), near.begin(), object.begin(),
-                 [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>(a & b); });
-
+  auto object = clusters_of_object(grid, outside_scene_planes(surface, is_scene),
+                                   near_bodies(grid, bodies, kClusterMargin * margin), gap);
+  std::transform(object.begin(), object.end(), near.begin(), object.begin(), std::bit_and<>());
   const auto cells = make_cells(grid, object, surface, is_scene);
   auto mask = to_pixels(cloud, grid, cells, planes, tolerance, static_cast<float>(gap));
   const auto covered = static_cast<double>(std::count(mask.begin(), mask.end(), 1));
