@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "lockbox/cloud/segmentation.hpp"
+
 namespace lockbox {
 
 std::string to_string(TrackingStatus status) {
@@ -36,7 +38,7 @@ const TrackingResult& Tracker::process(const DepthFrame& frame) {
   result_.stamp = frame.stamp;
   if (start_) {
     predictor_.reset(frame.stamp, *start_);
-    const RegistrationResult& found = find_start(*start_);
+    const RegistrationResult& found = find_start(frame, *start_);
     judge(found);
     predictor_.reset(frame.stamp, found.configuration);
     start_.reset();
@@ -53,10 +55,27 @@ const TrackingResult& Tracker::process(const DepthFrame& frame) {
   return result_;
 }
 
-const RegistrationResult& Tracker::find_start(const Configuration& start) {
+/// Only the points that may be the object: table, walls and clutter would pull at wide gates.
+void Tracker::keep_object(const Configuration& start, double margin) {
+  BodyPoses poses;
+  forward_kinematics(model_.tree, start, poses);
+  std::vector<ExpectedBody> expected;
+  for (std::size_t b = 0; b < model_.fields.size(); ++b) {
+    if (model_.fields[b]) {
+      expected.push_back({poses[b], model_.fields[b]->bounds()});
+    }
+  }
+  if (const auto mask = ObjectSegmenter().segment(cloud_, expected, margin)) {
+    cloud_.keep(*mask);
+  }
+}
+
+const RegistrationResult& Tracker::find_start(const DepthFrame& frame, const Configuration& start) {
+  keep_object(start, options_.start_margin);
   const Configuration placed =
       registration_.align(cloud_, start, {options_.start_spread, options_.start_iterations, true})
           .configuration;
+  cloud_.assign(frame, options_.cloud, executor_);
   return registration_.align(cloud_, placed,
                              {options_.start_joint_spread, options_.start_joint_iterations});
 }

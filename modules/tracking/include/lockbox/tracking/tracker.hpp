@@ -27,6 +27,7 @@ struct TrackerOptions {
 
   /// The first frame: the base alone, from where its surfaces are this far off (metres), then the
   /// joints too, within a narrow gate: wide gates would turn and slide parts onto each other.
+  double start_margin = 0.2;  ///< points farther from the expected object are left out, metres
   double start_spread = 0.04;
   int start_iterations = 30;
   double start_joint_spread = 0.005;
@@ -69,7 +70,8 @@ class Tracker {
   const CollisionTerm& collision() const { return registration_.collision(); }
 
  private:
-  const RegistrationResult& find_start(const Configuration& start);
+  void keep_object(const Configuration& start, double margin);
+  const RegistrationResult& find_start(const DepthFrame& frame, const Configuration& start);
   void judge(const RegistrationResult& registered);
 
   const ArticulatedModel& model_;
