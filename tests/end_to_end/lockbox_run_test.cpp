@@ -13,7 +13,7 @@ TEST(Lockbox, IsTrackedWithAllItsJoints) {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return (folder / name).string(); };
   const auto simulated =
-      run_tool({"simulate", "--model", "lockbox", "--trajectory", "auto", "--frames", "120",
+      run_tool({"simulate", "--model", "lockbox", "--trajectory", "auto", "--frames", "300",
                 "--scene", "room", "--output", path("lockbox.oni")});
   ASSERT_EQ(simulated.status, 0) << simulated.errors;
   const auto tracked = run_tool(
