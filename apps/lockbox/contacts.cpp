@@ -41,6 +41,7 @@ std::vector<Contact> rest_contacts(const ArticulatedModel& model) {
   std::vector<Eigen::Isometry3d> poses;
   forward_kinematics(model.tree, rest_configuration(model.tree), poses);
   std::vector<std::vector<SurfaceSample>> samples;
+  samples.reserve(bodies.size());
   for (const auto& body : bodies) {
     samples.push_back(body.visuals.empty() ? std::vector<SurfaceSample>()
                                            : sample_surface(body.mesh, kSpacing));
