@@ -11,6 +11,7 @@
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/evaluation/run_bounds.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 #include "model_options.hpp"
@@ -79,6 +80,11 @@ class SimulateCommand : public Command {
         .add_option("--camera-info", camera_info_,
                     "ROS camera calibration (YAML) of the camera; default: 640x480, 575.8 px")
         ->type_name("FILE");
+    options
+        .add_option("--bounds", bounds_,
+                    "Also write how well each frame determines every unknown: the Cramer-Rao bound "
+                    "of its depth, for evaluate --bounds")
+        ->type_name("FILE.csv");
     options.add_option("--frames", frames_, "Number of frames of an auto trajectory")
         ->check(CLI::PositiveNumber);
     options.add_option("--threads", threads_, "Threads; 0: all cores")
@@ -94,6 +100,7 @@ class SimulateCommand : public Command {
     Simulator simulator(tree, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_));
 
     const bool is_recording = output_.extension() == ".oni";
+    const std::vector<State> rendered = states;
     if (is_recording) {
       write_recording(simulator, states);
     } else {
@@ -101,6 +108,7 @@ class SimulateCommand : public Command {
     }
     const auto truth = (is_recording ? output_.parent_path() : output_) / "groundtruth.csv";
     write_states(truth, tree, states);
+    if (!bounds_.empty()) write_run_bounds(tree, rendered, scene, states);
     if (!quiet_) std::cout << output_.string() << "\ntruth: " << truth.string() << '\n';
     return ExitStatus::done;
   }
@@ -142,6 +150,19 @@ class SimulateCommand : public Command {
     render(simulator, states, [&](const DepthFrame& frame) { writer.write(frame); });
   }
 
+  /// The scene's occluders move with the stamps that were rendered; the file carries the recorded.
+  void write_run_bounds(const KinematicTree& tree, std::vector<State> rendered,
+                        const PlacedScene& scene, const std::vector<State>& recorded) const {
+    rendered.resize(recorded.size());
+    Progress progress("bounds", rendered.size(), quiet_);
+    std::vector<FrameBound> bounds = compute_run_bounds(
+        tree, rendered, camera(), sensor_model(sensor_), scene, Executor(threads_),
+        [&](std::size_t frames) { progress.update(frames); });
+    progress.finish();
+    for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i].stamp = recorded[i].stamp;
+    write_bounds(bounds_, tree, bounds);
+  }
+
   /// Renders the states; after Ctrl-C only those that were rendered are left.
   void render(Simulator& simulator, std::vector<State>& states, const FrameSink& write) const {
     const Interruption interruption;
@@ -163,6 +184,7 @@ class SimulateCommand : public Command {
   std::uint64_t seed_ = 1;
   std::string scene_;
   std::string camera_info_;
+  std::filesystem::path bounds_;
   int frames_ = 300;
   int threads_ = 0;
   bool quiet_ = false;

@@ -6,9 +6,9 @@
 namespace lockbox {
 namespace {
 
-constexpr double kLeastSpread = 0.004;    // metres
-constexpr double kLargestSpread = 0.012;  // metres: wider gates drag parts onto each other
-constexpr double kSpreadFactor = 2.0;     // of the latest surface error
+constexpr double kLeastSpread = 0.003;    // metres
+constexpr double kLargestSpread = 0.005;  // metres: wider gates drag parts onto each other
+constexpr double kSpreadFactor = 1.0;     // of the latest surface error
 constexpr double kSpreadDecay = 0.7;      // a frame
 constexpr double kLongestStep = 0.2;      // seconds: beyond it no velocity says anything
 
