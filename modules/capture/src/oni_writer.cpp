@@ -69,16 +69,16 @@ struct Written {
 }  // namespace
 
 struct OniWriter::Impl {
-  Impl(const std::filesystem::path& path, const PinholeCamera& camera_, int frames_per_second,
+  Impl(const std::filesystem::path& path, const PinholeCamera& pinhole, int frames_per_second,
        float metres_per_unit)
-      : Impl(path, camera_, frames_per_second, metres_per_unit, connected_sockets()) {}
+      : Impl(path, pinhole, frames_per_second, metres_per_unit, connected_sockets()) {}
 
-  Impl(const std::filesystem::path& path, const PinholeCamera& camera_, int frames_per_second,
+  Impl(const std::filesystem::path& path, const PinholeCamera& pinhole, int frames_per_second,
        float metres_per_unit, std::array<int, 2> ends)
       : file(path),
-        camera(camera_),
+        camera(pinhole),
         unit(metres_per_unit),
-        sender(std::in_place, ends[0], camera_, frames_per_second, metres_per_unit, true) {
+        sender(std::in_place, ends[0], pinhole, frames_per_second, metres_per_unit, true) {
     require_writable(path);
     recorder.emplace(
         std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(RecorderProcess::kSocket), path,

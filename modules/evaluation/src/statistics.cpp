@@ -19,8 +19,8 @@ double percentile(const std::vector<double>& sorted, double share) {
 }  // namespace
 
 Statistics summarize(const std::vector<double>& errors) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  if (errors.empty()) return {0, nan, nan, nan, nan};
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  if (errors.empty()) return {0, kNan, kNan, kNan, kNan};
   std::vector<double> sorted;
   sorted.reserve(errors.size());
   double squares = 0.0;

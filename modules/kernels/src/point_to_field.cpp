@@ -125,7 +125,7 @@ HWY_INLINE Float lerp(const Float a, const Float b, const Float t) {
 }
 
 /// Tri-linear value and, if wanted, its exact gradient.
-template <bool kWithGradient>
+template <bool WithGradient>
 HWY_INLINE Float interpolate(const FieldView& field, const GridPosition& at, Float gradient[3]) {
   Float c000;
   Float c100;
@@ -148,7 +148,7 @@ HWY_INLINE Float interpolate(const FieldView& field, const GridPosition& at, Flo
   const Float x11 = lerp(c011, c111, t[0]);
   const Float y0 = lerp(x00, x10, t[1]);
   const Float y1 = lerp(x01, x11, t[1]);
-  if constexpr (kWithGradient) {
+  if constexpr (WithGradient) {
     const Float unit = hn::Mul(at.scale, at.inverse_voxel);
     const Float dx0 = lerp(hn::Sub(c100, c000), hn::Sub(c110, c010), t[1]);
     const Float dx1 = lerp(hn::Sub(c101, c001), hn::Sub(c111, c011), t[1]);
@@ -174,8 +174,8 @@ HWY_INLINE Float dot(const Float a[3], const Float b[3]) {
   return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
 }
 
-void LookUp(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
-            const PointSpan& points, const FieldHits& hits) {
+void look_up_points(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
+                    const PointSpan& points, const FieldHits& hits) {
   const FloatTag df;
   const Float zero = hn::Zero(df);
   const Float translation[3] = {hn::Set(df, motion.translation[0]),
@@ -218,8 +218,8 @@ void LookUp(const FieldView& field, const RigidMotion& motion, const PointNoise&
   }
 }
 
-void LookUpDistance(const FieldView& field, const RigidMotion& motion, const PointSpan& points,
-                    float* distance) {
+void look_up_point_distances(const FieldView& field, const RigidMotion& motion,
+                             const PointSpan& points, float* distance) {
   const FloatTag df;
   for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
     const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
@@ -242,9 +242,9 @@ HWY_INLINE Float likelihood(const Float distance, const Float inverse_variance) 
   return hn::IfThenElseZero(hn::Gt(inverse_variance, hn::Zero(df)), hn::Exp(df, bounded));
 }
 
-template <bool kWithWeights>
-double AssociateAll(const Candidates& candidates, std::span<float* const> weight,
-                    float* explained) {
+template <bool WithWeights>
+double associate_points_with(const Candidates& candidates, std::span<float* const> weight,
+                             float* explained) {
   const FloatTag df;
   const float outlier_cost = 0.5F * candidates.cut * candidates.cut;
   const Float c = hn::Set(df, outlier_cost);
@@ -262,13 +262,13 @@ double AssociateAll(const Candidates& candidates, std::span<float* const> weight
           hn::Mul(odds, likelihood(hn::LoadU(df, candidates.distance[l] + i),
                                    hn::LoadU(df, candidates.inverse_variance[l] + i)));
       sum = hn::Add(sum, share);
-      if constexpr (kWithWeights) {
+      if constexpr (WithWeights) {
         hn::StoreU(share, df, weight[l] + i);
       }
     }
     const Float gain = hn::Add(hn::Log(df, sum), c);
     total = hn::Sub(total, gain);
-    if constexpr (kWithWeights) {
+    if constexpr (WithWeights) {
       const Float inverse_sum = hn::Div(one, sum);
       for (std::size_t l = 0; l < candidates.distance.size(); ++l) {
         const Float iv = hn::LoadU(df, candidates.inverse_variance[l] + i);
@@ -281,15 +281,16 @@ double AssociateAll(const Candidates& candidates, std::span<float* const> weight
   return static_cast<double>(hn::GetLane(hn::SumOfLanes(df, total)));
 }
 
-double Associate(const Candidates& candidates, std::span<float* const> weight, float* explained) {
-  return AssociateAll<true>(candidates, weight, explained);
+double associate_points(const Candidates& candidates, std::span<float* const> weight,
+                        float* explained) {
+  return associate_points_with<true>(candidates, weight, explained);
 }
 
-double AssociationCost(const Candidates& candidates) {
-  return AssociateAll<false>(candidates, {}, nullptr);
+double total_association_cost(const Candidates& candidates) {
+  return associate_points_with<false>(candidates, {}, nullptr);
 }
 
-NormalSums Accumulate(std::size_t size, const FieldHits& hits, const float* weight) {
+NormalSums accumulate_points(std::size_t size, const FieldHits& hits, const float* weight) {
   const FloatTag df;
   Float hessian[21];
   Float gradient[6];
@@ -345,32 +346,32 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lockbox::kernels {
 
-HWY_EXPORT(LookUp);
-HWY_EXPORT(LookUpDistance);
-HWY_EXPORT(Associate);
-HWY_EXPORT(AssociationCost);
-HWY_EXPORT(Accumulate);
+HWY_EXPORT(look_up_points);
+HWY_EXPORT(look_up_point_distances);
+HWY_EXPORT(associate_points);
+HWY_EXPORT(total_association_cost);
+HWY_EXPORT(accumulate_points);
 
 void look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
              const PointSpan& points, const FieldHits& hits) {
-  HWY_DYNAMIC_DISPATCH(LookUp)(field, body_from_camera, noise, points, hits);
+  HWY_DYNAMIC_DISPATCH(look_up_points)(field, body_from_camera, noise, points, hits);
 }
 
 void look_up_distance(const FieldView& field, const RigidMotion& body_from_camera,
                       const PointSpan& points, float* distance) {
-  HWY_DYNAMIC_DISPATCH(LookUpDistance)(field, body_from_camera, points, distance);
+  HWY_DYNAMIC_DISPATCH(look_up_point_distances)(field, body_from_camera, points, distance);
 }
 
 double associate(const Candidates& candidates, std::span<float* const> weight, float* explained) {
-  return HWY_DYNAMIC_DISPATCH(Associate)(candidates, weight, explained);
+  return HWY_DYNAMIC_DISPATCH(associate_points)(candidates, weight, explained);
 }
 
 double association_cost(const Candidates& candidates) {
-  return HWY_DYNAMIC_DISPATCH(AssociationCost)(candidates);
+  return HWY_DYNAMIC_DISPATCH(total_association_cost)(candidates);
 }
 
 NormalSums accumulate(std::size_t size, const FieldHits& hits, const float* weight) {
-  return HWY_DYNAMIC_DISPATCH(Accumulate)(size, hits, weight);
+  return HWY_DYNAMIC_DISPATCH(accumulate_points)(size, hits, weight);
 }
 
 }  // namespace lockbox::kernels

@@ -42,10 +42,10 @@ struct Element {
   std::vector<Property> properties;
 };
 
-enum class Encoding { kText, kLittleEndian, kBigEndian };
+enum class Encoding { text, little_endian, big_endian };
 
 struct Header {
-  Encoding encoding = Encoding::kText;
+  Encoding encoding = Encoding::text;
   std::vector<Element> elements;
   std::string_view body;
   int lines = 0;
@@ -104,13 +104,13 @@ class HeaderReader {
 
   Encoding encoding(std::string_view name) const {
     if (name == "ascii") {
-      return Encoding::kText;
+      return Encoding::text;
     }
     if (name == "binary_little_endian") {
-      return Encoding::kLittleEndian;
+      return Encoding::little_endian;
     }
     if (name == "binary_big_endian") {
-      return Encoding::kBigEndian;
+      return Encoding::big_endian;
     }
     refuse("unknown format " + in_quotes(name));
   }
@@ -159,7 +159,7 @@ void require_vertex(std::size_t index, const Header& header, const std::string& 
 std::size_t read_unsigned(std::string_view bytes, Encoding encoding) {
   std::size_t value = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const std::size_t at = encoding == Encoding::kBigEndian ? i : bytes.size() - 1 - i;
+    const std::size_t at = encoding == Encoding::big_endian ? i : bytes.size() - 1 - i;
     value = 256 * value + static_cast<unsigned char>(bytes[at]);
   }
   return value;
@@ -265,7 +265,7 @@ std::size_t check_ply(const std::filesystem::path& file, const std::string& cont
   const std::string name = file.string();
   const Header header = HeaderReader(name, content).read();
   check_elements(name, header);
-  if (header.encoding == Encoding::kText) {
+  if (header.encoding == Encoding::text) {
     check_text_body(name, header);
   } else {
     check_binary_body(name, header);

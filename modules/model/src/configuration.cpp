@@ -27,10 +27,10 @@ Configuration rest_configuration(const KinematicTree& tree) {
 }
 
 Configuration unknown_configuration(const KinematicTree& tree) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   Configuration unknown;
-  unknown.T_camera_base.matrix().topRows<3>().setConstant(nan);
-  unknown.q.setConstant(tree.variables(), nan);
+  unknown.T_camera_base.matrix().topRows<3>().setConstant(kNan);
+  unknown.q.setConstant(tree.variables(), kNan);
   return unknown;
 }
 

@@ -73,10 +73,10 @@ void read_pair_erosion(const YamlNode& node, const KinematicTree& tree, ModelPar
   }
 }
 
-template <std::size_t count>
-std::array<double, count> numbers(const YamlNode& node) {
-  std::array<double, count> result{};
-  const auto items = node.items(count);
+template <std::size_t Count>
+std::array<double, Count> numbers(const YamlNode& node) {
+  std::array<double, Count> result{};
+  const auto items = node.items(Count);
   std::transform(items.begin(), items.end(), result.begin(),
                  [](const YamlNode& item) { return item.number(); });
   return result;

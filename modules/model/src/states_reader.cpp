@@ -143,10 +143,10 @@ State read_row(const Row& row, const KinematicTree& tree) {
 StatesFile read_states(const std::filesystem::path& file, const KinematicTree& tree) {
   const std::string name = file.string();
   const std::string text = read_text_file(file);
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::string_view content = text;
-  if (content.substr(0, byte_order_mark.size()) == byte_order_mark) {
-    content.remove_prefix(byte_order_mark.size());
+  if (content.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    content.remove_prefix(kByteOrderMark.size());
   }
   const auto lines = split(content, '\n');
   const Columns columns = read_header(name, lines.front(), tree);

@@ -32,7 +32,7 @@ class YamlNode {
   [[noreturn]] void refuse(const std::string& problem) const;
 
  private:
-  YamlNode(std::string file, YAML::Node node) : file_(std::move(file)), node_(std::move(node)) {}
+  YamlNode(std::string file, const YAML::Node& node) : file_(std::move(file)), node_(node) {}
 
   std::string file_;
   YAML::Node node_;

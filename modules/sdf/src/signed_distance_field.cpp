@@ -95,8 +95,9 @@ double negative_share(const CellCorners& corners) {
   constexpr int kLines = 4;
   double share = 0.0;
   for (int i = 0; i < kLines * kLines; ++i) {
+    const int row = i / kLines;
     const float x = (static_cast<float>(i % kLines) + 0.5F) / kLines;
-    const float y = (static_cast<float>(i / kLines) + 0.5F) / kLines;
+    const float y = (static_cast<float>(row) + 0.5F) / kLines;
     const double low = static_cast<double>(interpolate(across, {x, y, 0.0F}, 1.0F).distance);
     const double high = static_cast<double>(interpolate(across, {x, y, 1.0F}, 1.0F).distance);
     if ((low < 0.0) != (high < 0.0)) {

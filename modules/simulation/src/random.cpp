@@ -9,12 +9,12 @@
 namespace lockbox::simulation {
 
 NormalTable::NormalTable() {
-  constexpr std::size_t half = std::tuple_size_v<decltype(quantiles_)> / 2;
-  std::array<double, half> positive;
+  constexpr std::size_t kHalf = std::tuple_size_v<decltype(quantiles_)> / 2;
+  std::array<double, kHalf> positive;
   double x = 0.0;
   double sum_of_squares = 0.0;
-  for (std::size_t i = 0; i < half; ++i) {
-    const double beyond = 0.5 - (static_cast<double>(i) + 0.5) / (2.0 * half);
+  for (std::size_t i = 0; i < kHalf; ++i) {
+    const double beyond = 0.5 - (static_cast<double>(i) + 0.5) / (2.0 * kHalf);
     // Newton's method from the quantile before: the distribution is concave here, so it never
     // overshoots.
     for (int iteration = 0; iteration < 8; ++iteration) {
@@ -24,10 +24,10 @@ NormalTable::NormalTable() {
     positive[i] = x;
     sum_of_squares += x * x;
   }
-  const double scale = 1.0 / std::sqrt(sum_of_squares / half);
-  for (std::size_t i = 0; i < half; ++i) {
-    quantiles_[half + i] = static_cast<float>(scale * positive[i]);
-    quantiles_[half - 1 - i] = -quantiles_[half + i];
+  const double scale = 1.0 / std::sqrt(sum_of_squares / kHalf);
+  for (std::size_t i = 0; i < kHalf; ++i) {
+    quantiles_[kHalf + i] = static_cast<float>(scale * positive[i]);
+    quantiles_[kHalf - 1 - i] = -quantiles_[kHalf + i];
   }
 }
 

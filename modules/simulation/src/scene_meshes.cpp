@@ -13,25 +13,25 @@ TriangleMesh make_rectangle(const Eigen::Vector2d& extent) {
 }
 
 TriangleMesh make_capsule(double length, double radius) {
-  constexpr std::uint32_t sides = 24;
-  constexpr std::uint32_t rings = 16;  // half of them on each cap, the two at the equator apart
+  constexpr std::uint32_t kSides = 24;
+  constexpr std::uint32_t kRings = 16;  // half of them on each cap, the two at the equator apart
   TriangleMesh mesh;
-  for (std::uint32_t i = 0; i < rings; ++i) {
-    const bool far_cap = i >= rings / 2;
-    const double latitude = std::numbers::pi * (far_cap ? i - 1 : i) / (rings - 2);
-    for (std::uint32_t j = 0; j < sides; ++j) {
-      const double longitude = 2.0 * std::numbers::pi * j / sides;
+  for (std::uint32_t i = 0; i < kRings; ++i) {
+    const bool far_cap = i >= kRings / 2;
+    const double latitude = std::numbers::pi * (far_cap ? i - 1 : i) / (kRings - 2);
+    for (std::uint32_t j = 0; j < kSides; ++j) {
+      const double longitude = 2.0 * std::numbers::pi * j / kSides;
       mesh.vertices.emplace_back(radius * std::sin(latitude) * std::cos(longitude),
                                  radius * std::sin(latitude) * std::sin(longitude),
                                  (far_cap ? length : 0.0) - radius * std::cos(latitude));
     }
   }
-  for (std::uint32_t i = 0; i + 1 < rings; ++i) {
-    for (std::uint32_t j = 0; j < sides; ++j) {
-      const std::uint32_t a = i * sides + j;
-      const std::uint32_t b = i * sides + (j + 1) % sides;
-      mesh.triangles.push_back({a, b, b + sides});
-      mesh.triangles.push_back({a, b + sides, a + sides});
+  for (std::uint32_t i = 0; i + 1 < kRings; ++i) {
+    for (std::uint32_t j = 0; j < kSides; ++j) {
+      const std::uint32_t a = i * kSides + j;
+      const std::uint32_t b = i * kSides + (j + 1) % kSides;
+      mesh.triangles.push_back({a, b, b + kSides});
+      mesh.triangles.push_back({a, b + kSides, a + kSides});
     }
   }
   return mesh;

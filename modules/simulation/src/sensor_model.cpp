@@ -76,6 +76,7 @@ std::vector<float> correlation_kernel(const SensorModel& sensor) {
   }
   const double norm = std::sqrt(std::inner_product(taps.begin(), taps.end(), taps.begin(), 0.0));
   std::vector<float> kernel;
+  kernel.reserve(taps.size());
   for (const double tap : taps) {
     kernel.push_back(static_cast<float>(tap / norm));
   }

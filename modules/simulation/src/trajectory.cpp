@@ -81,6 +81,7 @@ std::vector<State> generate_trajectory(const KinematicTree& tree,
                                        const TrajectoryOptions& options) {
   const Configuration rest = rest_configuration(tree);
   std::vector<JointPath> paths;
+  paths.reserve(tree.variable_joint.size());
   for (int v = 0; v < tree.variables(); ++v) {
     paths.emplace_back(rest.q[v], variable_limits(tree, v), v, options.coverage);
   }

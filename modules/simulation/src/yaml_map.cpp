@@ -86,6 +86,7 @@ std::vector<double> YamlMap::read_list(const char* key, std::size_t size) const 
     refuse(key, "must be a list of " + std::to_string(size) + " numbers");
   }
   std::vector<double> numbers;
+  numbers.reserve(entries.size());
   for (const YAML::Node& entry : entries) {
     numbers.push_back(number(key, entry));
   }

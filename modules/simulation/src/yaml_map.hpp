@@ -23,11 +23,11 @@ class YamlMap {
   /// The values below leave the target as it is where the key is absent.
   void read(const char* key, std::string& value) const;
   void read(const char* key, double& value) const;
-  template <int size>
-  void read(const char* key, Eigen::Matrix<double, size, 1>& value) const {
+  template <int Size>
+  void read(const char* key, Eigen::Matrix<double, Size, 1>& value) const {
     if (has(key)) {
-      const std::vector<double> numbers = read_list(key, size);
-      value = Eigen::Map<const Eigen::Matrix<double, size, 1>>(numbers.data());
+      const std::vector<double> numbers = read_list(key, Size);
+      value = Eigen::Map<const Eigen::Matrix<double, Size, 1>>(numbers.data());
     }
   }
 
