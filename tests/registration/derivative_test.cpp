@@ -112,13 +112,14 @@ TEST_F(DerivativeTest, CollisionTermAgreesWithNumericalDifferentiation) {
   RegistrationOptions options;
   options.collision = CollisionMode::literal;
   CollisionTerm term(model, options);
-  // The mechanism's joints keep all parts flush, so parts are pushed into each other by a joint
-  // beyond its limit: the arm's knob through the follower's neighbourhood.
+  // Within its limits the mechanism keeps all parts apart or flush. Beyond them, at 0.13 m, the
+  // block reaches 5 mm into the follower.
   Configuration at = truth;
-  at.q[0] = -0.17;  // the block slides into nothing, the follower into the block's row
+  at.q[0] = 0.13;
   NormalEquations equations;
   equations.set_zero(unknowns);
   const double cost = term.evaluate(model, poses(at), &equations);
+  ASSERT_GT(cost, 0.0);
   EXPECT_NEAR(term.evaluate(model, poses(at), nullptr), cost, 1e-12 * std::max(1.0, cost));
   const Eigen::VectorXd numeric = numeric_gradient(
       at, 1e-6, [&](const Configuration& x) { return term.evaluate(model, poses(x), nullptr); });

@@ -17,6 +17,8 @@ constexpr double kCoarsestSpacing = 0.015;  // metres
 constexpr double kThicknessShare = 0.125;   // of the thinner body: the largest erosion
 // A surface that looks the way the sample itself looks lies on the far side of a thin body.
 constexpr float kFarSideCosine = 0.2F;
+constexpr int kMaxTraceSteps = 200;
+constexpr float kSurfaceTolerance = 2e-6F;  // metres
 
 /// Where and how deep a sample sits in the other body, and which way is out.
 struct Penetration {
@@ -32,17 +34,21 @@ std::optional<Penetration> trace_back(const SignedDistanceField& field, const Ei
   const auto longest = static_cast<float>(field.bounds().sizes().norm());
   const auto shortest_step = static_cast<float>(0.1 * field.voxel());
   float way = 0.0F;
-  while (way < longest) {
+  for (int step = 0; step < kMaxTraceSteps && way < longest; ++step) {
     const Eigen::Vector3f q = p - way * outward;
     const DistanceSample at = field.sample(q);
     const float f = at.distance + erosion;
-    if (f > -1e-5F) {
+    if (f > -kSurfaceTolerance) {
       const float cosine = -at.gradient.dot(outward);
       if (cosine < 0.1F) {
         return std::nullopt;
       }
-      return Penetration{-static_cast<double>(way), (at.gradient / cosine).cast<double>(),
-                         q.cast<double>()};
+      if (std::abs(f) < kSurfaceTolerance) {
+        return Penetration{-static_cast<double>(way), (at.gradient / cosine).cast<double>(),
+                           q.cast<double>()};
+      }
+      way -= f / cosine;  // Newton's method back onto the surface that the last step went through
+      continue;
     }
     way += std::max(-f, shortest_step);
   }
