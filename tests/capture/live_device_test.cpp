@@ -151,7 +151,7 @@ TEST(LiveDevice, UnknownDevicesAreDeviceErrors) {
 TEST(Record, ALiveDeviceIsRecordedBitForBit) {
   const TemporaryFolder folder;
   const VirtualCamera camera(5ms);
-  const auto deadline = std::chrono::steady_clock::now() + 300ms;
+  const auto deadline = std::chrono::steady_clock::now() + LOCKBOX_SLOWDOWN * 300ms;
   const std::size_t count = record("openni2:" + camera.uri(), folder / "a.oni", [deadline] {
     return std::chrono::steady_clock::now() > deadline;
   });
@@ -174,7 +174,7 @@ TEST(Record, UnpluggingEndsTheRecording) {
   const TemporaryFolder folder;
   VirtualCamera camera(2ms);
   auto unplug = std::async(std::launch::async, [&camera] {
-    std::this_thread::sleep_for(200ms);
+    std::this_thread::sleep_for(LOCKBOX_SLOWDOWN * 200ms);
     camera.unplug();
   });
   EXPECT_GT(record("openni2:" + camera.uri(), folder / "a.oni", [] { return false; }), 5U);

@@ -50,6 +50,16 @@ TEST(ExecutorTest, WorkersHaveIndicesBelowTheThreadCount) {
   }
 }
 
+TEST(ExecutorTest, LoopsSeeWhatWasWrittenBeforeThem) {
+  // Without atomics: also what ThreadSanitizer judges the loop by.
+  const Executor executor(4);
+  std::vector<int> values(1000, 1);
+  for (int loop = 1; loop <= 10; ++loop) {
+    executor.for_each(values.size(), [&](std::size_t i) { values[i] *= 2; });
+    EXPECT_EQ(std::accumulate(values.begin(), values.end(), 0), 1000 << loop);
+  }
+}
+
 TEST(ExecutorTest, ExceptionsReachTheCaller) {
   const Executor executor(2);
   EXPECT_THROW(executor.for_each(8,

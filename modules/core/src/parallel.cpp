@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "hand_over.hpp"
+
 namespace lockbox {
 
 struct Executor::Impl {
@@ -26,8 +28,17 @@ std::size_t Executor::worker() {
 }
 
 void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& body) const {
+  const HandOver to_bodies;
+  const HandOver to_caller;
+  const auto observed_body = [&](std::size_t i) {
+    to_bodies.receive();
+    body(i);
+    to_caller.give();
+  };
+  to_bodies.give();
   impl_->arena.execute(
-      [&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
+      [&] { tbb::parallel_for(std::size_t{0}, count, observed_body, tbb::simple_partitioner()); });
+  to_caller.receive();
 }
 
 void Executor::for_each_chunk(
