@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -204,6 +205,70 @@ TEST(TiledCloud, RefusesWhatDoesNotFitTogether) {
   EXPECT_THROW(cloud.assign(frame, {}, Executor(1)), InputError);
   EXPECT_THROW(cloud.assign(DepthFrame(), {}, Executor(1)), InputError);
   EXPECT_THROW(cloud.keep(std::vector<std::uint8_t>(5, 1)), InputError);
+}
+
+TEST(TiledCloud, DepthsInMetresGiveTheSameCloudAsTheFrame) {
+  const DepthFrame frame = random_frame();
+  std::vector<float> metres;
+  for (const std::uint16_t depth : frame.depth) {
+    metres.push_back(depth == 0 ? std::numeric_limits<float>::quiet_NaN()
+                                : static_cast<float>(depth) * frame.metres_per_unit);
+  }
+  const TiledCloud expected = converted(frame);
+  TiledCloud cloud;
+  cloud.assign(kCamera, metres, {}, Executor(2));
+  EXPECT_TRUE(cloud.has_image());
+  EXPECT_EQ(cloud.depth(), expected.depth());
+  EXPECT_EQ(cloud.valid_points(), expected.valid_points());
+  metres.pop_back();
+  EXPECT_THROW(cloud.assign(kCamera, metres, {}, Executor(2)), InputError);
+}
+
+class UnorganizedCloudTest : public ::testing::Test {
+ protected:
+  UnorganizedCloudTest() {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> coordinate(0.5F, 1.5F);
+    for (int i = 0; i < 5000; ++i) {
+      points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+    }
+    points[10].x() = std::numeric_limits<float>::quiet_NaN();
+    points[11].z() = -1.0F;
+    cloud.assign(flat_frame(1000), {}, Executor(1));  // what was there before must not matter
+    cloud.assign_unorganized(points, kCamera);
+  }
+
+  std::vector<Eigen::Vector3f> points;
+  TiledCloud cloud;
+};
+
+TEST_F(UnorganizedCloudTest, HoldsEachPointInFrontOnceAndNoImage) {
+  EXPECT_FALSE(cloud.has_image());
+  std::vector<int> seen(points.size(), 0);
+  for_each_point(cloud, [&](std::size_t i) {
+    const auto point = cloud.pixel()[i];
+    ++seen[point];
+    EXPECT_EQ(Eigen::Vector3f(cloud.x()[i], cloud.y()[i], cloud.z()[i]), points[point]);
+  });
+  EXPECT_EQ(seen[10], 0);
+  EXPECT_EQ(seen[11], 0);
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 4998);
+}
+
+TEST_F(UnorganizedCloudTest, TilesAreFullAndCompact) {
+  ASSERT_EQ(cloud.tiles().size(), 20U);  // 4998 / 256, rounded up
+  float volume = 0.0F;
+  for (const Tile& tile : cloud.tiles()) {
+    EXPECT_TRUE(tile.count == kTilePoints || &tile == &cloud.tiles().back());
+    volume += tile.bounds.volume();
+  }
+  EXPECT_LT(volume, 1.0F);  // of the cube: blocks that do not overlap
+}
+
+TEST_F(UnorganizedCloudTest, NoPointsGiveNoTiles) {
+  cloud.assign_unorganized({}, kCamera);
+  EXPECT_TRUE(cloud.tiles().empty());
+  EXPECT_EQ(cloud.valid_points(), 0U);
 }
 
 }  // namespace

@@ -6,45 +6,12 @@
 #include <limits>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/pinhole_fit.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr std::size_t kMinimumPoints = 100;
-constexpr double kMaximumResidual = 0.5;   // pixels, root mean square
-constexpr double kMinimumSpread = 1e-3;    // of x / z, standard deviation
 constexpr double kMaximumDepth = 65535.0;  // units
-
-/// The line pixel = focal * slope + centre through many pairs.
-class LineFit {
- public:
-  void add(double slope, double pixel) {
-    ++count_;
-    sum_s_ += slope;
-    sum_p_ += pixel;
-    sum_ss_ += slope * slope;
-    sum_sp_ += slope * pixel;
-    sum_pp_ += pixel * pixel;
-  }
-
-  std::size_t count() const { return count_; }
-  double spread() const { return std::sqrt(std::max(0.0, variance(sum_s_, sum_ss_))); }
-  double focal() const { return covariance() / variance(sum_s_, sum_ss_); }
-  double centre() const { return (sum_p_ - focal() * sum_s_) / n(); }
-  double residual() const {
-    return std::sqrt(std::max(0.0, variance(sum_p_, sum_pp_) - focal() * covariance()));
-  }
-
- private:
-  double n() const { return static_cast<double>(count_); }
-  double variance(double sum, double squares) const {
-    return squares / n() - (sum / n()) * (sum / n());
-  }
-  double covariance() const { return sum_sp_ / n() - (sum_s_ / n()) * (sum_p_ / n()); }
-
-  std::size_t count_ = 0;
-  double sum_s_ = 0.0, sum_p_ = 0.0, sum_ss_ = 0.0, sum_sp_ = 0.0, sum_pp_ = 0.0;
-};
 
 bool is_measured(float z) {
   return std::isfinite(z) && z > 0.0F;
@@ -75,34 +42,25 @@ float depth_unit(const OrganizedCloud& cloud) {
 }  // namespace
 
 PinholeCamera recover_camera(const OrganizedCloud& cloud, const std::string& where) {
-  LineFit horizontal;
-  LineFit vertical;
+  PinholeFit fit;
+  std::size_t i = 0;
   for (int v = 0; v < cloud.height; ++v) {
-    for (int u = 0; u < cloud.width; ++u) {
-      const float* const point =
-          &cloud.xyz[3 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(cloud.width) +
-                          static_cast<std::size_t>(u))];
-      if (is_measured(point[2]) && std::isfinite(point[0]) && std::isfinite(point[1])) {
-        horizontal.add(double{point[0]} / double{point[2]}, u);
-        vertical.add(double{point[1]} / double{point[2]}, v);
-      }
+    for (int u = 0; u < cloud.width; ++u, i += 3) {
+      fit.add(u, v, Eigen::Map<const Eigen::Vector3f>(&cloud.xyz[i]).cast<double>());
     }
   }
-  if (horizontal.count() < kMinimumPoints || horizontal.spread() < kMinimumSpread ||
-      vertical.spread() < kMinimumSpread) {
+  if (!fit.is_determined()) {
     throw InputError(where,
                      "has too few points to recover the camera from; give its calibration with "
                      "--camera-info");
   }
-  if (!(horizontal.residual() <= kMaximumResidual) || !(vertical.residual() <= kMaximumResidual) ||
-      !(horizontal.focal() > 0.0) || !(vertical.focal() > 0.0)) {
+  if (!fit.is_pinhole()) {
     throw InputError(where,
                      "its points do not lie on the rays of a pinhole camera (z forward, x right, y "
                      "down); was the cloud transformed? Give the camera's calibration with "
                      "--camera-info if only noise is to blame");
   }
-  return {cloud.width,      cloud.height,        horizontal.focal(),
-          vertical.focal(), horizontal.centre(), vertical.centre()};
+  return fit.camera(cloud.width, cloud.height);
 }
 
 void set_depth(const OrganizedCloud& cloud, DepthFrame& frame) {

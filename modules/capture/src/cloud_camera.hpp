@@ -10,8 +10,8 @@
 
 namespace lockbox {
 
-/// Least squares over all points: u = fx x / z + cx, and so for v. Throws InputError(where, ...) if
-/// the points are too few, or do not lie on the rays of a pinhole camera within half a pixel.
+/// Least squares over all points (PinholeFit). Throws InputError(where, ...) if the points are too
+/// few, or do not lie on the rays of a pinhole camera.
 PinholeCamera recover_camera(const OrganizedCloud& cloud, const std::string& where);
 
 /// The z coordinates as a depth image: in whole millimetres if all are (to 1e-6 m), else in the

@@ -27,7 +27,11 @@ void TiledCloud::resize(const PinholeCamera& camera) {
   depth_.resize(pixels);
   tile_columns_ = (camera.width + kTileSize - 1) / kTileSize;
   const int tile_rows = (camera.height + kTileSize - 1) / kTileSize;
-  tiles_.resize(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>(tile_rows));
+  resize_tiles(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>(tile_rows));
+}
+
+void TiledCloud::resize_tiles(std::size_t count) {
+  tiles_.resize(count);
   const std::size_t slots = tiles_.size() * kTilePoints;
   x_.resize(slots);
   y_.resize(slots);
@@ -38,11 +42,28 @@ void TiledCloud::resize(const PinholeCamera& camera) {
 void TiledCloud::assign(const DepthFrame& frame, const CloudOptions& options,
                         const Executor& executor) {
   check_frame(frame);
-  const PinholeCamera& camera = frame.camera;
+  resize(frame.camera);
+  convert([&frame](int u, int v) { return frame.metres(u, v); }, options, executor);
+}
+
+void TiledCloud::assign(const PinholeCamera& camera, std::span<const float> depth,
+                        const CloudOptions& options, const Executor& executor) {
+  check_image(camera, depth.size());
   resize(camera);
-  executor.for_each_chunk(static_cast<std::size_t>(camera.height), kTileSize,
+  const auto raw = [&camera, depth](int u, int v) {
+    const float metres =
+        depth[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +
+              static_cast<std::size_t>(u)];
+    return std::isfinite(metres) ? metres : 0.0F;
+  };
+  convert(raw, options, executor);
+}
+
+template <typename Depth>
+void TiledCloud::convert(const Depth& raw, const CloudOptions& options, const Executor& executor) {
+  executor.for_each_chunk(static_cast<std::size_t>(camera_.height), kTileSize,
                           [&](std::size_t begin, std::size_t end, std::size_t row) {
-                            filter_rows(frame, options, static_cast<int>(begin),
+                            filter_rows(raw, options, static_cast<int>(begin),
                                         static_cast<int>(end));
                             for (int column = 0; column < tile_columns_; ++column) {
                               fill_tile(column, static_cast<int>(row));
@@ -50,10 +71,10 @@ void TiledCloud::assign(const DepthFrame& frame, const CloudOptions& options,
                           });
 }
 
-void TiledCloud::filter_rows(const DepthFrame& frame, const CloudOptions& options, int first_row,
+template <typename Depth>
+void TiledCloud::filter_rows(const Depth& raw, const CloudOptions& options, int first_row,
                              int last_row) {
   const int width = camera_.width;
-  const auto raw = [&](int u, int v) { return frame.metres(u, v); };
   const auto min_depth = static_cast<float>(options.min_depth);
   const auto max_depth = static_cast<float>(options.max_depth);
   const auto jump_factor = static_cast<float>(options.flying_pixel_jump);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The organized cloud as the registration reads it: square image tiles of points, structure of
-// arrays. Neighbouring pixels mostly see the same bodies, so bodies are matched to whole tiles.
+// arrays. Neighbouring pixels mostly see the same bodies, so bodies are matched to whole tiles. A
+// cloud without an image is cut into blocks of space instead.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lockbox/core/depth_frame.hpp"
@@ -38,6 +40,18 @@ class TiledCloud {
   /// Converts and filters in one pass. Throws InputError if camera and depth do not fit together.
   void assign(const DepthFrame& frame, const CloudOptions& options, const Executor& executor);
 
+  /// The same from depths in metres, row by row; what is not finite and positive was not measured.
+  void assign(const PinholeCamera& camera, std::span<const float> depth,
+              const CloudOptions& options, const Executor& executor);
+
+  /// Points without an image, seen from the origin along z: depth() is empty, pixel() the number of
+  /// the point in the span. Points that are not finite, or not in front, are left out. Of the
+  /// camera only the focal lengths mean something: how exact the points are across their rays.
+  void assign_unorganized(std::span<const Eigen::Vector3f> points, const PinholeCamera& camera);
+
+  /// Whether there is an image: depth() and pixels, to look things up in.
+  bool has_image() const { return !depth_.empty(); }
+
   /// Keeps only points whose pixel is set in the mask (one byte a pixel); depth() stays as it is.
   /// Throws InputError if the mask has another size than the image.
   void keep(const std::vector<std::uint8_t>& mask);
@@ -55,9 +69,12 @@ class TiledCloud {
 
  private:
   void resize(const PinholeCamera& camera);
-  void filter_rows(const DepthFrame& frame, const CloudOptions& options, int first_row,
-                   int last_row);
+  template <typename Depth>
+  void convert(const Depth& raw, const CloudOptions& options, const Executor& executor);
+  template <typename Depth>
+  void filter_rows(const Depth& raw, const CloudOptions& options, int first_row, int last_row);
   void fill_tile(int column, int row);
+  void resize_tiles(std::size_t count);
   void finish_tile(Tile& tile);
 
   PinholeCamera camera_;
