@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <utility>
 
 #include "field_fixture.hpp"
@@ -64,6 +65,23 @@ TEST_F(FieldLookup, FarFieldErrorIsBounded) {
     largest = std::max(largest, std::abs(error));
   }
   EXPECT_LT(largest, 0.2 * static_cast<double>(field().view().coarse_voxel));
+}
+
+TEST_F(FieldLookup, WhatIsNotFiniteIsFarOutsideWithoutAGradient) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  for (const float value : {kNaN, kInfinity, -kInfinity, kLargest, -kLargest}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const Vector3f& p :
+           {Vector3f(value * Vector3f::Unit(axis)), Vector3f(Vector3f::Constant(value))}) {
+        SCOPED_TRACE(p.transpose());
+        const DistanceSample sample = field().sample(p);
+        EXPECT_EQ(sample.distance, kInfinity);
+        EXPECT_EQ(sample.gradient, Vector3f::Zero());
+      }
+    }
+  }
 }
 
 TEST_F(FieldLookup, StepsLittleFromFineToCoarse) {

@@ -74,9 +74,15 @@ void relative_jacobian(const KinematicTree& tree,
   }
 }
 
+void apply_step(const Eigen::VectorXd& step, Configuration& configuration) {
+  configuration.T_camera_base = configuration.T_camera_base * exp_se3(step.head<6>());
+  configuration.q += step.tail(configuration.q.size());
+}
+
 Configuration stepped(const Configuration& configuration, const Eigen::VectorXd& step) {
-  return {configuration.T_camera_base * exp_se3(step.head<6>()),
-          configuration.q + step.tail(configuration.q.size())};
+  Configuration result = configuration;
+  apply_step(step, result);
+  return result;
 }
 
 }  // namespace lockbox

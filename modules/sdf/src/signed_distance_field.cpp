@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace lockbox {
@@ -137,6 +138,9 @@ DistanceSample SignedDistanceField::sample(const Eigen::Vector3f& p) const {
   const Array3f origin(view_.fine_origin[0], view_.fine_origin[1], view_.fine_origin[2]);
   const Array3i blocks(view_.blocks[0], view_.blocks[1], view_.blocks[2]);
   const Array3f g = (p.array() - origin) / view_.fine_voxel;
+  if (!g.allFinite()) {
+    return {std::numeric_limits<float>::infinity(), Eigen::Vector3f::Zero()};
+  }
   if ((g >= 0.0F).all() && (g < (kBlockCells * blocks).cast<float>()).all()) {
     const Array3i cell = g.cast<int>();
     const Array3i block = cell / kBlockCells;

@@ -31,7 +31,10 @@ void relative_jacobian(const KinematicTree& tree,
                        const std::vector<Eigen::Isometry3d>& T_camera_body, int a, int b,
                        BodyJacobian& jacobian);
 
-/// The configuration after a step (base twist, joint variables).
+/// Moves the configuration by a step (base twist, joint variables).
+void apply_step(const Eigen::VectorXd& step, Configuration& configuration);
+
+/// The configuration after a step.
 Configuration stepped(const Configuration& configuration, const Eigen::VectorXd& step);
 
 }  // namespace lockbox

@@ -45,6 +45,8 @@ class SignedDistanceField {
 
   /// Tri-linear distance at p (metres, body frame) and the exact gradient of that interpolant.
   /// Beyond the coarse grid: the distance at its border plus the way to it, along that way.
+  /// What no float can count in voxels (NaN, infinity) is infinitely far outside, without a
+  /// gradient.
   DistanceSample sample(const Eigen::Vector3f& p) const;
 
   /// Volume where the interpolant is negative, m^3.
