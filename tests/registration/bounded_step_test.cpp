@@ -23,6 +23,7 @@ NormalEquations random_equations(int n, std::mt19937& random) {
     equations.gradient[i] = normal(random);
   }
   equations.hessian = A.transpose() * A;
+  equations.information = equations.hessian;
   return equations;
 }
 
@@ -34,6 +35,11 @@ StepScale unit_scale(int n) {
   return {Eigen::VectorXd::Ones(n), 1e-12};
 }
 
+Eigen::VectorXd solve(const NormalEquations& equations, double damping, const StepLimits& limits,
+                      const StepScale& scale) {
+  return BoundedStepSolver().solve(equations, damping, limits, scale);
+}
+
 double quadratic(const NormalEquations& equations, const Eigen::VectorXd& s) {
   return equations.gradient.dot(s) + 0.5 * s.dot(equations.hessian * s);
 }
@@ -42,7 +48,7 @@ TEST(BoundedStepTest, SolvesLinearProblemExactlyWithoutDamping) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 50; ++trial) {
     const NormalEquations equations = random_equations(9, random);
-    const Eigen::VectorXd step = bounded_step(equations, 0.0, no_limits(9), unit_scale(9));
+    const Eigen::VectorXd step = solve(equations, 0.0, no_limits(9), unit_scale(9));
     EXPECT_LT((equations.hessian * step + equations.gradient).norm(), 1e-8);
   }
 }
@@ -58,7 +64,7 @@ TEST(BoundedStepTest, ActiveLimitsReachTheConstrainedOptimumOfABruteForceSearch)
       limits.lower[i] = -size(random);
       limits.upper[i] = size(random);
     }
-    const Eigen::VectorXd step = bounded_step(equations, 0.0, limits, unit_scale(n));
+    const Eigen::VectorXd step = solve(equations, 0.0, limits, unit_scale(n));
     const double reached = quadratic(equations, step);
     constexpr int kGrid = 40;
     for (int k = 0; k < kGrid * kGrid * kGrid; ++k) {
@@ -79,7 +85,7 @@ TEST(BoundedStepTest, HeldUnknownsDoNotMove) {
   StepLimits limits = no_limits(6);
   limits.lower[2] = limits.upper[2] = 0.0;
   limits.lower[5] = limits.upper[5] = 0.0;
-  const Eigen::VectorXd step = bounded_step(equations, 0.0, limits, unit_scale(6));
+  const Eigen::VectorXd step = solve(equations, 0.0, limits, unit_scale(6));
   EXPECT_EQ(step[2], 0.0);
   EXPECT_EQ(step[5], 0.0);
   EXPECT_GT(step.norm(), 0.0);
@@ -89,10 +95,11 @@ TEST(BoundedStepTest, DirectionsWithoutInformationAreLeftAlone) {
   // x + y is measured, x - y is not.
   NormalEquations equations;
   equations.hessian = Eigen::Matrix2d::Ones() * 100.0;
+  equations.information = equations.hessian;
   equations.gradient = Eigen::Vector2d(30.0, 30.0);
   StepScale scale = unit_scale(2);
   scale.least_information = 1.0;
-  const Eigen::VectorXd step = bounded_step(equations, 0.0, no_limits(2), scale);
+  const Eigen::VectorXd step = solve(equations, 0.0, no_limits(2), scale);
   EXPECT_NEAR(step[0], -0.15, 1e-12);
   EXPECT_NEAR(step[1], -0.15, 1e-12);
 }
@@ -100,9 +107,10 @@ TEST(BoundedStepTest, DirectionsWithoutInformationAreLeftAlone) {
 TEST(BoundedStepTest, UnitsDecideWhatCountsAsInformation) {
   NormalEquations equations;
   equations.hessian = Eigen::Matrix2d::Identity() * 100.0;
+  equations.information = equations.hessian;
   equations.gradient = Eigen::Vector2d(-10.0, -10.0);
   StepScale scale{Eigen::Vector2d(1.0, 0.05), 1.0};  // 100 * 0.05^2 = 0.25 < 1
-  const Eigen::VectorXd step = bounded_step(equations, 0.0, no_limits(2), scale);
+  const Eigen::VectorXd step = solve(equations, 0.0, no_limits(2), scale);
   EXPECT_NEAR(step[0], 0.1, 1e-12);
   EXPECT_EQ(step[1], 0.0);
 }
@@ -110,8 +118,8 @@ TEST(BoundedStepTest, UnitsDecideWhatCountsAsInformation) {
 TEST(BoundedStepTest, DampingShortensTheStep) {
   std::mt19937 random(4);
   const NormalEquations equations = random_equations(5, random);
-  const double free = bounded_step(equations, 0.0, no_limits(5), unit_scale(5)).norm();
-  const double damped = bounded_step(equations, 10.0, no_limits(5), unit_scale(5)).norm();
+  const double free = solve(equations, 0.0, no_limits(5), unit_scale(5)).norm();
+  const double damped = solve(equations, 10.0, no_limits(5), unit_scale(5)).norm();
   EXPECT_LT(damped, free);
 }
 

@@ -98,8 +98,9 @@ TEST_F(DerivativeTest, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   surface.render(model, poses(at), cloud.camera(), executor);
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
-  const double cost =
-      term.linearize(surface, poses(at), cloud, object, options, 0.005, executor, systems);
+  constexpr double kSpread = 0.005;
+  term.select(model, surface, poses(at), cloud, object, options, kSpread, executor);
+  const double cost = term.linearize(poses(at), kSpread, systems);
   ASSERT_GT(term.pulled_samples(), 50U);
   EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));
   const NormalEquations analytic = mapped(systems, at);

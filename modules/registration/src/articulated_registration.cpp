@@ -13,16 +13,18 @@ using Index = Eigen::Index;
 
 constexpr double kBaseUnit = 0.25;                        // metres, and radians for its rotation
 constexpr double kContinuousUnit = std::numbers::pi / 4;  // a quarter of half a turn either way
+constexpr double kLeastInformation = 100.0;               // a deviation of a tenth of a unit
 constexpr float kObjectGain = 1.0F;   // of the outlier cost: within the cut, as good as explained
 constexpr double kStaleView = 0.002;  // metres that surfaces may move before they are drawn again
+constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
+constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 constexpr std::size_t kAgreementStride = 4;  // of the visible samples; a share needs no more
 
-StepScale step_scale(const KinematicTree& tree, const RegistrationOptions& options) {
-  StepScale scale{Eigen::VectorXd::Constant(6 + tree.variables(), kBaseUnit),
-                  options.noise_correlation};
+StepScale step_scale(const KinematicTree& tree) {
+  StepScale scale{Eigen::VectorXd::Constant(6 + tree.variables(), kBaseUnit), kLeastInformation};
   for (int v = 0; v < tree.variables(); ++v) {
     const VariableLimits limits = variable_limits(tree, v);
     const double range = limits.upper - limits.lower;
@@ -77,10 +79,13 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
       options_(options),
       executor_(executor),
       collision_(model, options),
-      scale_(step_scale(model.tree, options)),
+      scale_(step_scale(model.tree)),
       levers_(surface_levers(model)) {
   options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
   systems_.resize(model.tree.bodies.size());
+  held_.assign(static_cast<std::size_t>(scale_.unit.size()), false);
+  std::fill_n(held_.begin(), 6, options_.fixed_base);
+  std::copy(options_.locked.begin(), options_.locked.end(), held_.begin() + 6);
 }
 
 const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud,
@@ -89,21 +94,29 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.configuration = start;
   result_.converged = false;
   result_.iterations = 0;
+  selected_spread_ = kNeverSelected;
   look_at(cloud, start);
-  for (int k = 0; k < annealing.iterations && !result_.converged; ++k) {
-    const double iteration_spread = annealing.spread * spread_share(k, annealing.iterations);
+  const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
+  bool go_on = true;
+  for (int k = 0; k < annealing.iterations && go_on; ++k) {
+    const double iteration_spread = annealing.spread * spread_share(k, narrowing);
     const double cost = linearize(cloud, iteration_spread);
     ++result_.iterations;
     const bool moved = improve(cloud, cost, annealing.hold_joints);
-    result_.converged = !moved && iteration_spread == 0.0;
+    const bool is_narrow = iteration_spread == 0.0;
+    result_.converged = !moved && is_narrow;
+    go_on = !result_.converged;
+    if (annealing.on_iteration) {
+      go_on = annealing.on_iteration(result_.configuration, is_narrow) && go_on;
+    }
   }
   // The covariance, and what the model explains, belong to the solution.
   linearize(cloud, 0.0);
-  std::vector<bool> held(static_cast<std::size_t>(scale_.unit.size()), false);
-  std::fill_n(held.begin(), 6, options_.fixed_base);
-  std::copy(options_.locked.begin(), options_.locked.end(), held.begin() + 6);
-  estimate_covariance(model_.tree, data_equations_, model_term_.tile_gradients(), jacobians_,
-                      scale_, held, result_.covariance, result_.sigma, result_.observable);
+  covariance_.estimate(model_.tree, data_equations_, model_term_.tile_gradients(),
+                       options_.noise_correlation, jacobians_, scale_, held_);
+  result_.covariance = covariance_.covariance();
+  result_.sigma = covariance_.sigma();
+  result_.observable = covariance_.observable();
   measure_agreement(cloud);
   const ModelTerm::Totals& totals = model_term_.totals();
   result_.explained_points = totals.points;
@@ -114,10 +127,14 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
 
 /// Renders what the configuration shows, and labels the cloud's points with it.
 void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configuration& configuration) {
+  rendered_ = configuration;
+  if (!cloud.has_image()) {
+    visible_.assign(cloud.x().size(), static_cast<float>(kNothing));
+    return;
+  }
   forward_kinematics(model_.tree, configuration, poses_);
   surface_.render(model_, poses_, cloud.camera(), executor_);
   surface_.label(cloud, visible_);
-  rendered_ = configuration;
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
@@ -130,42 +147,56 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
   result_.model_cost =
       model_term_.linearize(model_, poses_, cloud, visible_, options_, spread, executor_, systems_);
   result_.free_cost = 0.0;
-  if (options_.lambda_free > 0.0) {
-    mark_object_pixels(cloud);
-    result_.free_cost = free_term_.linearize(surface_, poses_, cloud, object_, options_, spread,
-                                             executor_, systems_);
+  if (options_.lambda_free > 0.0 && cloud.has_image()) {
+    select_free_space(cloud, spread);
+    result_.free_cost = free_term_.linearize(poses_, spread, systems_);
   }
   data_equations_.set_zero(scale_.unit.size());
   for (std::size_t b = 0; b < systems_.size(); ++b) {
-    data_equations_.add(systems_[b], jacobians_[b]);
+    data_equations_.add(systems_[b], jacobians_[b], 1.0 / options_.noise_correlation);
   }
   equations_ = data_equations_;
   result_.collision_cost = collision_.evaluate(model_, poses_, &equations_);
-  return result_.model_cost + result_.free_cost + result_.collision_cost;
+  return (result_.model_cost + result_.free_cost) / options_.noise_correlation +
+         result_.collision_cost;
+}
+
+/// A selection lasts while the configuration stays where it was made: selecting anew at each
+/// iteration would never let the last steps come to rest.
+void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double spread) {
+  if (spread <= selected_spread_ &&
+      surface_distance(selected_, result_.configuration) < kStaleSelection) {
+    return;
+  }
+  mark_object_pixels(cloud);
+  free_term_.select(model_, surface_, poses_, cloud, object_, options_, spread, executor_);
+  selected_ = result_.configuration;
+  selected_spread_ = spread;
 }
 
 double ArticulatedRegistration::cost_at(const TiledCloud& cloud,
                                         const Configuration& configuration) {
   forward_kinematics(model_.tree, configuration, trial_poses_);
   double cost = model_term_.cost(model_, trial_poses_, cloud, visible_, executor_);
-  if (options_.lambda_free > 0.0) {
+  if (options_.lambda_free > 0.0 && cloud.has_image()) {
     cost += free_term_.cost(trial_poses_);
   }
-  return cost + collision_.evaluate(model_, trial_poses_, nullptr);
+  return cost / options_.noise_correlation + collision_.evaluate(model_, trial_poses_, nullptr);
 }
 
 /// Takes the best acceptable step; false if there was none, or none worth taking.
 bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool hold_joints) {
-  const StepLimits limits = step_limits(hold_joints);
+  set_step_limits(hold_joints);
   double damping = 0.0;
   for (int trial = 0; trial <= kMaxDampings; ++trial) {
-    const Eigen::VectorXd step = bounded_step(equations_, damping, limits, scale_);
+    const Eigen::VectorXd& step = solver_.solve(equations_, damping, limits_, scale_);
     if (!(largest_move(step) > options_.step_tolerance)) {
       return false;
     }
-    const Configuration candidate = stepped(result_.configuration, step);
-    if (cost_at(cloud, candidate) < cost) {
-      result_.configuration = candidate;
+    candidate_ = result_.configuration;
+    apply_step(step, candidate_);
+    if (cost_at(cloud, candidate_) < cost) {
+      result_.configuration = candidate_;
       return true;
     }
     damping = damping == 0.0 ? kFirstDamping : damping * kDampingGrowth;
@@ -173,23 +204,18 @@ bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool
   return false;
 }
 
-StepLimits ArticulatedRegistration::step_limits(bool hold_joints) const {
+void ArticulatedRegistration::set_step_limits(bool hold_joints) {
   const Index n = scale_.unit.size();
   constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-  StepLimits limits{Eigen::VectorXd::Constant(n, -kUnlimited),
-                    Eigen::VectorXd::Constant(n, kUnlimited)};
-  if (options_.fixed_base) {
-    limits.lower.head<6>().setZero();
-    limits.upper.head<6>().setZero();
-  }
+  limits_.lower.setConstant(n, options_.fixed_base ? 0.0 : -kUnlimited);
+  limits_.upper.setConstant(n, options_.fixed_base ? 0.0 : kUnlimited);
   for (int v = 0; v < model_.tree.variables(); ++v) {
     const VariableLimits range = variable_limits(model_.tree, v);
     const double q = result_.configuration.q[v];
     const bool locked = hold_joints || options_.locked[static_cast<std::size_t>(v)];
-    limits.lower[6 + v] = locked ? 0.0 : std::min(0.0, range.lower - q);
-    limits.upper[6 + v] = locked ? 0.0 : std::max(0.0, range.upper - q);
+    limits_.lower[6 + v] = locked ? 0.0 : std::min(0.0, range.lower - q);
+    limits_.upper[6 + v] = locked ? 0.0 : std::max(0.0, range.upper - q);
   }
-  return limits;
 }
 
 double ArticulatedRegistration::surface_distance(const Configuration& a,
@@ -217,6 +243,10 @@ void ArticulatedRegistration::mark_object_pixels(const TiledCloud& cloud) {
 }
 
 void ArticulatedRegistration::measure_agreement(const TiledCloud& cloud) {
+  result_.agreement = {};
+  if (!cloud.has_image()) {
+    return;
+  }
   const PinholeCamera& camera = cloud.camera();
   std::size_t counts[4] = {};  // explained, contradicted, occluded, unknown
   const auto& samples = surface_.samples();

@@ -1,87 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/registration/free_space_term.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
+
+#include "observed_surface.hpp"
+#include "outline.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr std::size_t kSamplesPerChunk = 2048;
-
-/// Pixels at which the neighbourhood is probed, along eight directions: dense near the sample,
-/// where outlines are decided, sparse far from it, where a direction is all that is needed.
-constexpr std::array<int, 13> kProbeRadii{1, 2, 3, 4, 5, 6, 8, 11, 15, 20, 27, 36, 48};
-constexpr std::array<std::array<int, 2>, 8> kProbeDirections{
-    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
-
-/// The observed surface around one pixel.
-class Neighbourhood {
- public:
-  Neighbourhood(const TiledCloud& cloud, const std::vector<std::uint8_t>& object,
-                const RegistrationOptions& options)
-      : cloud_(cloud), object_(object), options_(options) {}
-
-  double sigma_z(double z) const {
-    return options_.noise.depth_floor + options_.noise.depth_quadratic * z * z;
-  }
-  double sigma_lateral(double z) const {
-    return options_.noise.lateral_pixels / cloud_.camera().fx * z;
-  }
-
-  float depth(int u, int v) const { return cloud_.depth()[index(u, v)]; }
-
-  /// The object's observed point that is nearest in units of the noise, and how far it is
-  /// (squared).
-  struct Nearest {
-    Eigen::Vector3d p_camera;
-    double distance2;
-  };
-  std::optional<Nearest> nearest(const Eigen::Vector3d& p_camera, int u, int v) const {
-    Nearest best{{}, std::numeric_limits<double>::infinity()};
-    const double inverse_lateral2 = 1.0 / std::pow(sigma_lateral(p_camera.z()), 2);
-    const double inverse_depth2 = 1.0 / std::pow(sigma_z(p_camera.z()), 2);
-    const double pixel = p_camera.z() / cloud_.camera().fx;
-    const auto probe = [&](int pu, int pv) {
-      if (pu < 0 || pv < 0 || pu >= cloud_.camera().width || pv >= cloud_.camera().height ||
-          object_[index(pu, pv)] == 0) {
-        return;
-      }
-      const Eigen::Vector3d q =
-          cloud_.camera().back_project(pu, pv, static_cast<double>(depth(pu, pv)));
-      const double along = q.z() - p_camera.z();
-      const Eigen::Vector3d ray = p_camera / p_camera.z();
-      const double across2 = (q - p_camera - along * ray).squaredNorm();
-      const double distance2 = along * along * inverse_depth2 + across2 * inverse_lateral2;
-      if (distance2 < best.distance2) {
-        best = {q, distance2};
-      }
-    };
-    probe(u, v);
-    for (const int radius : kProbeRadii) {
-      if (std::pow(radius * pixel, 2) * inverse_lateral2 > best.distance2) {
-        break;  // whatever lies farther out in the image is farther away
-      }
-      for (const auto& direction : kProbeDirections) {
-        probe(u + radius * direction[0], v + radius * direction[1]);
-      }
-    }
-    return std::isfinite(best.distance2) ? std::optional(best) : std::nullopt;
-  }
-
- private:
-  std::size_t index(int u, int v) const {
-    return static_cast<std::size_t>(v) * static_cast<std::size_t>(cloud_.camera().width) +
-           static_cast<std::size_t>(u);
-  }
-
-  const TiledCloud& cloud_;
-  const std::vector<std::uint8_t>& object_;
-  const RegistrationOptions& options_;
-};
+constexpr double kLeastWeight = 1e-3;  // below it a sample is not worth keeping
 
 /// The mixture of kernels::associate for a single body: what is explained, and the weight.
 struct Loss {
@@ -95,90 +24,182 @@ Loss loss(double residual, double inverse_variance, double cut) {
   return {std::log(sum) + outlier_cost, gaussian / sum};
 }
 
-constexpr double kLeastWeight = 1e-3;  // below it a sample is not worth keeping
+constexpr double kBesideOutline = 3.0;   // pixels: where a body's field tells the outline's normal
+constexpr double kLeastAgreement = 0.5;  // of that normal with the z-buffer's: a cosine
+
+/// Unit vector in the camera's frame that moves a point at p along a direction of the image, across
+/// its ray.
+Eigen::Vector3d across_ray(const Eigen::Vector3d& p, const PinholeCamera& camera,
+                           const Eigen::Vector2d& direction) {
+  const Eigen::Vector3d along_image(direction.x() / camera.fx, direction.y() / camera.fy, 0.0);
+  const Eigen::Vector3d ray = p.normalized();
+  return (along_image - ray.dot(along_image) * ray).normalized();
+}
+
+/// Selects and aims the pulls of one linearisation.
+class PullFinder {
+ public:
+  PullFinder(const ArticulatedModel& model, const VisibleSurface& surface, const TiledCloud& cloud,
+             const std::vector<std::uint8_t>& object, const RegistrationOptions& options,
+             double spread)
+      : model_(model),
+        surface_(surface),
+        camera_(cloud.camera()),
+        observed_(cloud, object, options),
+        cut_(options.cut),
+        spread_(spread) {}
+
+  std::optional<FreeSpacePull> find(const VisibleSample& sample,
+                                    const Eigen::Isometry3d& T_camera_body) const {
+    const Eigen::Vector3d p_body = sample.p_body.cast<double>();
+    const Eigen::Vector3d p = T_camera_body * p_body;
+    if (p.z() <= 0.0) {
+      return std::nullopt;
+    }
+    const Eigen::Vector2d image = camera_.project(p);
+    const auto u = static_cast<int>(std::lround(image.x()));
+    const auto v = static_cast<int>(std::lround(image.y()));
+    if (u < 0 || v < 0 || u >= camera_.width || v >= camera_.height ||
+        !observed_.sees_through(u, v, p.z(), 0.0)) {
+      return std::nullopt;
+    }
+    const TangentPlane plane(surface_.view(), sample.u, sample.v);
+    if (!observed_.sees_through(u, v, p.z(), plane.steepness() / surface_.reduction())) {
+      return std::nullopt;
+    }
+    return aim(sample, plane, T_camera_body, {p_body, p, Eigen::Vector3d::Zero(), 0.0, sample.body},
+               u, v);
+  }
+
+ private:
+  /// Near an outline the evidence is that the outline passes farther in than this pixel, and the
+  /// pull goes along the outline's normal: the nearest observed pixel lies in a direction that the
+  /// grid decides, and would hold the body against sliding along its own outline. Elsewhere the
+  /// pull goes to the nearest observed point.
+  std::optional<FreeSpacePull> aim(const VisibleSample& sample, const TangentPlane& plane,
+                                   const Eigen::Isometry3d& T_camera_body, FreeSpacePull pull,
+                                   int u, int v) const {
+    const Eigen::Vector3d p = pull.target;
+    const Eigen::Vector2d normal =
+        outline_normal(surface_.view(), plane, sample.u, sample.v,
+                       static_cast<double>(surface_.reduction()) / camera_.fx);
+    if (!normal.isZero()) {
+      return aim_beyond_outline(T_camera_body, pull, across_ray(p, camera_, normal));
+    }
+    if (observed_.shows_object(u, v)) {
+      return std::nullopt;  // the tail of the noise: this point has its say in the model term
+    }
+    const auto nearest = observed_.nearest(p, u, v);
+    if (!nearest || (p - *nearest).norm() < 1e-9) {
+      return std::nullopt;
+    }
+    pull.target = *nearest;
+    pull.direction = (p - *nearest).normalized();
+    return weighted(pull, p);
+  }
+
+  /// Asks the body's field beside the outline for the outline's normal across the ray, and for how
+  /// far inside the outline the sample lies: the z-buffer's pixels tell either only coarsely.
+  /// Nothing where the field and the z-buffer disagree.
+  std::optional<FreeSpacePull> aim_beyond_outline(const Eigen::Isometry3d& T_camera_body,
+                                                  FreeSpacePull pull,
+                                                  const Eigen::Vector3d& coarse) const {
+    const Eigen::Vector3d p = pull.target;
+    const double step = kBesideOutline * p.z() / camera_.fx;
+    const Eigen::Vector3d beside = T_camera_body.inverse() * (p + step * coarse);
+    const DistanceSample at =
+        model_.fields[static_cast<std::size_t>(pull.body)]->sample(beside.cast<float>());
+    const Eigen::Vector3d gradient = T_camera_body.linear() * at.gradient.cast<double>();
+    const Eigen::Vector3d ray = p.normalized();
+    const Eigen::Vector3d across = gradient - ray.dot(gradient) * ray;
+    if (across.dot(coarse) < kLeastAgreement) {
+      return std::nullopt;
+    }
+    pull.direction = across.normalized();
+    const double inside =
+        step * pull.direction.dot(coarse) - static_cast<double>(at.distance) / across.norm();
+    if (inside <= 0.0) {
+      return std::nullopt;
+    }
+    const double half_a_pixel = 0.5 * p.z() / camera_.fx;  // the outline passes before the next one
+    pull.target = p - (inside + half_a_pixel) * pull.direction;
+    return weighted(pull, p);
+  }
+
+  std::optional<FreeSpacePull> weighted(FreeSpacePull pull, const Eigen::Vector3d& p) const {
+    const double along = pull.direction.dot(p) / p.z();
+    const double across2 =
+        std::max(0.0, 1.0 - std::pow(pull.direction.dot(p), 2) / p.squaredNorm());
+    pull.variance = std::pow(along * observed_.sigma_z(p.z()), 2) +
+                    across2 * std::pow(observed_.sigma_lateral(p.z()), 2);
+    const double residual = pull.direction.dot(p - pull.target);
+    const double inverse_variance = 1.0 / (pull.variance + spread_ * spread_);
+    return loss(residual, inverse_variance, cut_).weight > kLeastWeight ? std::optional(pull)
+                                                                        : std::nullopt;
+  }
+
+  const ArticulatedModel& model_;
+  const VisibleSurface& surface_;
+  const PinholeCamera& camera_;
+  const ObservedSurface observed_;
+  double cut_;
+  double spread_;
+};
 
 }  // namespace
 
-double FreeSpaceTerm::linearize(const VisibleSurface& surface, const BodyPoses& T_camera_body,
-                                const TiledCloud& cloud, const std::vector<std::uint8_t>& object,
-                                const RegistrationOptions& options, double spread,
-                                const Executor& executor, std::vector<BodySystem>& systems) {
+void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& surface,
+                           const BodyPoses& T_camera_body, const TiledCloud& cloud,
+                           const std::vector<std::uint8_t>& object,
+                           const RegistrationOptions& options, double spread,
+                           const Executor& executor) {
   weight_ = options.lambda_free * surface.pixels_per_sample();
   cut_ = options.cut;
-  const Neighbourhood observed(cloud, object, options);
-  const PinholeCamera& camera = cloud.camera();
+  const PullFinder finder(model, surface, cloud, object, options, spread);
   const auto& samples = surface.samples();
   const std::size_t chunks = chunk_count(samples.size(), kSamplesPerChunk);
   chunk_pulls_.resize(std::max(chunk_pulls_.size(), chunks));
-
-  const auto select = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-    std::vector<Pull>& pulls = chunk_pulls_[chunk];
-    pulls.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3d p_body = samples[i].p_body.cast<double>();
-      const Eigen::Vector3d p = T_camera_body[static_cast<std::size_t>(samples[i].body)] * p_body;
-      if (p.z() <= 0.0) {
-        continue;
-      }
-      const Eigen::Vector2d image = camera.project(p);
-      const int u = static_cast<int>(std::lround(image.x()));
-      const int v = static_cast<int>(std::lround(image.y()));
-      if (u < 0 || v < 0 || u >= camera.width || v >= camera.height) {
-        continue;
-      }
-      const auto measured = static_cast<double>(observed.depth(u, v));
-      const double sigma = observed.sigma_z(p.z());
-      if (measured <= p.z() + options.free_space_dead_zone * sigma) {
-        continue;  // also where nothing was measured
-      }
-      const auto nearest = observed.nearest(p, u, v);
-      if (!nearest) {
-        continue;
-      }
-      const Eigen::Vector3d offset = p - nearest->p_camera;
-      const double length = offset.norm();
-      if (length < 1e-9) {
-        continue;
-      }
-      const Eigen::Vector3d direction = offset / length;
-      const double along = direction.dot(p) / p.z();
-      const double across2 = std::max(0.0, 1.0 - std::pow(direction.dot(p), 2) / p.squaredNorm());
-      const double variance = along * along * sigma * sigma +
-                              across2 * std::pow(observed.sigma_lateral(p.z()), 2) +
-                              spread * spread;
-      const double inverse_variance = 1.0 / variance;
-      if (loss(length, inverse_variance, options.cut).weight > kLeastWeight) {
-        pulls.push_back({p_body, nearest->p_camera, direction, inverse_variance, samples[i].body});
-      }
-    }
-  };
-  executor.for_each_chunk(samples.size(), kSamplesPerChunk, select);
-
+  executor.for_each_chunk(samples.size(), kSamplesPerChunk,
+                          [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                            chunk_pulls_[chunk].clear();
+                            for (std::size_t i = begin; i < end; ++i) {
+                              const auto body = static_cast<std::size_t>(samples[i].body);
+                              if (const auto pull = finder.find(samples[i], T_camera_body[body])) {
+                                chunk_pulls_[chunk].push_back(*pull);
+                              }
+                            }
+                          });
   pulls_.clear();
   for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
     pulls_.insert(pulls_.end(), chunk_pulls_[chunk].begin(), chunk_pulls_[chunk].end());
   }
-  for (const Pull& pull : pulls_) {
+}
+
+double FreeSpaceTerm::linearize(const BodyPoses& T_camera_body, double spread,
+                                std::vector<BodySystem>& systems) {
+  spread2_ = spread * spread;
+  for (const FreeSpacePull& pull : pulls_) {
     const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
     const double residual = pull.direction.dot(T * pull.p_body - pull.target);
-    const double w =
-        weight_ * loss(residual, pull.inverse_variance, cut_).weight * pull.inverse_variance;
+    const double inverse_variance = 1.0 / (pull.variance + spread2_);
+    const double w = weight_ * loss(residual, inverse_variance, cut_).weight * inverse_variance;
     const Eigen::Vector3d n_body = T.linear().transpose() * pull.direction;
     Twist row;
     row << n_body, pull.p_body.cross(n_body);
     BodySystem& system = systems[static_cast<std::size_t>(pull.body)];
     system.hessian.noalias() += w * row * row.transpose();
     system.gradient += w * residual * row;
+    system.add_leverage(pull.p_body, w);
   }
   return cost(T_camera_body);
 }
 
 double FreeSpaceTerm::cost(const BodyPoses& T_camera_body) const {
   double total = 0.0;
-  for (const Pull& pull : pulls_) {
+  for (const FreeSpacePull& pull : pulls_) {
     const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
     const double residual = pull.direction.dot(T * pull.p_body - pull.target);
-    total -= weight_ * loss(residual, pull.inverse_variance, cut_).explained;
+    total -= weight_ * loss(residual, 1.0 / (pull.variance + spread2_), cut_).explained;
   }
   return total;
 }

@@ -170,7 +170,10 @@ double ModelTerm::linearize(const ArticulatedModel& model, const BodyPoses& T_ca
         const int body = candidates_[candidates.first + l];
         const kernels::NormalSums tile_sums =
             kernels::accumulate(tile.padded, scratch.hits[l], scratch.weight[l]);
-        const BodySystem system = to_system(tile_sums);
+        BodySystem system = to_system(tile_sums);
+        system.add_leverage(T_camera_body[static_cast<std::size_t>(body)].inverse() *
+                                tile.bounds.center().cast<double>(),
+                            system.hessian.topLeftCorner<3, 3>().trace());
         sums[static_cast<std::size_t>(body)] += system;
         tile_gradients_[candidates.first + l] = {candidates.tile, body, system.gradient};
         chunk_totals_[chunk].weighted_squares += tile_sums.weighted_squares;

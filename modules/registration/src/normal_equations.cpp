@@ -2,15 +2,45 @@
 #include "lockbox/registration/normal_equations.hpp"
 
 namespace lockbox {
+namespace {
+
+constexpr double kNormalError = 0.05;  // radians: facets of round bodies, cells of fields
+
+/// sum += weight J' A J; products of fixed size, column by column, so that nothing is allocated.
+void add_mapped(const Matrix6& A, const BodyJacobian& jacobian, double weight,
+                Eigen::MatrixXd& sum) {
+  for (Eigen::Index column = 0; column < jacobian.cols(); ++column) {
+    const Twist image = weight * (A * jacobian.col(column));
+    if (!image.isZero(0.0)) {
+      sum.col(column).noalias() += jacobian.transpose() * image;
+    }
+  }
+}
+
+}  // namespace
+
+void BodySystem::add_leverage(const Eigen::Vector3d& p, double weight) {
+  const Eigen::Matrix3d P = hat(p);
+  leverage.topLeftCorner<3, 3>() += weight * Eigen::Matrix3d::Identity();
+  leverage.topRightCorner<3, 3>() -= weight * P;
+  leverage.bottomLeftCorner<3, 3>() += weight * P;
+  leverage.bottomRightCorner<3, 3>() -= weight * P * P;
+}
+
+Matrix6 BodySystem::information() const {
+  return hessian - kNormalError * kNormalError * leverage;
+}
 
 void NormalEquations::set_zero(Eigen::Index unknowns) {
   hessian.setZero(unknowns, unknowns);
   gradient.setZero(unknowns);
+  information.setZero(unknowns, unknowns);
 }
 
 void NormalEquations::add(const BodySystem& system, const BodyJacobian& jacobian, double weight) {
-  hessian.noalias() += weight * (jacobian.transpose() * system.hessian).lazyProduct(jacobian);
-  gradient.noalias() += weight * jacobian.transpose() * system.gradient;
+  add_mapped(system.hessian, jacobian, weight, hessian);
+  add_mapped(system.information(), jacobian, weight, information);
+  gradient.noalias() += weight * (jacobian.transpose() * system.gradient);
 }
 
 }  // namespace lockbox

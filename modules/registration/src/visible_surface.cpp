@@ -18,7 +18,6 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
     const int factor = std::max(1, (camera.width + kSampleColumns / 2) / kSampleColumns);
     full_camera_ = camera;
     reduction_ = factor;
-    pixels_per_sample_ = static_cast<double>(factor) * factor;
     renderer_ = std::make_unique<DepthRenderer>(reduced(camera, factor), executor);
   }
   items_.clear();
@@ -41,7 +40,7 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
         const Eigen::Vector3d p_camera =
             view.back_project(u, v, static_cast<double>(image_.depth[pixel]));
         const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(body)];
-        samples_.push_back({(T.inverse() * p_camera).cast<float>(), body});
+        samples_.push_back({(T.inverse() * p_camera).cast<float>(), body, u, v});
       }
     }
   }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,7 +25,7 @@
 namespace lockbox {
 
 /// How the visible model compares with the image, as shares of its visible surface within the
-/// image.
+/// image; all zero without an image.
 struct Agreement {
   double explained = 0.0;     ///< measured where the model says
   double contradicted = 0.0;  ///< seen through
@@ -37,6 +38,10 @@ struct Annealing {
   double spread = 0.0;       ///< metres: how far surfaces may be from where the start puts them
   int iterations = 3;        ///< linearisations, at most
   bool hold_joints = false;  ///< move the base only
+  int narrowing = 0;         ///< linearisations until the spread is gone; 0: all of them
+  /// Sees the configuration after each linearisation, and whether the gates are narrow by then; may
+  /// end the alignment by returning false.
+  std::function<bool(const Configuration& configuration, bool is_narrow)> on_iteration = nullptr;
 };
 
 struct RegistrationResult {
@@ -60,7 +65,7 @@ class ArticulatedRegistration {
   ArticulatedRegistration(const ArticulatedModel& model, const RegistrationOptions& options,
                           const Executor& executor);
 
-  /// The result is valid until the next call.
+  /// The result is valid until the next call. A cloud without an image has no free-space term.
   const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
                                   const Annealing& annealing);
 
@@ -77,8 +82,9 @@ class ArticulatedRegistration {
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration);
   bool improve(const TiledCloud& cloud, double cost, bool hold_joints);
-  StepLimits step_limits(bool hold_joints) const;
+  void set_step_limits(bool hold_joints);
   void mark_object_pixels(const TiledCloud& cloud);
+  void select_free_space(const TiledCloud& cloud, double spread);
   void measure_agreement(const TiledCloud& cloud);
   double largest_move(const Eigen::VectorXd& step) const;
 
@@ -94,6 +100,8 @@ class ArticulatedRegistration {
 
   RegistrationResult result_;
   Configuration rendered_;  ///< what surface_ shows
+  Configuration selected_;  ///< where the free-space term made its selection
+  double selected_spread_ = 0.0;
   std::vector<float> visible_;
   BodyPoses poses_;
   BodyPoses trial_poses_;
@@ -101,6 +109,11 @@ class ArticulatedRegistration {
   std::vector<BodySystem> systems_;
   NormalEquations data_equations_;
   NormalEquations equations_;
+  StepLimits limits_;
+  BoundedStepSolver solver_;
+  Configuration candidate_;
+  std::vector<bool> held_;  ///< by unknown
+  CovarianceEstimator covariance_;
   std::vector<std::uint8_t> object_;
 };
 

@@ -3,7 +3,10 @@
 // about which the data says something.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <vector>
 
 #include "lockbox/registration/normal_equations.hpp"
 
@@ -16,13 +19,45 @@ struct StepLimits {
 
 struct StepScale {
   Eigen::VectorXd unit;      ///< by unknown: a change that matters, metres or radians
-  double least_information;  ///< curvature per unit^2 below which a direction is left alone
+  double least_information;  ///< information per unit^2 below which a direction is left alone
 };
 
 /// Minimises gradient.s + s' (hessian + damping diag(hessian)) s / 2 for lower <= s <= upper, by an
 /// active-set method: an unknown that meets its limit leaves the solve and returns if the gradient
-/// pulls it back. Directions whose curvature, in the given units, is too small get no step.
-Eigen::VectorXd bounded_step(const NormalEquations& equations, double damping,
-                             const StepLimits& limits, const StepScale& scale);
+/// pulls it back. Directions with too little information, in the given units, get no step.
+/// Owns the memory of the solution: once used, it allocates nothing for the same number of
+/// unknowns.
+class BoundedStepSolver {
+ public:
+  /// The step is valid until the next call.
+  const Eigen::VectorXd& solve(const NormalEquations& equations, double damping,
+                               const StepLimits& limits, const StepScale& scale);
+
+ private:
+  void start(const NormalEquations& equations, double damping, const StepLimits& limits);
+  void solve_free(const NormalEquations& equations, const StepScale& scale);
+  void solve_strong_directions(double least_information);
+  bool advance(const StepLimits& limits);
+  bool release(const NormalEquations& equations, const StepLimits& limits, const StepScale& scale);
+
+  Eigen::VectorXd step_;
+  Eigen::VectorXd trial_;
+  Eigen::VectorXd slope_;
+  Eigen::MatrixXd hessian_;  ///< damped
+  std::vector<bool> held_;
+
+  // In units of the scale; held unknowns have rows and columns of zeros.
+  Eigen::VectorXd unit_;
+  Eigen::MatrixXd scaled_;
+  Eigen::MatrixXd information_;
+  Eigen::VectorXd right_;
+  Eigen::VectorXd solution_;
+  // Of a matrix: without one Eigen leaves members unset, and moving them is undefined.
+  Eigen::LLT<Eigen::MatrixXd> definite_{Eigen::MatrixXd(0, 0)};
+  Eigen::LDLT<Eigen::MatrixXd> factors_;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes_;
+  Eigen::MatrixXd strong_;
+  Eigen::MatrixXd product_;
+};
 
 }  // namespace lockbox

@@ -14,15 +14,29 @@
 
 namespace lockbox {
 
+/// A sample of the model and where it should go:
+/// residual = direction . (T_camera_body p_body - target).
+struct FreeSpacePull {
+  Eigen::Vector3d p_body;
+  Eigen::Vector3d target;     ///< camera frame
+  Eigen::Vector3d direction;  ///< unit vector, camera frame
+  double variance;            ///< of the residual by the sensor's noise, m^2
+  int body;
+};
+
 class FreeSpaceTerm {
  public:
-  /// Selects the samples that are seen through at these poses, and what each is pulled to, and adds
-  /// each body's system. object: the pixels that show the object (one byte a pixel).
-  /// Returns the cost relative to that of all selected samples being outliers.
-  double linearize(const VisibleSurface& surface, const BodyPoses& T_camera_body,
-                   const TiledCloud& cloud, const std::vector<std::uint8_t>& object,
-                   const RegistrationOptions& options, double spread, const Executor& executor,
-                   std::vector<BodySystem>& systems);
+  /// Selects the samples that are seen through at these poses, and what each is pulled to.
+  /// object: the pixels that show the object (one byte a pixel).
+  void select(const ArticulatedModel& model, const VisibleSurface& surface,
+              const BodyPoses& T_camera_body, const TiledCloud& cloud,
+              const std::vector<std::uint8_t>& object, const RegistrationOptions& options,
+              double spread, const Executor& executor);
+
+  /// Adds each body's system, of the selected samples at these poses. spread: how far off the poses
+  /// may still be, metres. Returns the cost relative to that of all selected samples being
+  /// outliers.
+  double linearize(const BodyPoses& T_camera_body, double spread, std::vector<BodySystem>& systems);
 
   /// The cost at other poses under the selection of the last linearisation.
   double cost(const BodyPoses& T_camera_body) const;
@@ -30,19 +44,11 @@ class FreeSpaceTerm {
   std::size_t pulled_samples() const { return pulls_.size(); }
 
  private:
-  /// residual = direction . (T p_body - target); direction and target in the camera's frame.
-  struct Pull {
-    Eigen::Vector3d p_body;
-    Eigen::Vector3d target;
-    Eigen::Vector3d direction;
-    double inverse_variance;
-    int body;
-  };
-
   double weight_ = 1.0;
   double cut_ = 0.0;
-  std::vector<std::vector<Pull>> chunk_pulls_;
-  std::vector<Pull> pulls_;
+  double spread2_ = 0.0;  ///< m^2, of the last linearisation
+  std::vector<std::vector<FreeSpacePull>> chunk_pulls_;
+  std::vector<FreeSpacePull> pulls_;
 };
 
 }  // namespace lockbox

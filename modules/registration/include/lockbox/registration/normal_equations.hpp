@@ -14,18 +14,30 @@ namespace lockbox {
 struct BodySystem {
   Matrix6 hessian = Matrix6::Zero();
   Twist gradient = Twist::Zero();
+  /// What the hessian would be if each point's normal pointed every way: sum w M(p) M(p)'.
+  Matrix6 leverage = Matrix6::Zero();
 
   BodySystem& operator+=(const BodySystem& other) {
     hessian += other.hessian;
     gradient += other.gradient;
+    leverage += other.leverage;
     return *this;
   }
+
+  /// Adds the leverage of points around p (body frame) whose weights sum to weight.
+  void add_leverage(const Eigen::Vector3d& p, double weight);
+
+  /// The curvature less what wrong normals could feign. A disk that turns about its axis slides
+  /// along itself; facets and the field's cells tilt its normals, and thousands of points would
+  /// make of that an angle, known to a degree.
+  Matrix6 information() const;
 };
 
 /// The same for a step (base twist, joint variables).
 struct NormalEquations {
   Eigen::MatrixXd hessian;
   Eigen::VectorXd gradient;
+  Eigen::MatrixXd information;
 
   void set_zero(Eigen::Index unknowns);
 

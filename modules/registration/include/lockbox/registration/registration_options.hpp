@@ -28,7 +28,7 @@ struct RegistrationOptions {
   double free_space_dead_zone = 3.0;  ///< standard deviations along the ray
 
   CollisionMode collision = CollisionMode::eroded;
-  double lambda_collision = 1.0;
+  double lambda_collision = 1000.0;
   double collision_sigma = 1e-4;  ///< metres, whitens the penetration depth
   double erosion = 0.0015;        ///< metres, unless the model or a pair says otherwise
 

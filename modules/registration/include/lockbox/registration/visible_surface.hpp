@@ -17,6 +17,8 @@ namespace lockbox {
 struct VisibleSample {
   Eigen::Vector3f p_body;
   int body;
+  int u;  ///< where the view shows it
+  int v;
 };
 
 /// Reuses its buffers; one sample for each block of pixels_per_sample pixels.
@@ -29,7 +31,11 @@ class VisibleSurface {
   void label(const TiledCloud& cloud, std::vector<float>& visible) const;
 
   const std::vector<VisibleSample>& samples() const { return samples_; }
-  double pixels_per_sample() const { return pixels_per_sample_; }
+  double pixels_per_sample() const { return static_cast<double>(reduction_) * reduction_; }
+
+  /// The z-buffer, and how many pixels of the camera lie along each side of one of its own.
+  const RenderedDepth& view() const { return image_; }
+  int reduction() const { return reduction_; }
 
  private:
   PinholeCamera full_camera_;
@@ -37,8 +43,7 @@ class VisibleSurface {
   std::vector<RenderItem> items_;
   RenderedDepth image_;
   std::vector<VisibleSample> samples_;
-  int reduction_ = 1;  ///< pixels of the camera along each side of a sample
-  double pixels_per_sample_ = 1.0;
+  int reduction_ = 1;
 };
 
 }  // namespace lockbox

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "observed_surface.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace lockbox {
+namespace {
+
+/// Distances in pixels at which the neighbourhood is probed: dense near the sample, where outlines
+/// are decided, sparse far from it, where a direction is all that is needed.
+constexpr std::array<int, 14> kProbeRadii{1, 2, 3, 4, 5, 6, 7, 8, 11, 15, 20, 27, 36, 48};
+constexpr std::array<std::array<int, 2>, 8> kProbeDirections{
+    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+
+}  // namespace
+
+bool ObservedSurface::sees_through(int u, int v, double expected, double steepness) const {
+  const auto measured = static_cast<double>(cloud_.depth()[index(u, v)]);
+  const double sigma =
+      std::hypot(sigma_z(expected), options_.noise.lateral_pixels * steepness * expected);
+  return measured > expected + options_.free_space_dead_zone * sigma;
+}
+
+std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p_camera, int u,
+                                                        int v) const {
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d best;
+  const double inverse_lateral2 = 1.0 / std::pow(sigma_lateral(p_camera.z()), 2);
+  const double inverse_depth2 = 1.0 / std::pow(sigma_z(p_camera.z()), 2);
+  const double pixel = p_camera.z() / cloud_.camera().fx;
+  const Eigen::Vector3d ray = p_camera / p_camera.z();
+  const auto probe = [&](int pu, int pv) {
+    if (!inside(pu, pv) || object_[index(pu, pv)] == 0) {
+      return;
+    }
+    const Eigen::Vector3d q =
+        cloud_.camera().back_project(pu, pv, static_cast<double>(cloud_.depth()[index(pu, pv)]));
+    const double along = q.z() - p_camera.z();
+    const double across2 = (q - p_camera - along * ray).squaredNorm();
+    const double distance2 = along * along * inverse_depth2 + across2 * inverse_lateral2;
+    if (distance2 < least) {
+      least = distance2;
+      best = q;
+    }
+  };
+  probe(u, v);
+  for (const int radius : kProbeRadii) {
+    if (std::pow(radius * pixel, 2) * inverse_lateral2 > least) {
+      break;  // whatever lies farther out in the image is farther away
+    }
+    for (const auto& direction : kProbeDirections) {
+      probe(u + radius * direction[0], v + radius * direction[1]);
+    }
+  }
+  return std::isfinite(least) ? std::optional(best) : std::nullopt;
+}
+
+}  // namespace lockbox
