@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where is it? From one frame and the model alone, without a guess.
+//
+// Flat pieces of the scene are matched with the flat sides of the model by the relief over them;
+// the best poses are judged by drawing them, refined, their joints scanned, refined together, and
+// judged again by what they explain and what they contradict (docs/initialization.md).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
+
+namespace lockbox {
+
+struct InitializerOptions {
+  RegistrationOptions registration;
+  /// Standard deviation of 1/depth of one pixel, 1/metre: that of a depth z is depth_noise z^2.
+  double depth_noise = 0.0022;
+  std::size_t most_candidates = 3;  ///< to be returned
+};
+
+/// One answer to where the model is.
+struct Candidate {
+  Configuration configuration;
+  double score = 0.0;  ///< of coarse pixels explained, less what contradicts; compares in one frame
+  Agreement agreement;
+};
+
+/// Not thread-safe. The model must outlive it.
+class Initializer {
+ public:
+  Initializer(const ArticulatedModel& model, const InitializerOptions& options,
+              const Executor& executor);
+  ~Initializer();
+  Initializer(Initializer&&) noexcept;
+  Initializer& operator=(Initializer&&) noexcept;
+
+  /// The most convincing configurations, best first; none if nothing in view resembles the model.
+  /// The same for any number of threads. Throws InputError if the cloud has no image.
+  std::vector<Candidate> find(const TiledCloud& cloud);
+
+  /// The joints alone, each over its whole range, the base known within a centimetre. Variables
+  /// that are not listed, or that the view says nothing about, keep their positions.
+  Configuration find_joints(const TiledCloud& cloud, const Configuration& start,
+                            const std::vector<int>& variables);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace lockbox

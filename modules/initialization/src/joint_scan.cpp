@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "joint_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "levers.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kStep = 0.012;  // metres that surfaces move from one position to the next, at most
+constexpr double kFineStep = 0.006;  // the same, by contrast
+constexpr int kMostPositions = 64;
+constexpr int kRefinements = 2;     // halvings of the step around the best position
+constexpr double kLeastGain = 1.0;  // pixels: worth moving for
+
+std::vector<double> positions_between(double lower, double upper, int count) {
+  std::vector<double> positions;
+  positions.reserve(static_cast<std::size_t>(std::max(0, count)) +
+                    1);  // one is added by the caller
+  for (int i = 0; i < count; ++i) {
+    positions.push_back(lower + (upper - lower) * i / std::max(1, count - 1));
+  }
+  return positions;
+}
+
+using Scan = std::function<std::vector<double>(int variable, const std::vector<double>& positions)>;
+
+void scan_variable(const KinematicTree& tree, const Scan& scan, int variable, double lever,
+                   double step_length, Configuration& configuration) {
+  const VariableLimits limits = variable_limits(tree, variable);
+  const bool limited = std::isfinite(limits.upper - limits.lower);
+  double lower = limited ? limits.lower : configuration.q[variable] - std::numbers::pi;
+  double upper = limited ? limits.upper : configuration.q[variable] + std::numbers::pi;
+  const double reach = (upper - lower) * lever;
+  if (!(reach > 0.0)) return;
+  int count = std::clamp(static_cast<int>(reach / step_length) + 2, 3, kMostPositions);
+  const double start = configuration.q[variable];
+  double best_gain = kLeastGain;
+  double step = (upper - lower) / (count - 1);
+  for (int level = 0; level <= kRefinements; ++level) {
+    std::vector<double> positions = positions_between(lower, upper, count);
+    positions.push_back(start);
+    const std::vector<double> scores = scan(variable, positions);
+    const auto best = std::max_element(scores.begin(), scores.end() - 1);
+    const double gain = *best - scores.back();
+    if (gain > best_gain) {
+      best_gain = gain;
+      configuration.q[variable] = positions[static_cast<std::size_t>(best - scores.begin())];
+    }
+    step *= 0.5;
+    lower = std::max(limits.lower, configuration.q[variable] - step);
+    upper = std::min(limits.upper, configuration.q[variable] + step);
+    count = 3;
+  }
+}
+
+}  // namespace
+
+void scan_joints(const KinematicTree& tree, ViewScore& score, const std::vector<int>& variables,
+                 double slack, Configuration& configuration) {
+  const Scan scan = [&](int variable, const std::vector<double>& positions) {
+    return score.scan(configuration, variable, positions, slack);
+  };
+  const ModelLevers levers = model_levers(tree);
+  for (const int variable : variables) {
+    scan_variable(tree, scan, variable, levers.variables[variable], kStep, configuration);
+  }
+}
+
+void scan_joints_by_contrast(const KinematicTree& tree, ViewScore& score,
+                             const std::vector<int>& variables, Configuration& configuration) {
+  const Scan scan = [&](int variable, const std::vector<double>& positions) {
+    return score.scan_contrast(configuration, variable, positions);
+  };
+  const ModelLevers levers = model_levers(tree);
+  for (const int variable : variables) {
+    scan_variable(tree, scan, variable, levers.variables[variable], kFineStep, configuration);
+  }
+}
+
+}  // namespace lockbox

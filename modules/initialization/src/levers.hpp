@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far surfaces move when something turns or slides.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "lockbox/model/kinematic_tree.hpp"
+
+namespace lockbox {
+
+struct ModelLevers {
+  Eigen::Vector3d centre;     ///< of the model at rest, base frame
+  double radius;              ///< of the model at rest, metres
+  Eigen::VectorXd variables;  ///< metres that the farthest surface moves for a unit of each
+};
+
+ModelLevers model_levers(const KinematicTree& tree);
+
+}  // namespace lockbox

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view_score.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lockbox {
+namespace {
+
+// Of one pixel.
+constexpr double kOccluded = -0.3;
+constexpr double kSeenThrough = -6.0;
+constexpr double kFallOff = 0.22;      // a deviation of three standard deviations costs two
+constexpr double kSteepest = 5.0;      // tangent of the incidence beyond which surfaces count alike
+constexpr double kContinuing = 6.0;    // exponent: how fast an outline that goes on takes belief
+constexpr double kInViewEnough = 0.5;  // of the surface; with less in view, doubt grows
+constexpr double kSamples = 200.0;     // of each body's surface
+constexpr int kStretch = 8;            // pixels along each side of what makes a stretch of outline
+constexpr double kFarBehind = 6.0;     // standard deviations: more says no more
+constexpr double kOutlinePrior = 8.0;  // outline pixels that would have to be seen to matter
+
+// Of contrasts, in standard deviations of a pixel and their squares.
+constexpr float kContrastGate = 6.0F;
+constexpr int kContrastReach = 2;          // pixels: what is around
+constexpr double kContrastVariance = 0.3;  // left of the noise's when the mean around is taken away
+constexpr float kNoResidual = 1e9F;
+
+constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+std::size_t pixel_index(const RenderedDepth& image, int u, int v) {
+  return static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
+         static_cast<std::size_t>(u);
+}
+
+/// Pixels of the outline that are near each other and face the same way.
+struct Stretch {
+  double sum = 0.0;  ///< of how much nearer the surface beyond is, standard deviations
+  double count = 0.0;
+};
+
+std::size_t stretch_index(const RenderedDepth& image, int u, int v, int du, int dv) {
+  const int columns = image.width / kStretch + 1;
+  const int direction = (du == 0 ? 2 : 0) + (du + dv > 0 ? 1 : 0);
+  return static_cast<std::size_t>(4 * (v / kStretch * columns + u / kStretch) + direction);
+}
+
+/// The smaller change of depth to one of two opposite neighbours on the same body.
+double depth_slope(const RenderedDepth& image, int u, int v, int du, int dv) {
+  const std::size_t here = pixel_index(image, u, v);
+  double slope = -1.0;
+  for (const int side : {-1, 1}) {
+    const int nu = u + side * du;
+    const int nv = v + side * dv;
+    if (nu < 0 || nv < 0 || nu >= image.width || nv >= image.height) continue;
+    const std::size_t there = pixel_index(image, nu, nv);
+    if (image.id[there] != image.id[here]) continue;
+    const double change = std::abs(double{image.depth[there]} - double{image.depth[here]});
+    slope = slope < 0.0 ? change : std::min(slope, change);
+  }
+  return std::max(slope, 0.0);
+}
+
+std::vector<std::uint8_t> others_than(const std::vector<std::uint8_t>& moved) {
+  std::vector<std::uint8_t> others(moved.size());
+  std::transform(moved.begin(), moved.end(), others.begin(),
+                 [](std::uint8_t is_moved) { return is_moved != 0 ? 0 : 1; });
+  return others;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> moved_bodies(const KinematicTree& tree, int variable) {
+  std::vector<std::uint8_t> moved(tree.bodies.size(), 0);
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {  // parents come before children
+    const Joint& joint = tree.joints[j];
+    moved[static_cast<std::size_t>(joint.child_body)] =
+        joint.variable == variable || moved[static_cast<std::size_t>(joint.parent_body)] != 0 ? 1
+                                                                                              : 0;
+  }
+  return moved;
+}
+
+ViewScore::ViewScore(const KinematicTree& tree, double noise) : tree_(tree), noise_(noise) {
+  for (const Body& body : tree.bodies) {
+    const double spacing = std::sqrt(surface_area(body.mesh) / kSamples);
+    samples_.push_back(spacing > 0.0 ? sample_surface(body.mesh, spacing)
+                                     : std::vector<SurfaceSample>{});
+    boxes_.push_back(bounds(body.mesh));
+  }
+}
+
+void ViewScore::set_view(const CoarseView& view) {
+  view_ = &view;
+  if (!whole_.renderer || !(whole_.renderer->camera() == view.camera)) {
+    whole_.renderer = std::make_unique<DepthRenderer>(view.camera, Executor(1));
+  }
+}
+
+void ViewScore::draw(const Configuration& configuration, const std::vector<std::uint8_t>& bodies,
+                     Drawing& drawing) {
+  forward_kinematics(tree_, configuration, poses_);
+  items_.clear();
+  for (std::size_t b = 0; b < poses_.size(); ++b) {
+    if (bodies[b] != 0) {
+      items_.push_back({&tree_.bodies[b].mesh, poses_[b], static_cast<std::int16_t>(b)});
+    }
+  }
+  drawing.renderer->render(items_, drawing.image);
+}
+
+/// Makes moving_ and rest_ show just the part of the view in which the variable moves anything.
+void ViewScore::frame_motion(const Configuration& configuration, int variable,
+                             const std::vector<double>& positions,
+                             const std::vector<std::uint8_t>& moved) {
+  const PinholeCamera& camera = view_->camera;
+  Eigen::AlignedBox2d frame;
+  const Eigen::AlignedBox2d image(Eigen::Vector2d(0.0, 0.0),
+                                  Eigen::Vector2d(camera.width - 1, camera.height - 1));
+  Configuration trial = configuration;
+  for (const double position : positions) {
+    trial.q[variable] = position;
+    forward_kinematics(tree_, trial, poses_);
+    for (std::size_t b = 0; b < moved.size(); ++b) {
+      if (moved[b] == 0 || boxes_[b].isEmpty()) continue;
+      for (int corner = 0; corner < 8; ++corner) {
+        const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
+        const Eigen::Vector3d p = poses_[b] * boxes_[b].corner(type);
+        if (p.z() < DepthRenderer::kNear) {
+          frame = image;
+        } else {
+          frame.extend(camera.project(p));
+        }
+      }
+    }
+  }
+  frame.min() -= Eigen::Vector2d::Ones();
+  frame.max() += Eigen::Vector2d::Ones();
+  frame = frame.intersection(image);
+  const bool visible = !frame.isEmpty();
+  const int left = visible ? static_cast<int>(frame.min().x()) : 0;
+  const int top = visible ? static_cast<int>(frame.min().y()) : 0;
+  PinholeCamera part = camera;
+  part.width = visible ? static_cast<int>(frame.max().x()) - left + 1 : 1;
+  part.height = visible ? static_cast<int>(frame.max().y()) - top + 1 : 1;
+  part.cx -= left;
+  part.cy -= top;
+  for (Drawing* drawing : {&moving_, &rest_}) {
+    drawing->renderer = std::make_unique<DepthRenderer>(part, Executor(1));
+    drawing->left = left;
+    drawing->top = top;
+  }
+}
+
+double ViewScore::pixel_score(const Drawing& drawing, int u, int v, double slack) const {
+  const RenderedDepth& image = drawing.image;
+  const std::size_t view_pixel = view_->index(u + drawing.left, v + drawing.top);
+  const auto measured = static_cast<double>(view_->depth[view_pixel]);
+  if (!(measured > 0.0)) return 0.0;
+  const auto z = static_cast<double>(image.depth[pixel_index(image, u, v)]);
+  const double difference = measured - z;
+  const double sigma_z = noise_ * z * z;
+  const double per_pixel =
+      std::hypot(depth_slope(image, u, v, 1, 0), depth_slope(image, u, v, 0, 1));
+  const double steepness = std::min(per_pixel * view_->camera.fx / z, kSteepest);
+  const double variance = sigma_z * sigma_z + slack * slack * (1.0 + steepness * steepness) +
+                          0.25 * per_pixel * per_pixel;
+  const double score = 1.0 - kFallOff * difference * difference / variance;
+  if (difference < 0.0) return std::max(score, kOccluded);
+  // Where a neighbour is near enough, it is a matter of a pixel more or less.
+  const bool beside =
+      static_cast<double>(view_->nearest[view_pixel]) - z < 3.0 * std::sqrt(variance);
+  return std::max(score, beside ? 0.0 : kSeenThrough);
+}
+
+/// Of the outline against which the camera sees farther or just as far: the share across which the
+/// measured surface continues as the model's would if it did not end there.
+double ViewScore::share_that_continues(double slack) const {
+  const RenderedDepth& image = whole_.image;
+  std::vector<Stretch> stretches(stretch_index(image, image.width, image.height, 1, 1) + 1);
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const std::size_t here = pixel_index(image, u, v);
+      if (image.id[here] == kNothing) continue;
+      for (const auto& [du, dv] : kNeighbours) {
+        if (!view_->contains(u + du, v + dv) ||
+            image.id[pixel_index(image, u + du, v + dv)] != kNothing) {
+          continue;
+        }
+        const double pixel_size = double{image.depth[here]} / view_->camera.fx;
+        const int reach = 1 + static_cast<int>(std::ceil(slack / pixel_size));
+        const int in_u = u - reach * du;
+        const int in_v = v - reach * dv;
+        const int out_u = u + (reach + 1) * du;
+        const int out_v = v + (reach + 1) * dv;
+        if (!view_->contains(in_u, in_v) || !view_->contains(out_u, out_v)) continue;
+        const std::size_t in = pixel_index(image, in_u, in_v);
+        const std::size_t out = pixel_index(image, out_u, out_v);
+        if (image.id[in] != image.id[here] || image.id[out] != kNothing) continue;
+        const auto z_in = static_cast<double>(view_->depth[in]);
+        const auto z_out = static_cast<double>(view_->depth[out]);
+        if (!(z_in > 0.0 && z_out > 0.0)) continue;
+        const double w_here = 1.0 / double{image.depth[here]};
+        const double w_in = 1.0 / double{image.depth[in]};
+        const double off = std::abs(1.0 / z_in - w_in) / (w_in * w_in);
+        if (off > 3.0 * (slack + noise_ / (w_in * w_in))) continue;  // not this surface's outline
+        const double slope = (w_here - w_in) / reach;
+        // How much nearer the measured surface is than its continuation, standard deviations.
+        const double nearer =
+            (1.0 / z_out - 1.0 / z_in - slope * (2.0 * reach + 1.0)) / (1.5 * noise_);
+        if (nearer > 2.0) continue;  // an occluder, or what the model stands on
+        Stretch& stretch = stretches[stretch_index(image, u, v, du, dv)];
+        stretch.sum += std::max(nearer, -kFarBehind);
+        stretch.count += 1.0;
+      }
+    }
+  }
+  double continues = 0.0;
+  double ends = kOutlinePrior;
+  for (const Stretch& stretch : stretches) {
+    if (stretch.count == 0.0) continue;
+    // Neighbours err alike, so that a mean is never better than that of a few.
+    const double step = stretch.sum / stretch.count * std::sqrt(std::min(stretch.count, 4.0));
+    const double same = std::exp(-0.5 * step * step);
+    continues += same * stretch.count;
+    ends += (1.0 - same) * stretch.count;
+  }
+  return continues / (continues + ends);
+}
+
+double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
+  double facing = 0.0;
+  double inside = 0.0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b] == 0) continue;
+    for (const SurfaceSample& sample : samples_[b]) {
+      const Eigen::Vector3d p = poses_[b] * sample.position;
+      const double towards = -p.normalized().dot(poses_[b].linear() * sample.normal);
+      if (towards <= 0.0) continue;
+      const double weight = towards * sample.area;
+      facing += weight;
+      if (p.z() < 0.05) continue;
+      const Eigen::Vector2d image = view_->camera.project(p);
+      const auto u = static_cast<int>(std::lround(image.x()));
+      const auto v = static_cast<int>(std::lround(image.y()));
+      if (view_->contains(u, v)) inside += weight;
+    }
+  }
+  return facing > 0.0 ? inside / facing : 0.0;
+}
+
+double ViewEvidence::fit() const {
+  return explained + kSeenThrough * contradicted + kOccluded * occluded;
+}
+
+double ViewEvidence::total(double tolerance) const {
+  const double visible = std::min(1.0, in_view / kInViewEnough);
+  return (explained * std::pow(1.0 - continues, (1.0 - 0.7 * tolerance) * kContinuing) +
+          (1.0 - 0.7 * tolerance) * kSeenThrough * contradicted +
+          (1.0 - tolerance) * kOccluded * occluded) *
+         visible * visible;
+}
+
+ViewEvidence ViewScore::evidence(const Configuration& configuration, double slack,
+                                 const std::vector<std::uint8_t>& bodies) {
+  draw(configuration, bodies, whole_);
+  const RenderedDepth& image = whole_.image;
+  ViewEvidence evidence;
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const std::size_t pixel = pixel_index(image, u, v);
+      if (image.id[pixel] == kNothing) continue;
+      if (!(view_->depth[pixel] > 0.0F)) continue;
+      const double score = pixel_score(whole_, u, v, slack);
+      evidence.pixels += score <= kOccluded && view_->depth[pixel] < image.depth[pixel] ? 0.0 : 1.0;
+      if (score > 0.0) {
+        evidence.explained += score;
+      } else if (view_->depth[pixel] > image.depth[pixel]) {
+        evidence.contradicted += score / kSeenThrough;
+      } else {
+        evidence.occluded += score / kOccluded;
+      }
+    }
+  }
+  evidence.continues = share_that_continues(slack);
+  evidence.in_view = share_in_view(bodies);
+  return evidence;
+}
+
+std::vector<double> ViewScore::scan(const Configuration& configuration, int variable,
+                                    const std::vector<double>& positions, double slack) {
+  const std::vector<std::uint8_t> moved = moved_bodies(tree_, variable);
+  frame_motion(configuration, variable, positions, moved);
+  draw(configuration, others_than(moved), rest_);
+  const RenderedDepth& rest = rest_.image;
+  rest_scores_.assign(rest.depth.size(), 0.0);
+  for (int v = 0; v < rest.height; ++v) {
+    for (int u = 0; u < rest.width; ++u) {
+      const std::size_t pixel = pixel_index(rest, u, v);
+      if (rest.id[pixel] != kNothing) rest_scores_[pixel] = pixel_score(rest_, u, v, slack);
+    }
+  }
+  std::vector<double> scores;
+  Configuration trial = configuration;
+  for (const double position : positions) {
+    trial.q[variable] = position;
+    draw(trial, moved, moving_);
+    const RenderedDepth& image = moving_.image;
+    double sum = 0.0;
+    for (int v = 0; v < image.height; ++v) {
+      for (int u = 0; u < image.width; ++u) {
+        const std::size_t pixel = pixel_index(image, u, v);
+        if (image.id[pixel] != kNothing && image.depth[pixel] < rest.depth[pixel]) {
+          sum += pixel_score(moving_, u, v, slack) - rest_scores_[pixel];
+        }
+      }
+    }
+    scores.push_back(sum);
+  }
+  return scores;
+}
+
+/// Of the nearer of moving_ and rest_ in each pixel.
+double ViewScore::contrast_score() {
+  const RenderedDepth& image = moving_.image;
+  residuals_.assign(image.depth.size(), kNoResidual);
+  double sum = 0.0;
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const std::size_t pixel = pixel_index(image, u, v);
+      const float z = std::min(image.depth[pixel], rest_.image.depth[pixel]);
+      const std::size_t view_pixel = view_->index(u + moving_.left, v + moving_.top);
+      const float measured = view_->depth[view_pixel];
+      if (!(measured > 0.0F) || !std::isfinite(z)) continue;
+      const float residual = (1.0F / measured - 1.0F / z) / static_cast<float>(noise_);
+      if (std::abs(residual) < kContrastGate) {
+        residuals_[pixel] = residual;
+      } else if (residual > 0.0F) {
+        sum += kOccluded;
+      } else {
+        const float nearest = view_->nearest[view_pixel];
+        const float beside = (1.0F / nearest - 1.0F / z) / static_cast<float>(noise_);
+        sum += beside > -kContrastGate ? 0.0 : kSeenThrough;
+      }
+    }
+  }
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const float here = residuals_[pixel_index(image, u, v)];
+      if (here == kNoResidual) continue;
+      float total = 0.0F;
+      float count = 0.0F;
+      for (int j = std::max(0, v - kContrastReach);
+           j <= std::min(image.height - 1, v + kContrastReach); ++j) {
+        for (int i = std::max(0, u - kContrastReach);
+             i <= std::min(image.width - 1, u + kContrastReach); ++i) {
+          const float there = residuals_[pixel_index(image, i, j)];
+          if (there == kNoResidual) continue;
+          total += there;
+          count += 1.0F;
+        }
+      }
+      const auto contrast = static_cast<double>(here - total / count);
+      sum += std::max(1.0 - kFallOff * contrast * contrast / kContrastVariance, -1.0);
+    }
+  }
+  return sum;
+}
+
+std::vector<double> ViewScore::scan_contrast(const Configuration& configuration, int variable,
+                                             const std::vector<double>& positions) {
+  const std::vector<std::uint8_t> moved = moved_bodies(tree_, variable);
+  frame_motion(configuration, variable, positions, moved);
+  draw(configuration, others_than(moved), rest_);
+  std::vector<double> scores;
+  Configuration trial = configuration;
+  for (const double position : positions) {
+    trial.q[variable] = position;
+    draw(trial, moved, moving_);
+    scores.push_back(contrast_score());
+  }
+  return scores;
+}
+
+}  // namespace lockbox

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How well a configuration explains a view, by drawing it: what is measured where the model says
+// counts for it, what the camera saw through against it, and a surface that goes on beyond the
+// model's outline is not the model's.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "coarse_view.hpp"
+#include "lockbox/mesh/surface_sampling.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/rendering/depth_renderer.hpp"
+
+namespace lockbox {
+
+/// What speaks for a configuration and against it.
+struct ViewEvidence {
+  double pixels = 0.0;        ///< of the view that show the model, measured and not occluded
+  double explained = 0.0;     ///< pixels of the view, weighted by how well
+  double contradicted = 0.0;  ///< pixels that the camera saw through
+  double occluded = 0.0;      ///< pixels with something in front
+  double continues = 0.0;     ///< share of the outline beyond which the surface goes on
+  double in_view = 0.0;       ///< share of the surface that faces the camera: within the image
+
+  /// The larger, the better it fits, for comparing near configurations.
+  double fit() const;
+
+  /// The larger, the more convincing; tolerance: 1 before anything is refined, 0 when all is.
+  double total(double tolerance) const;
+};
+
+/// Draws on one thread; reuses its buffers. Tree and view are referred to.
+class ViewScore {
+ public:
+  /// noise: standard deviation of 1/depth of a pixel of the view, 1/metre.
+  ViewScore(const KinematicTree& tree, double noise);
+
+  /// Draws what follows into this view.
+  void set_view(const CoarseView& view);
+
+  /// slack: metres that surfaces may be off. bodies: which to draw, by body; what hides the others
+  /// is no matter.
+  ViewEvidence evidence(const Configuration& configuration, double slack,
+                        const std::vector<std::uint8_t>& bodies);
+
+  /// The scores of the whole model for positions of one joint variable, up to a constant.
+  std::vector<double> scan(const Configuration& configuration, int variable,
+                           const std::vector<double>& positions, double slack);
+
+  /// The same by contrast: not depths are compared but how they differ from those around them. The
+  /// noise of neighbouring pixels goes together, so that in a view of single pixels low relief
+  /// stands out by its edges where its height is lost in the noise.
+  std::vector<double> scan_contrast(const Configuration& configuration, int variable,
+                                    const std::vector<double>& positions);
+
+ private:
+  /// Part of the view, drawn.
+  struct Drawing {
+    std::unique_ptr<DepthRenderer> renderer;
+    RenderedDepth image;
+    int left = 0;  ///< of its first pixel in the view
+    int top = 0;
+  };
+
+  void draw(const Configuration& configuration, const std::vector<std::uint8_t>& bodies,
+            Drawing& drawing);
+  void frame_motion(const Configuration& configuration, int variable,
+                    const std::vector<double>& positions, const std::vector<std::uint8_t>& moved);
+  double pixel_score(const Drawing& drawing, int u, int v, double slack) const;
+  double contrast_score();
+  double share_that_continues(double slack) const;
+  double share_in_view(const std::vector<std::uint8_t>& bodies) const;
+
+  const KinematicTree& tree_;
+  double noise_;
+  const CoarseView* view_ = nullptr;
+  std::vector<std::vector<SurfaceSample>> samples_;  ///< by body
+  std::vector<Eigen::AlignedBox3d> boxes_;           ///< by body
+  std::vector<Eigen::Isometry3d> poses_;
+  std::vector<RenderItem> items_;
+  Drawing whole_;
+  Drawing moving_;
+  Drawing rest_;
+  std::vector<double> rest_scores_;
+  std::vector<float> residuals_;
+};
+
+/// By body: 1 where the joint variable moves it.
+std::vector<std::uint8_t> moved_bodies(const KinematicTree& tree, int variable);
+
+}  // namespace lockbox

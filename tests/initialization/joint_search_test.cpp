@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "lockbox/initialization/initializer.hpp"
+#include "lockbox/simulation/trajectory.hpp"
+#include "seen_model.hpp"
+
+namespace lockbox {
+namespace {
+
+class JointSearch : public ::testing::Test {
+ protected:
+  double position(const Configuration& configuration, const std::string& joint) const {
+    return joint_position(model_.tree, configuration, joint_index(model_.tree, joint));
+  }
+  int variable(const std::string& joint) const {
+    const int index = joint_index(model_.tree, joint);
+    return model_.tree.joints[static_cast<std::size_t>(index)].variable;
+  }
+
+  const ArticulatedModel& model_ = shipped("lockbox");
+  Configuration truth_ = [this] {
+    Configuration configuration = rest_configuration(model_.tree);
+    configuration.T_camera_base = facing_pose(1.3);
+    set_joint_position(model_.tree, configuration, "door_bottom_left", 1.5);
+    set_joint_position(model_.tree, configuration, "slider", 0.2);
+    return configuration;
+  }();
+  TiledCloud cloud_ = seen(model_, truth_, wall_behind(0.6));
+  Configuration start_ = [this] {
+    Configuration configuration = rest_configuration(model_.tree);
+    configuration.T_camera_base = truth_.T_camera_base;
+    return configuration;
+  }();
+};
+
+TEST_F(JointSearch, FindsADoorThatSwungUnseen) {
+  const Configuration found = Initializer(model_, {}, Executor(1))
+                                  .find_joints(cloud_, start_, {variable("door_bottom_left")});
+  EXPECT_NEAR(position(found, "door_bottom_left"), 1.5, 0.05);
+}
+
+TEST_F(JointSearch, LeavesAllOthersWhereTheyAre) {
+  const Configuration found = Initializer(model_, {}, Executor(1))
+                                  .find_joints(cloud_, start_, {variable("door_bottom_left")});
+  EXPECT_EQ(position(found, "slider"), 0.0);
+  EXPECT_EQ(found.T_camera_base.matrix(), start_.T_camera_base.matrix());
+}
+
+TEST_F(JointSearch, FindsLowRelief) {
+  const Configuration found =
+      Initializer(model_, {}, Executor(1)).find_joints(cloud_, start_, {variable("slider")});
+  EXPECT_NEAR(position(found, "slider"), 0.2, 0.003);
+}
+
+}  // namespace
+}  // namespace lockbox

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "seen_model.hpp"
+
+#include <map>
+
+#include "lockbox/simulation/simulator.hpp"
+
+namespace lockbox {
+
+const ArticulatedModel& shipped(const std::string& name) {
+  static std::map<std::string, ArticulatedModel> models;
+  const auto known = models.find(name);
+  if (known != models.end()) return known->second;
+  LoadOptions options;
+  options.cache_directory = LOCKBOX_CACHE;
+  const std::string file = std::string(LOCKBOX_MODELS) + "/" + name + "/" + name + ".urdf";
+  return models.emplace(name, load_model(file, options)).first->second;
+}
+
+TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene) {
+  const PinholeCamera camera{640, 480, 575.8, 575.8, 319.5, 239.5};
+  State state;
+  state.configuration = truth;
+  DepthFrame frame;
+  Simulator(model.tree, camera, {scene, {state}}, sensor_model("primesense"), 3, Executor())
+      .simulate(state, 0, frame);
+  TiledCloud cloud;
+  cloud.assign(frame, {}, Executor());
+  return cloud;
+}
+
+Scene wall_behind(double distance) {
+  Scene scene;
+  scene.planes.push_back(
+      {SceneFrame::base, {0.0, 0.0, -distance}, Eigen::Vector3d::UnitZ(), {8.0, 8.0}});
+  return scene;
+}
+
+}  // namespace lockbox

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/simulation/scene.hpp"
+
+namespace lockbox {
+
+/// The shipped model of that name.
+const ArticulatedModel& shipped(const std::string& name);
+
+/// What a PrimeSense-class sensor sees of the model in the scene.
+TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene);
+
+/// A wall that many metres behind the base's origin, square to the base.
+Scene wall_behind(double distance);
+
+}  // namespace lockbox
