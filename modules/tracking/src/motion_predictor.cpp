@@ -20,6 +20,7 @@ MotionPredictor::MotionPredictor(const KinematicTree& tree)
 void MotionPredictor::reset(double stamp, const Configuration& configuration) {
   stamp_ = stamp;
   last_ = configuration;
+  last_observable_.assign(static_cast<std::size_t>(6 + tree_.variables()), true);
   base_velocity_.setZero();
   joint_velocity_.setZero();
   spread_ = kLargestSpread;
@@ -45,8 +46,9 @@ void MotionPredictor::update(double stamp, const Configuration& configuration,
   if (dt > 0.0 && dt <= kLongestStep) {
     base_velocity_ = log_se3(last_.T_camera_base.inverse() * configuration.T_camera_base) / dt;
     for (int v = 0; v < tree_.variables(); ++v) {
-      const bool seen = observable[static_cast<std::size_t>(6 + v)];
-      joint_velocity_[v] = seen ? (configuration.q[v] - last_.q[v]) / dt : 0.0;
+      const auto unknown = static_cast<std::size_t>(6 + v);
+      const bool seen_twice = observable[unknown] && last_observable_[unknown];
+      joint_velocity_[v] = seen_twice ? (configuration.q[v] - last_.q[v]) / dt : 0.0;
     }
   } else {
     base_velocity_.setZero();
@@ -56,6 +58,7 @@ void MotionPredictor::update(double stamp, const Configuration& configuration,
                        kLeastSpread, kLargestSpread);
   stamp_ = stamp;
   last_ = configuration;
+  last_observable_ = observable;
 }
 
 }  // namespace lockbox

@@ -3,104 +3,117 @@
 
 #include <chrono>
 
-#include "lockbox/cloud/segmentation.hpp"
-
 namespace lockbox {
+namespace {
 
-std::string to_string(TrackingStatus status) {
-  switch (status) {
-    case TrackingStatus::initializing:
-      return "initializing";
-    case TrackingStatus::tracking:
-      return "tracking";
-    case TrackingStatus::uncertain:
-      return "uncertain";
-    case TrackingStatus::lost:
-      return "lost";
+constexpr int kFramesToKnowMotion = 2;  // a joint that comes back into sight is sought until then
+constexpr int kLongestSearchPause = 8;  // frames
+
+/// While nothing is found, the search of the whole frame pauses for longer and longer.
+bool search_is_due(int frames_searched) {
+  if (frames_searched < kLongestSearchPause) {
+    return (frames_searched & (frames_searched - 1)) == 0;  // 0, 1, 2, 4
   }
-  return "lost";
+  return frames_searched % kLongestSearchPause == 0;
 }
+
+}  // namespace
 
 Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
     : model_(model),
       options_(options),
       executor_(options.threads),
       registration_(model, options.registration, executor_),
-      predictor_(model.tree) {}
+      acquisition_(model, options, executor_, registration_, cloud_),
+      predictor_(model.tree) {
+  result_.configuration = unknown_configuration(model.tree);
+}
 
 void Tracker::start(const Configuration& configuration) {
-  start_ = configuration;
+  guess_ = configuration;
+  frames_searched_ = 0;
+  result_.status = TrackingStatus::initializing;
+}
+
+bool Tracker::is_known() const {
+  return result_.status == TrackingStatus::tracking || result_.status == TrackingStatus::uncertain;
 }
 
 const TrackingResult& Tracker::process(const DepthFrame& frame) {
   const auto began = std::chrono::steady_clock::now();
   cloud_.assign(frame, options_.cloud, executor_);
   result_.stamp = frame.stamp;
-  if (start_) {
-    predictor_.reset(frame.stamp, *start_);
-    const RegistrationResult& found = find_start(frame, *start_);
-    judge(found);
-    predictor_.reset(frame.stamp, found.configuration);
-    start_.reset();
-  } else if (result_.status != TrackingStatus::initializing) {
-    const Configuration prediction = predictor_.predict(frame.stamp);
-    const RegistrationResult& found = registration_.align(
-        cloud_, prediction, {predictor_.spread(), options_.registration.max_iterations});
-    judge(found);
-    predictor_.update(frame.stamp, found.configuration, found.observable,
-                      registration_.surface_distance(prediction, found.configuration));
+  if (is_known()) {
+    follow(frame);
+  } else {
+    search(frame);
   }
   result_.latency_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
   return result_;
 }
 
-/// Only the points that may be the object: table, walls and clutter would pull at wide gates.
-void Tracker::keep_object(const Configuration& start, double margin) {
-  BodyPoses poses;
-  forward_kinematics(model_.tree, start, poses);
-  std::vector<ExpectedBody> expected;
-  for (std::size_t b = 0; b < model_.fields.size(); ++b) {
-    if (model_.fields[b]) {
-      expected.push_back({poses[b], model_.fields[b]->bounds()});
+void Tracker::search(const DepthFrame& frame) {
+  const bool due = search_is_due(frames_searched_++);
+  if (!due) {
+    return;
+  }
+  const auto found = acquisition_.find(frame, guess_, options_.search_anywhere);
+  result_.searches = acquisition_.searches();
+  if (!found) {
+    return;
+  }
+  const bool had_estimate = result_.status == TrackingStatus::lost || guess_;
+  if (!had_estimate && judge(found->agreement, options_) == TrackingStatus::lost) {
+    return;  // still initializing: an answer that nobody believes is no estimate
+  }
+  report(*found);
+  if (is_known()) {
+    frames_searched_ = 0;
+    predictor_.reset(frame.stamp, found->configuration);
+    frames_in_sight_.assign(static_cast<std::size_t>(model_.tree.variables()), kFramesToKnowMotion);
+    guess_ = found->configuration;
+  }
+}
+
+void Tracker::follow(const DepthFrame& frame) {
+  const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
+  const RegistrationResult& found = registration_.align(
+      cloud_, prediction, {predictor_.spread(), options_.registration.max_iterations});
+  report(found);
+  predictor_.update(frame.stamp, found.configuration, found.observable,
+                    registration_.surface_distance(prediction, found.configuration));
+  for (std::size_t v = 0; v < frames_in_sight_.size(); ++v) {
+    frames_in_sight_[v] = found.observable[6 + v] ? frames_in_sight_[v] + 1 : 0;
+    // One frame may mistake a stranger for the part that comes back; the second one tells.
+    result_.observable[6 + v] = frames_in_sight_[v] >= kFramesToKnowMotion;
+  }
+  if (result_.status == TrackingStatus::tracking) {
+    guess_ = found.configuration;
+  }
+}
+
+/// A joint that was hidden may have moved anywhere: what is seen of it decides where it is now.
+Configuration Tracker::with_hidden_joints_sought(const Configuration& prediction) {
+  hidden_joints_.clear();
+  for (int v = 0; v < model_.tree.variables(); ++v) {
+    if (frames_in_sight_[static_cast<std::size_t>(v)] < kFramesToKnowMotion) {
+      hidden_joints_.push_back(v);
     }
   }
-  if (const auto mask = ObjectSegmenter().segment(cloud_, expected, margin)) {
-    cloud_.keep(*mask);
-  }
+  return hidden_joints_.empty() ? prediction : acquisition_.find_joints(prediction, hidden_joints_);
 }
 
-const RegistrationResult& Tracker::find_start(const DepthFrame& frame, const Configuration& start) {
-  keep_object(start, options_.start_margin);
-  const Configuration placed =
-      registration_.align(cloud_, start, {options_.start_spread, options_.start_iterations, true})
-          .configuration;
-  cloud_.assign(frame, options_.cloud, executor_);
-  return registration_.align(cloud_, placed,
-                             {options_.start_joint_spread, options_.start_joint_iterations});
-}
-
-void Tracker::judge(const RegistrationResult& registered) {
+void Tracker::report(const RegistrationResult& registered) {
   result_.configuration = registered.configuration;
   result_.covariance = registered.covariance;
   result_.sigma = registered.sigma;
   result_.observable = registered.observable;
   result_.residual_rms = registered.residual_rms;
-  const Agreement& agreement = registered.agreement;
-  result_.explained = agreement.explained;
-  result_.contradicted = agreement.contradicted;
-  result_.occluded = agreement.occluded;
-
-  const double decided = agreement.explained + agreement.contradicted;
-  const double share = decided > 0.0 ? agreement.explained / decided : 0.0;
-  if (agreement.explained >= options_.least_explained && share >= options_.least_agreement) {
-    result_.status = TrackingStatus::tracking;
-  } else if (agreement.explained < 0.5 * options_.least_explained ||
-             share < options_.lost_agreement) {
-    result_.status = TrackingStatus::lost;
-  } else {
-    result_.status = TrackingStatus::uncertain;
-  }
+  result_.explained = registered.agreement.explained;
+  result_.contradicted = registered.agreement.contradicted;
+  result_.occluded = registered.agreement.occluded;
+  result_.status = judge(registered.agreement, options_);
 }
 
 }  // namespace lockbox

@@ -9,9 +9,9 @@
 
 namespace lockbox {
 
-/// Constant velocity of the base and of every joint that was observed; an unobserved joint stands
-/// still at once, or it would drift into its limit. The gate adapts to the prediction's own recent
-/// errors (after Vizzo et al., KISS-ICP, 2023).
+/// Constant velocity of the base and of every joint that was observed twice in a row; an unobserved
+/// joint stands still at once, or it would drift into its limit. The gate adapts to the
+/// prediction's own recent errors (after Vizzo et al., KISS-ICP, 2023).
 class MotionPredictor {
  public:
   explicit MotionPredictor(const KinematicTree& tree);
@@ -33,6 +33,7 @@ class MotionPredictor {
   const KinematicTree& tree_;
   double stamp_ = 0.0;
   Configuration last_;
+  std::vector<bool> last_observable_;    ///< by unknown
   Twist base_velocity_ = Twist::Zero();  ///< base frame, per second
   Eigen::VectorXd joint_velocity_;
   double spread_ = 0.0;

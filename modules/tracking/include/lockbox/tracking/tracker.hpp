@@ -11,34 +11,12 @@
 #include "lockbox/core/depth_frame.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/tracking/acquisition.hpp"
+#include "lockbox/tracking/judgement.hpp"
 #include "lockbox/tracking/motion_predictor.hpp"
+#include "lockbox/tracking/tracker_options.hpp"
 
 namespace lockbox {
-
-enum class TrackingStatus { initializing, tracking, uncertain, lost };
-
-/// The word for a states file.
-std::string to_string(TrackingStatus status);
-
-struct TrackerOptions {
-  RegistrationOptions registration;
-  CloudOptions cloud;
-  int threads = 0;  ///< 0: all cores
-
-  /// The first frame: the base alone, from where its surfaces are this far off (metres), then the
-  /// joints too, within a narrow gate: wide gates would turn and slide parts onto each other.
-  double start_margin = 0.2;  ///< points farther from the expected object are left out, metres
-  double start_spread = 0.04;
-  int start_iterations = 30;
-  double start_joint_spread = 0.005;
-  int start_joint_iterations = 10;
-
-  /// `tracking` needs at least these shares of the visible surface: explained of all of it, and of
-  /// the part that is explained or contradicted.
-  double least_explained = 0.15;
-  double least_agreement = 0.85;
-  double lost_agreement = 0.60;  ///< below it, or below half of least_explained: `lost`
-};
 
 struct TrackingResult {
   double stamp = 0.0;
@@ -51,6 +29,7 @@ struct TrackingResult {
   double explained = 0.0;        ///< shares of the model's visible surface
   double contradicted = 0.0;
   double occluded = 0.0;
+  int searches = 0;  ///< how often the object was sought in the whole frame, up to now
   double latency_ms = 0.0;
 };
 
@@ -59,7 +38,8 @@ class Tracker {
  public:
   Tracker(const ArticulatedModel& model, const TrackerOptions& options);
 
-  /// Where to look in the next frame. Until it was called, process() reports `initializing`.
+  /// Where to look in the next frame. Without it the object is sought everywhere, and process()
+  /// reports `initializing` until it was found.
   void start(const Configuration& configuration);
 
   /// Valid until the next call. Throws InputError if the frame is not a depth image.
@@ -70,17 +50,23 @@ class Tracker {
   const CollisionTerm& collision() const { return registration_.collision(); }
 
  private:
-  void keep_object(const Configuration& start, double margin);
-  const RegistrationResult& find_start(const DepthFrame& frame, const Configuration& start);
-  void judge(const RegistrationResult& registered);
+  bool is_known() const;
+  void search(const DepthFrame& frame);
+  void follow(const DepthFrame& frame);
+  Configuration with_hidden_joints_sought(const Configuration& prediction);
+  void report(const RegistrationResult& registered);
 
   const ArticulatedModel& model_;
   TrackerOptions options_;
   Executor executor_;
   TiledCloud cloud_;
   ArticulatedRegistration registration_;
+  Acquisition acquisition_;
   MotionPredictor predictor_;
-  std::optional<Configuration> start_;
+  std::optional<Configuration> guess_;
+  int frames_searched_ = 0;           ///< since the object was last known
+  std::vector<int> hidden_joints_;    ///< variables to be sought in this frame
+  std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
   TrackingResult result_;
 };
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the object in a frame when following it is not possible: at the start, and when lost.
+#pragma once
+
+#include <optional>
+
+#include "lockbox/core/depth_frame.hpp"
+#include "lockbox/initialization/initializer.hpp"
+#include "lockbox/tracking/judgement.hpp"
+
+namespace lockbox {
+
+/// Uses the tracker's registration and cloud; they and the model must outlive it.
+class Acquisition {
+ public:
+  Acquisition(const ArticulatedModel& model, const TrackerOptions& options,
+              const Executor& executor, ArticulatedRegistration& registration, TiledCloud& cloud);
+
+  /// Looks near the guess, if there is one, then anywhere if asked to, until an answer is judged
+  /// `tracking`. Returns the most convincing one, even if it is not; none if nothing in view
+  /// resembles the model. The cloud must hold the frame, and does so again afterwards.
+  std::optional<RegistrationResult> find(const DepthFrame& frame,
+                                         const std::optional<Configuration>& guess, bool anywhere);
+
+  /// How often find() has looked anywhere.
+  int searches() const { return searches_; }
+
+  /// Seeks single joints over their whole range, see Initializer::find_joints.
+  Configuration find_joints(const Configuration& start, const std::vector<int>& variables);
+
+ private:
+  bool try_from(const Configuration& start, const Annealing& annealing);
+  void place_base(const DepthFrame& frame, Configuration& configuration);
+  void keep_object(const Configuration& start);
+  Initializer& initializer();
+
+  const ArticulatedModel& model_;
+  TrackerOptions options_;
+  Executor executor_;
+  ArticulatedRegistration& registration_;
+  TiledCloud& cloud_;
+  std::optional<Initializer> initializer_;  ///< made when it is first needed: it draws the model
+  std::optional<RegistrationResult> best_;
+  int searches_ = 0;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/registration/registration_options.hpp"
+
+namespace lockbox {
+
+struct TrackerOptions {
+  RegistrationOptions registration;
+  CloudOptions cloud;
+  int threads = 0;  ///< 0: all cores
+
+  /// Around a guess: first as it is, within a narrow gate; then the base alone, from where its
+  /// surfaces are start_spread off (metres), and the joints after it. Wide gates would turn and
+  /// slide parts onto each other.
+  double start_margin = 0.2;  ///< points farther from the expected object are left out, metres
+  double start_spread = 0.04;
+  int start_iterations = 30;
+  double start_joint_spread = 0.005;
+  int start_joint_iterations = 10;
+  bool search_anywhere = true;  ///< where no guess helps, at the start and when lost
+
+  /// `tracking` needs at least these shares of the visible surface: explained of all of it, and of
+  /// the part that is explained or contradicted.
+  double least_explained = 0.15;
+  double least_agreement = 0.85;
+  double lost_agreement = 0.60;  ///< below it, or below half of least_explained: `lost`
+};
+
+}  // namespace lockbox
