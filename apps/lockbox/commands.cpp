@@ -17,7 +17,7 @@ const std::vector<CommandEntry>& commands() {
        "--output out/errors",
        make_evaluate_command},
       {"experiment", "Repeats an experiment of the project, with raw results and figures",
-       "lockbox experiment collision --output out/collision", make_experiment_command},
+       "lockbox experiment rigid --output out/rigid", make_experiment_command},
       {"inspect", "Shows a model: its tree, distance fields, contacts, and a picture",
        "lockbox inspect --model lockbox --picture lockbox.png", make_inspect_command},
   };

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "contacts.hpp"
+#include "lockbox/evaluation/symmetry.hpp"
 #include "lockbox/visualization/model_painter.hpp"
 #include "lockbox/visualization/viewpoint.hpp"
 #include "model_options.hpp"
@@ -94,6 +95,17 @@ void print_contacts(const ArticulatedModel& model) {
   }
 }
 
+/// The motions after which nobody can tell that the model has moved.
+void print_symmetries(const ArticulatedModel& model) {
+  const auto symmetries = find_symmetries(model);
+  if (symmetries.size() == 1) std::cout << "none\n";
+  for (std::size_t i = 1; i < symmetries.size(); ++i) {
+    const Eigen::AngleAxisd rotation(symmetries[i].linear());
+    std::cout << kDegrees * rotation.angle() << " degrees about (" << rotation.axis().transpose()
+              << ")\n";
+  }
+}
+
 class InspectCommand : public Command {
  public:
   void add_options(CLI::App& options) override {
@@ -112,6 +124,8 @@ class InspectCommand : public Command {
     print_fields(model);
     std::cout << "\nContacts at rest\n";
     print_contacts(model);
+    std::cout << "\nMotions that map the model onto itself\n";
+    print_symmetries(model);
     if (!picture_.empty()) draw(model.tree);
     return ExitStatus::done;
   }

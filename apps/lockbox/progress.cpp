@@ -27,10 +27,12 @@ std::string minutes_and_seconds(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::string activity, std::optional<std::size_t> total, bool quiet)
+Progress::Progress(std::string activity, std::optional<std::size_t> total, bool quiet,
+                   std::string unit)
     : activity_(std::move(activity)),
       total_(total),
       quiet_(quiet),
+      unit_(std::move(unit)),
       on_terminal_(isatty(STDERR_FILENO) != 0),
       start_(Clock::now()),
       shown_(start_) {}
@@ -63,7 +65,8 @@ std::string Progress::line() const {
   if (on_terminal_ && total_) text << bar() << ' ';
   text << done_;
   if (total_) text << '/' << *total_;
-  text << " frames, " << std::fixed << std::setprecision(1) << rate << " frames/s";
+  text << ' ' << unit_ << ", " << std::fixed << std::setprecision(1) << rate << ' ' << unit_
+       << "/s";
   if (!status_.empty()) text << ", " << status_;
   if (total_ && done_ < *total_ && rate > 0.0) {
     text << ", " << minutes_and_seconds(static_cast<double>(*total_ - done_) / rate) << " left";

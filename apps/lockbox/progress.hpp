@@ -9,14 +9,15 @@
 
 namespace lockbox::app {
 
-/// Says on standard error how far a loop over frames is: a bar that is redrawn on a terminal, a
-/// line every few seconds elsewhere.
+/// Says on standard error how far a loop over frames (or other units) is: a bar that is redrawn on
+/// a terminal, a line every few seconds elsewhere.
 class Progress {
  public:
-  /// total: number of frames, if known. quiet: says nothing at all.
-  Progress(std::string activity, std::optional<std::size_t> total, bool quiet);
+  /// total: number of units, if known. quiet: says nothing at all.
+  Progress(std::string activity, std::optional<std::size_t> total, bool quiet,
+           std::string unit = "frames");
 
-  /// done: frames so far; status: a word on the last one, may be empty.
+  /// done: units so far; status: a word on the last one, may be empty.
   void update(std::size_t done, std::string_view status = {});
 
   /// The last line, with the average rate.
@@ -31,6 +32,7 @@ class Progress {
   std::string activity_;
   std::optional<std::size_t> total_;
   bool quiet_;
+  std::string unit_;
   bool on_terminal_;
   Clock::time_point start_;
   Clock::time_point shown_;

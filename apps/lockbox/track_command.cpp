@@ -33,7 +33,7 @@ class TrackCommand : public Command {
     source_.add_to(options);
     options
         .add_option("--initial-state", initial_state_,
-                    "States file whose first row is the start; auto: the model's initial_state")
+                    "States file whose first row is the start; auto: found, no guess needed")
         ->type_name("FILE|auto");
     add_output_options(options);
     add_tracker_options(options);
@@ -44,7 +44,7 @@ class TrackCommand : public Command {
     const auto source = source_.open();
     const TrackerOptions tracker_options = make_tracker_options(model.tree);
     Tracker tracker(model, tracker_options);
-    tracker.start(initial_configuration(model));
+    if (initial_state_ != "auto") tracker.start(first_state(initial_state_, model.tree));
     if (!settings_.quiet) {
       std::cerr << "source: " << source->description() << '\n';
       if (settings_.output.empty()) std::cerr << "no --output: results are not written\n";
@@ -104,17 +104,6 @@ class TrackCommand : public Command {
       options.registration.locked[static_cast<std::size_t>(joint.variable)] = true;
     }
     return options;
-  }
-
-  Configuration initial_configuration(const ArticulatedModel& model) const {
-    if (initial_state_ != "auto") return first_state(initial_state_, model.tree);
-    if (!model.parameters.initial_configuration) {
-      throw InputError(model.file.string(),
-                       "it is not known where to start; give --initial-state FILE, or put "
-                       "initial_state into the .yaml file beside the model");
-    }
-    if (!settings_.quiet) std::cerr << "start: initial_state of the model's .yaml file\n";
-    return *model.parameters.initial_configuration;
   }
 
   const CLI::App* options_ = nullptr;

@@ -105,6 +105,18 @@ TEST_F(Report, SaysWhenGnuplotIsMissing) {
   EXPECT_NE(content(folder_ / "base.gp").find("0 3"), std::string::npos);  // 3 mm at 0 s
 }
 
+TEST_F(Report, PlotsAHeatMapBehindItsCurves) {
+  if (std::system("gnuplot --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "needs gnuplot";
+  Panel panel{"x", "y", {{"contour", {1.5, 2.0}, {0.0, 10.0}}}};
+  panel.heat_map = HeatMap{"share (%)", {1.0, 2.0, 3.0}, {0.0, 10.0}, {100, 50, 0, 90, 40, 10}};
+  EXPECT_EQ(write_figure(folder_ / "map", {"map", {panel}}), "");
+  const std::string picture = content(folder_ / "map.svg");
+  EXPECT_NE(picture.find("share (%)"), std::string::npos);
+  EXPECT_NE(picture.find("contour"), std::string::npos);
+  // Cells reach half way to their neighbours.
+  EXPECT_NE(content(folder_ / "map.gp").find("2 10 1.5 2.5 5 15 40"), std::string::npos);
+}
+
 TEST_F(Report, PlotsNothingOfNothing) {
   const Figure empty{"nothing", {{"x", "y", {{"no value", {0.0}, {std::nan("")}}}, false}}};
   EXPECT_NE(write_figure(folder_ / "nothing", empty), "");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Line plots, drawn by gnuplot where it is installed.
+// Line plots and heat maps, drawn by gnuplot where it is installed.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,23 @@ struct Curve {
   std::vector<double> y;  ///< as many as x; NaN makes a gap
 };
 
+/// One coloured cell around each point (x, y) of a grid.
+struct HeatMap {
+  std::string label;  ///< of the colour scale
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> values;  ///< x.size() * y.size(), all x of the first y first
+  double lowest = 0.0;         ///< values at the ends of the colour scale
+  double highest = 100.0;
+};
+
 struct Panel {
   std::string x_label;
   std::string y_label;
   std::vector<Curve> curves;
   bool logarithmic_y = false;
+  std::string title = {};
+  std::optional<HeatMap> heat_map = std::nullopt;  ///< behind the curves
 };
 
 /// Panels one below the other.

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment.hpp"
+
+#include <iostream>
+
+#include "lockbox/simulation/trajectory.hpp"
+#include "primesense_camera.hpp"
+#include "progress.hpp"
+
+namespace lockbox::app {
+
+std::vector<std::string> models_or_lockbox(const ExperimentSettings& settings) {
+  return settings.models.empty() ? std::vector<std::string>{"lockbox"} : settings.models;
+}
+
+Configuration usual_view(const ArticulatedModel& model) {
+  if (model.parameters.initial_configuration) return *model.parameters.initial_configuration;
+  Configuration configuration = rest_configuration(model.tree);
+  configuration.T_camera_base = facing_pose(1.3);
+  return configuration;
+}
+
+Recording simulate(const ArticulatedModel& model, const std::vector<State>& truth,
+                   const Scene& scene, const ExperimentSettings& settings) {
+  Progress progress("simulate " + model.tree.name, truth.size(), settings.quiet);
+  Recording recording = simulate_recording(
+      model.tree, truth, {scene, kPrimeSenseCamera, sensor_model(settings.sensor), settings.seed},
+      Executor(), [&](std::size_t done) { progress.update(done); });
+  progress.finish();
+  return recording;
+}
+
+std::vector<TrackingResult> track(Tracker& tracker, const Recording& recording) {
+  std::vector<TrackingResult> results;
+  for (const DepthFrame& frame : recording.frames) results.push_back(tracker.process(frame));
+  return results;
+}
+
+void draw(const std::filesystem::path& stem, const Figure& figure) {
+  const std::string hindrance = write_figure(stem, figure);
+  if (!hindrance.empty()) std::cerr << "lockbox: no figure: " << hindrance << '\n';
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The face of an experiment, and what experiments share.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lockbox/evaluation/figure.hpp"
+#include "lockbox/evaluation/recording.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/tracking/tracker.hpp"
+
+namespace lockbox::app {
+
+/// What all experiments can be told.
+struct ExperimentSettings {
+  std::vector<std::string> models;  ///< files or shipped names; empty: those it is about
+  std::filesystem::path output;
+  std::string sensor = "primesense";
+  std::uint64_t seed = 1;
+  bool quiet = false;
+};
+
+class Experiment {
+ public:
+  virtual ~Experiment() = default;
+
+  /// Declares its own options.
+  virtual void add_options(CLI::App& options) = 0;
+
+  /// Writes raw rows and figures, and prints the summary. False if the user stopped it; the same
+  /// command then picks it up again.
+  virtual bool run(const ExperimentSettings& settings) = 0;
+};
+
+/// The named models, or the shipped lockbox.
+std::vector<std::string> models_or_lockbox(const ExperimentSettings& settings);
+
+/// The model's own initial state, or at rest 1.3 m in front of the camera.
+Configuration usual_view(const ArticulatedModel& model);
+
+/// Simulates a PrimeSense camera in a shipped scene, with progress.
+Recording simulate(const ArticulatedModel& model, const std::vector<State>& truth,
+                   const Scene& scene, const ExperimentSettings& settings);
+
+/// Hands all frames to the tracker; returns what it made of each.
+std::vector<TrackingResult> track(Tracker& tracker, const Recording& recording);
+
+/// Draws the figure, or says on standard error why there is none.
+void draw(const std::filesystem::path& stem, const Figure& figure);
+
+}  // namespace lockbox::app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments.hpp"
+
+namespace lockbox::app {
+
+const std::vector<ExperimentEntry>& experiments() {
+  static const std::vector<ExperimentEntry> entries = {
+      {"convergence", "How wrong a start may be, in translation and rotation",
+       make_convergence_experiment},
+      {"rigid", "Starts displaced along a box that is only partly in view", make_rigid_experiment},
+      {"intersection", "What the collision term does to the joints", make_intersection_experiment},
+      {"order", "Nothing depends on the order or the names of links", make_order_experiment},
+      {"global", "Random scenes, searched without a guess", make_global_experiment},
+      {"kidnap", "The box is moved unseen, or the estimate is thrown away", make_kidnap_experiment},
+      {"occlusion", "An arm sweeps over the box", make_occlusion_experiment},
+      {"speed", "Faster and faster motion, and sudden steps", make_speed_experiment},
+  };
+  return entries;
+}
+
+}  // namespace lockbox::app

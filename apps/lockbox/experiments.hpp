@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiment.hpp"
+
+namespace lockbox::app {
+
+struct ExperimentEntry {
+  std::string name;
+  std::string summary;
+  std::unique_ptr<Experiment> (*make)();
+};
+
+const std::vector<ExperimentEntry>& experiments();
+
+// One source each: <name>_experiment.cpp.
+std::unique_ptr<Experiment> make_convergence_experiment();
+std::unique_ptr<Experiment> make_global_experiment();
+std::unique_ptr<Experiment> make_intersection_experiment();
+std::unique_ptr<Experiment> make_kidnap_experiment();
+std::unique_ptr<Experiment> make_occlusion_experiment();
+std::unique_ptr<Experiment> make_order_experiment();
+std::unique_ptr<Experiment> make_rigid_experiment();
+std::unique_ptr<Experiment> make_speed_experiment();
+
+}  // namespace lockbox::app

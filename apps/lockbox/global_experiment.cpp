@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <set>
+
+#include "experiments.hpp"
+#include "interruption.hpp"
+#include "lockbox/evaluation/global_experiment.hpp"
+#include "lockbox/evaluation/statistics.hpp"
+#include "primesense_camera.hpp"
+#include "progress.hpp"
+#include "shard.hpp"
+#include "shipped_files.hpp"
+
+namespace lockbox::app {
+namespace {
+
+std::vector<GlobalResult> rows_of_all_shards(const std::filesystem::path& stem) {
+  std::map<std::uint64_t, GlobalResult> by_scene;
+  for (const auto& file : rows_files(stem)) {
+    for (const GlobalResult& row : read_global_results(file)) by_scene[row.scene] = row;
+  }
+  std::vector<GlobalResult> rows;
+  rows.reserve(by_scene.size());
+  for (const auto& [scene, row] : by_scene) rows.push_back(row);
+  return rows;
+}
+
+void print_summary(const std::string& name, const std::vector<GlobalResult>& rows) {
+  std::map<std::string, int> wrong;
+  std::vector<double> seconds;
+  int counted = 0;
+  int right = 0;
+  for (const GlobalResult& row : rows) {
+    seconds.push_back(row.seconds);
+    if (!row.determined) continue;
+    ++counted;
+    right += row.right ? 1 : 0;
+    if (!row.right) ++wrong[row.wrong];
+  }
+  if (counted == 0) return;
+  const Statistics times = summarize(seconds);
+  std::cout << std::fixed << std::setprecision(1) << name << ": right in " << right << " of "
+            << counted << " scenes that determine the base (" << 100.0 * right / counted << " %), "
+            << rows.size() - static_cast<std::size_t>(counted) << " further scenes\n"
+            << std::setprecision(2) << "  time: median " << times.median << " s, 95 % "
+            << times.percentile_95 << " s, longest " << times.maximum << " s\n";
+  for (const auto& [what, count] : wrong) {
+    std::cout << "  wrong " << count << " times: " << what << '\n';
+  }
+}
+
+/// Right answers by distance, and how many scenes took at most so long.
+Figure global_figure(const std::string& name, const std::vector<GlobalResult>& rows) {
+  constexpr double kBin = 0.3;
+  std::map<int, std::pair<int, int>> bins;  // right, all
+  std::vector<double> seconds;
+  for (const GlobalResult& row : rows) {
+    seconds.push_back(row.seconds);
+    if (!row.determined) continue;
+    auto& [right, all] = bins[static_cast<int>(row.distance / kBin)];
+    right += row.right ? 1 : 0;
+    ++all;
+  }
+  Curve rate{"right", {}, {}};
+  for (const auto& [bin, counts] : bins) {
+    rate.x.push_back(kBin * (bin + 0.5));
+    rate.y.push_back(100.0 * counts.first / counts.second);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  Curve times{"scenes done", seconds, {}};
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    times.y.push_back(100.0 * static_cast<double>(i + 1) / static_cast<double>(seconds.size()));
+  }
+  return {name + ": found without a guess",
+          {{"distance (m)", "right (%)", {rate}}, {"time (s)", "scenes (%)", {times}}}};
+}
+
+class GlobalSearch : public Experiment {
+ public:
+  void add_options(CLI::App& options) override {
+    options.add_option("--scenes", scenes_, "Number of random scenes")->check(CLI::PositiveNumber);
+    shard_.add_to(options);
+  }
+
+  bool run(const ExperimentSettings& settings) override {
+    shard_.parse();
+    auto models = settings.models;
+    if (models.empty()) models = {"lockbox", "cabinet", "rigid_block"};
+    return std::all_of(models.begin(), models.end(), [&](const std::string& name) {
+      return run_model(load_model(find_model(name)), settings);
+    });
+  }
+
+ private:
+  /// Searches the scenes that have no row yet; sums up the rows of all shards.
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) const {
+    const auto stem =
+        settings.output / ("global_" + model.tree.name + "_seed" + std::to_string(settings.seed));
+    const auto file = shard_.rows_file(stem);
+    std::vector<GlobalResult> rows;
+    if (std::filesystem::exists(file)) rows = read_global_results(file);
+    std::set<std::uint64_t> done;
+    for (const GlobalResult& row : rows) done.insert(row.scene);
+    GlobalExperiment experiment(model, kPrimeSenseCamera, sensor_model(settings.sensor),
+                                settings.seed, Executor());
+    const Interruption interruption;
+    Progress progress("global " + model.tree.name, shard_.runs_of(scenes_), settings.quiet,
+                      "scenes");
+    for (std::uint64_t scene = 0; scene < scenes_ && !interruption.requested(); ++scene) {
+      if (!shard_.holds(scene) || done.count(scene) > 0) continue;
+      rows.push_back(experiment.search_scene(scene));
+      write_global_results(file, rows);
+      progress.update(rows.size(), rows.back().right ? "right" : rows.back().wrong);
+    }
+    progress.finish();
+    const auto all = rows_of_all_shards(stem);
+    print_summary(model.tree.name, all);
+    draw(stem, global_figure(model.tree.name, all));
+    return !interruption.requested();
+  }
+
+  std::uint64_t scenes_ = 500;
+  Shard shard_;
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> make_global_experiment() {
+  return std::make_unique<GlobalSearch>();
+}
+
+}  // namespace lockbox::app

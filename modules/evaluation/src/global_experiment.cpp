@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/evaluation/global_experiment.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "lockbox/evaluation/bound.hpp"
+#include "lockbox/evaluation/symmetry.hpp"
+#include "lockbox/simulation/simulator.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+
+bool determines_base(const Eigen::VectorXd& bound) {
+  return bound.head<3>().norm() < 0.005 && bound.segment<3>(3).norm() < 0.5 * kDegree;
+}
+
+}  // namespace
+
+GlobalExperiment::GlobalExperiment(const ArticulatedModel& model, const PinholeCamera& camera,
+                                   const SensorModel& sensor, std::uint64_t seed,
+                                   const Executor& executor)
+    : model_(model),
+      camera_(camera),
+      sensor_(sensor),
+      seed_(seed),
+      executor_(executor),
+      initializer_(model, {}, executor),
+      symmetries_(find_symmetries(model)) {}
+
+GlobalResult GlobalExperiment::search_scene(std::uint64_t number) {
+  const RandomScene drawn = draw_random_scene(model_, camera_, seed_, number);
+  const PlacedScene placed(drawn.scene, {drawn.truth});
+  DepthFrame frame;
+  Simulator(model_.tree, camera_, placed, sensor_, seed_, executor_)
+      .simulate(drawn.truth, number, frame);
+  std::vector<RenderItem> scenery;
+  placed.append_items(drawn.truth, scenery);
+  const Eigen::VectorXd bound =
+      bound_sigma(DepthInformation(model_.tree, camera_, sensor_, executor_)
+                      .compute(drawn.truth.configuration, scenery));
+
+  GlobalResult result;
+  result.scene = number;
+  result.placement = drawn.placement;
+  result.cut_off = drawn.cut_off;
+  result.visible = drawn.visible;
+  result.distance = drawn.truth.configuration.T_camera_base.translation().norm();
+  result.determined = determines_base(bound);
+  const auto began = std::chrono::steady_clock::now();
+  TiledCloud cloud;
+  cloud.assign(frame, {}, executor_);
+  const std::vector<Candidate> found = initializer_.find(cloud);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  if (found.empty()) {
+    result.wrong = "nothing";
+    result.translation = result.rotation = std::numeric_limits<double>::quiet_NaN();
+  } else {
+    judge(found.front(), drawn.truth, bound, result);
+  }
+  return result;
+}
+
+void GlobalExperiment::judge(const Candidate& found, const State& truth,
+                             const Eigen::VectorXd& bound, GlobalResult& result) const {
+  result.explained = found.agreement.explained;
+  result.contradicted = found.agreement.contradicted;
+  result.rotation = std::numeric_limits<double>::infinity();
+  for (const Eigen::Isometry3d& symmetry : symmetries_) {
+    const Eigen::Isometry3d error =
+        found.configuration.T_camera_base.inverse() * truth.configuration.T_camera_base * symmetry;
+    const double rotation = Eigen::AngleAxisd(error.linear()).angle();
+    if (rotation < result.rotation) {
+      result.rotation = rotation;
+      result.translation = error.translation().norm();
+    }
+  }
+  if (!(result.translation < 0.01 && result.rotation < kDegree)) result.wrong = "base";
+  for (std::size_t j = 0; j < model_.tree.joints.size() && result.wrong != "base"; ++j) {
+    const Joint& joint = model_.tree.joints[j];
+    const bool slides = joint.type == JointType::prismatic;
+    const int index = static_cast<int>(j);
+    double error = joint_position(model_.tree, found.configuration, index) -
+                   joint_position(model_.tree, truth.configuration, index);
+    if (joint.type == JointType::continuous) error = std::remainder(error, kFullTurn);
+    const double sigma = std::abs(joint.multiplier) * bound(6 + joint.variable);
+    const bool determined = sigma < (slides ? 0.001 : 0.5 * kDegree);
+    if (determined && std::abs(error) > (slides ? 0.01 : 5.0 * kDegree)) {
+      result.wrong += (result.wrong.empty() ? "" : " ") + joint.name;
+    }
+  }
+  result.right = result.wrong.empty();
+}
+
+}  // namespace lockbox

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/evaluation/symmetry.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "lockbox/mesh/surface_sampling.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kSamples = 3000.0;
+constexpr int kTurns = 24;  // steps of a full turn
+
+/// The surface of the model at rest, in the base's frame.
+class RestSurface {
+ public:
+  explicit RestSurface(const ArticulatedModel& model) : model_(model) {
+    Configuration rest = rest_configuration(model.tree);
+    rest.T_camera_base.setIdentity();
+    forward_kinematics(model.tree, rest, poses_);
+    double area = 0.0;
+    for (const Body& body : model.tree.bodies) area += surface_area(body.mesh);
+    for (std::size_t b = 0; b < poses_.size(); ++b) {
+      if (!model.fields[b]) continue;
+      resolution_ = std::max(resolution_, model.fields[b]->voxel());
+      add_moments(transformed(model.tree.bodies[b].mesh, poses_[b]));
+      for (const auto& sample :
+           sample_surface(model.tree.bodies[b].mesh, std::sqrt(area / kSamples))) {
+        const Eigen::Vector3d p = poses_[b] * sample.position;
+        // Surface inside another body is none.
+        if (distance(p) > -1e-4) points_.push_back(p);
+      }
+    }
+  }
+
+  const std::vector<Eigen::Vector3d>& points() const { return points_; }
+  double resolution() const { return resolution_; }  ///< of the fields, metres
+
+  /// Of the area.
+  Eigen::Vector3d centre() const { return first_ / area_; }
+  Eigen::Matrix3d principal_axes() const {
+    const Eigen::Matrix3d spread = second_ / area_ - centre() * centre().transpose();
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+  }
+
+  /// To the union of the bodies, negative inside, metres.
+  double distance(const Eigen::Vector3d& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < poses_.size(); ++b) {
+      if (!model_.fields[b]) continue;
+      const Eigen::Vector3f p_body = (poses_[b].inverse() * p).cast<float>();
+      least = std::min(least, static_cast<double>(model_.fields[b]->sample(p_body).distance));
+    }
+    return least;
+  }
+
+ private:
+  /// Exact for triangles: the means over the mid-points of their sides.
+  void add_moments(const TriangleMesh& mesh) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto corners = mesh.corners(t);
+      const double share = area_vector(corners).norm() / 3.0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector3d middle = 0.5 * (corners[i] + corners[(i + 1) % 3]);
+        area_ += share;
+        first_ += share * middle;
+        second_ += share * middle * middle.transpose();
+      }
+    }
+  }
+
+  const ArticulatedModel& model_;
+  double resolution_ = 0.0;
+  double area_ = 0.0;
+  Eigen::Vector3d first_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second_ = Eigen::Matrix3d::Zero();
+  std::vector<Eigen::Isometry3d> poses_;
+  std::vector<Eigen::Vector3d> points_;
+};
+
+}  // namespace
+
+std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model, double tolerance) {
+  std::vector<Eigen::Isometry3d> symmetries{Eigen::Isometry3d::Identity()};
+  const RestSurface surface(model);
+  const Eigen::Vector3d centre = surface.centre();
+  // Fields round edges off by a fraction of their voxel.
+  const double limit = tolerance + 0.25 * surface.resolution();
+  Eigen::Matrix<double, 3, 6> axes;
+  axes << Eigen::Matrix3d::Identity(), surface.principal_axes();
+  for (int axis = 0; axis < axes.cols(); ++axis) {
+    for (int turn = 1; turn < kTurns; ++turn) {
+      const double angle = 2.0 * std::numbers::pi * turn / kTurns;
+      const Eigen::Isometry3d motion = Eigen::Translation3d(centre) *
+                                       Eigen::AngleAxisd(angle, axes.col(axis)) *
+                                       Eigen::Translation3d(-centre);
+      const bool known = std::any_of(symmetries.begin(), symmetries.end(), [&](const auto& other) {
+        return motion.isApprox(other, 1e-3);
+      });
+      if (!known && std::all_of(surface.points().begin(), surface.points().end(),
+                                [&](const Eigen::Vector3d& p) {
+                                  return std::abs(surface.distance(motion * p)) < limit;
+                                })) {
+        symmetries.push_back(motion);
+      }
+    }
+  }
+  return symmetries;
+}
+
+}  // namespace lockbox

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/evaluation/table.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <fstream>
+
+#include "csv_fields.hpp"
+#include "lockbox/core/error.hpp"
+
+namespace lockbox {
+namespace {
+
+std::string header(const std::vector<std::string>& columns) {
+  std::string line;
+  for (const auto& column : columns) line.append(line.empty() ? "" : ",").append(column);
+  return line;
+}
+
+std::string line_of(const Row& row) {
+  std::string line;
+  for (const Cell& cell : row) line.append(&cell == &row.front() ? "" : ",").append(cell.text);
+  return line;
+}
+
+}  // namespace
+
+std::string Cell::number_text(double number) {
+  return field_text(number);
+}
+
+Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+
+void Table::add(Row row) {
+  assert(row.size() == columns_.size());
+  rows_.push_back(std::move(row));
+}
+
+std::size_t Table::index(const std::string& column) const {
+  const auto found = std::find(columns_.begin(), columns_.end(), column);
+  assert(found != columns_.end());
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
+const std::string& Table::word(const Row& row, const std::string& column) const {
+  return row[index(column)].text;
+}
+
+double Table::number(const Row& row, const std::string& column) const {
+  const auto value = parse_field(word(row, column));
+  if (!value)
+    throw InputError("column '" + column + "'", "'" + word(row, column) + "' is no number");
+  return *value;
+}
+
+Table read_table(const std::filesystem::path& file, const std::vector<std::string>& columns) {
+  std::ifstream in(file);
+  if (!in) throw InputError(file.string(), "cannot be opened for reading");
+  std::string text;
+  std::getline(in, text);
+  if (trimmed(text) != header(columns)) {
+    throw InputError(file.string(), 1, "is not the header of such results: " + header(columns));
+  }
+  Table table(columns);
+  for (int line = 2; std::getline(in, text); ++line) {
+    if (in.eof()) break;  // a row without its end was being written when the program ended
+    const auto fields = split_fields(text);
+    if (fields.size() != columns.size()) {
+      throw InputError(file.string(), line,
+                       "has " + std::to_string(fields.size()) + " columns instead of " +
+                           std::to_string(columns.size()));
+    }
+    Row row;
+    for (const auto field : fields) row.emplace_back(std::string(field));
+    table.add(std::move(row));
+  }
+  return table;
+}
+
+void write_table(const std::filesystem::path& file, const Table& table) {
+  const std::filesystem::path unfinished = file.string() + ".part";
+  std::ofstream out(unfinished);
+  out << header(table.columns()) << '\n';
+  for (const Row& row : table.rows()) out << line_of(row) << '\n';
+  out.close();
+  if (!out) throw InputError(unfinished.string(), "cannot be written");
+  std::filesystem::rename(unfinished, file);
+}
+
+void append_row(const std::filesystem::path& file, const Row& row) {
+  std::ofstream out(file, std::ios::app);
+  out << line_of(row) << '\n';
+  out.close();
+  if (!out) throw InputError(file.string(), "cannot be written; is there space on the disk?");
+}
+
+}  // namespace lockbox
