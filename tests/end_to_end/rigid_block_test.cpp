@@ -108,7 +108,7 @@ TEST_F(RigidBlock, ComesOutTheSameFromARecordingAndAFolderOnAnyNumberOfThreads) 
 
 TEST_F(RigidBlock, LeavesCompleteFilesAfterAnInterruption) {
   Tool tool({"track", "--model", "rigid_block", "--source", path("block.oni"), "--realtime",
-             "--output", path("interrupted")});
+             "--initial-state", path("groundtruth.csv"), "--output", path("interrupted")});
   const auto states = path("interrupted/states.csv");
   for (int waits = 0; waits < 2000 && read_lines(states).size() < 5; ++waits) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -154,9 +154,19 @@ TEST_F(RigidBlock, WritesNumbersInTheCLocaleWhateverTheUsersIs) {
   EXPECT_THAT(read_text(path("german/run.yaml")), HasSubstr("fx: 288,"));
 }
 
-TEST_F(RigidBlock, IsReportedLostWhenItIsNotThere) {
+TEST_F(RigidBlock, IsFoundWhereItIsFromAStartThatIsWrong) {
   write_text(path("elsewhere.csv"), "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0.3,-0.25,0.7,1,0,0,0\n");
-  const auto result = track(path("block.oni"), "lost", {"--initial-state", path("elsewhere.csv")});
+  const auto result = track(path("block.oni"), "found", {"--initial-state", path("elsewhere.csv")});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(read_lines(path("found/states.csv")).back(), HasSubstr(",tracking,"));
+}
+
+TEST_F(RigidBlock, IsReportedLostWhenItIsNotThere) {
+  write_text(path("aside.csv"), "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0,0,0.9,1,0,0,0\n");
+  write_text(path("outside.csv"),
+             "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,4,0,0.9,1,0,0,0\n0.033,4,0,0.9,1,0,0,0\n");
+  ASSERT_EQ(simulate(path("outside.csv"), "empty").status, 0);
+  const auto result = track(path("empty"), "lost", {"--initial-state", path("aside.csv")});
   EXPECT_EQ(result.status, 1) << result.errors;
   EXPECT_THAT(read_lines(path("lost/states.csv")).back(), HasSubstr(",lost,"));
 }

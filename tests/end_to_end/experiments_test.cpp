@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The smallest version of each experiment: its rows, and what its summary says about them.
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "tool.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::HasSubstr;
+
+using NamedRow = std::map<std::string, std::string>;
+
+std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> result;
+  std::stringstream stream(line + ",");  // so that an empty last field counts
+  for (std::string field; std::getline(stream, field, ',');) result.push_back(field);
+  return result;
+}
+
+std::vector<NamedRow> read_rows(const std::filesystem::path& file) {
+  const auto lines = read_lines(file);
+  std::vector<NamedRow> rows;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const auto names = fields(lines.front());
+    const auto values = fields(lines[i]);
+    EXPECT_EQ(values.size(), names.size()) << file << ", line " << i + 1;
+    NamedRow& row = rows.emplace_back();
+    for (std::size_t c = 0; c < std::min(names.size(), values.size()); ++c) {
+      row[names[c]] = values[c];
+    }
+  }
+  return rows;
+}
+
+double number(const NamedRow& row, const std::string& column) {
+  return std::stod(row.at(column));
+}
+
+/// Runs `lockbox experiment NAME`, and expects it to end well.
+std::string run_experiment(const std::string& name, const std::string& model,
+                           const std::filesystem::path& output,
+                           const std::vector<std::string>& options) {
+  std::vector<std::string> arguments = {"experiment",    name,     "--model", model, "--output",
+                                        output.string(), "--quiet"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const ToolResult result = run_tool(arguments);
+  EXPECT_EQ(result.status, 0) << result.errors;
+  return result.output;
+}
+
+const std::vector<std::string> kFewStarts = {"--samples", "1",  "--step",   "45",
+                                             "--frames",  "12", "--joints", "free"};
+
+TEST(Convergence, HasARowForEachStartAndSumsThemUp) {
+  const TemporaryFolder folder;
+  const auto summary = run_experiment("convergence", "rigid_block", folder / "out", kFewStarts);
+  const auto rows = read_rows(folder / "out/convergence_rigid_block_primesense_12frames_seed1.csv");
+  ASSERT_EQ(rows.size(), 8U);  // 2 trackers, 2 translations, 2 rotations
+  for (const NamedRow& row : rows) {
+    if (number(row, "start_translation_cm") > 0 || number(row, "start_rotation_degrees") > 0) {
+      continue;
+    }
+    EXPECT_LT(number(row, "translation"), 0.003);
+    EXPECT_EQ(row.at("searches"), "0");
+    EXPECT_EQ(row.at("status"), "tracking");
+  }
+  EXPECT_THAT(summary, HasSubstr("whole tracker, joints free"));
+  EXPECT_THAT(summary, HasSubstr("re-initialised from within 5 cm and 5 degrees: 0 of 1"));
+  EXPECT_THAT(summary, HasSubstr("half of the runs succeed up to"));
+}
+
+TEST(Convergence, ContinuesWhereItWasCutOff) {
+  const TemporaryFolder folder;
+  const auto file = folder / "out/convergence_rigid_block_primesense_12frames_seed1.csv";
+  run_experiment("convergence", "rigid_block", folder / "out", kFewStarts);
+  const std::string whole = read_text(file);
+  std::filesystem::resize_file(file, whole.size() - 10);
+  run_experiment("convergence", "rigid_block", folder / "out", kFewStarts);
+  EXPECT_EQ(read_text(file), whole);
+}
+
+TEST(Convergence, ShardsSumUpToTheWhole) {
+  const TemporaryFolder folder;
+  std::string summary;
+  for (const char* shard : {"1/2", "2/2"}) {
+    auto options = kFewStarts;
+    options.insert(options.end(), {"--shard", shard, "--tracker", "registration"});
+    summary = run_experiment("convergence", "rigid_block", folder / "out", options);
+  }
+  EXPECT_THAT(summary, HasSubstr("of 4 ("));
+}
+
+TEST(Rigid, FollowsEachStartOverAllFrames) {
+  const TemporaryFolder folder;
+  const auto summary =
+      run_experiment("rigid", "lockbox", folder / "out", {"--frames", "2", "--step", "30"});
+  const auto rows = read_rows(folder / "out/rigid_lockbox.csv");
+  ASSERT_EQ(rows.size(), 8U);
+  EXPECT_EQ(number(rows.back(), "start"), 0.9);
+  EXPECT_LT(number(rows[1], "translation"), 0.002);  // where it began
+  EXPECT_THAT(summary, HasSubstr("of 4 starts"));
+}
+
+TEST(Intersection, ComparesTheModesAndAnswersToItsOldName) {
+  const TemporaryFolder folder;
+  run_experiment("collision", "cabinet", folder / "out", {"--frames", "4"});
+  std::set<std::string> modes;
+  for (const NamedRow& row : read_rows(folder / "out/intersection_cabinet.csv")) {
+    modes.insert(row.at("collision"));
+  }
+  EXPECT_EQ(modes, (std::set<std::string>{"off", "literal", "eroded"}));
+}
+
+TEST(Order, DoesNotMatter) {
+  const TemporaryFolder folder;
+  const auto summary =
+      run_experiment("order", "cabinet", folder / "out", {"--runs", "1", "--frames", "3"});
+  const auto rows = read_rows(folder / "out/order_cabinet.csv");
+  ASSERT_EQ(rows.size(), 6U);
+  for (const NamedRow& row : rows) EXPECT_EQ(number(row, "difference"), 0.0);
+  EXPECT_THAT(summary, HasSubstr("bit-identical in 1 of 1"));
+  const auto original = read_text(std::filesystem::path(LOCKBOX_MODELS) / "cabinet/cabinet.urdf");
+  EXPECT_THAT(original, testing::Not(HasSubstr("part_0")));
+  EXPECT_THAT(read_text(folder / "out/order_cabinet/renamed0/cabinet.urdf"), HasSubstr("part_0"));
+}
+
+TEST(Kidnap, FollowsBothKindsToTheEnd) {
+  const TemporaryFolder folder;
+  const auto summary = run_experiment("kidnap", "rigid_block", folder / "out", {"--runs", "1"});
+  const auto rows = read_rows(folder / "out/kidnap_rigid_block.csv");
+  ASSERT_EQ(rows.size(), 60U);
+  EXPECT_EQ(rows.front().at("kind"), "covered");
+  EXPECT_EQ(rows.back().at("kind"), "thrown");
+  EXPECT_GT(number(rows.front(), "searches"), 0.0);
+  EXPECT_THAT(summary, HasSubstr("of 1 runs"));
+}
+
+TEST(Occlusion, ComparesWithTheRunWithoutTheArm) {
+  const TemporaryFolder folder;
+  const auto summary = run_experiment("occlusion", "cabinet", folder / "out", {"--frames", "5"});
+  const auto rows = read_rows(folder / "out/occlusion_cabinet.csv");
+  double hidden = 0.0;
+  for (const NamedRow& row : rows) {
+    if (row.at("frame") == "0") {  // the arm is not there yet
+      EXPECT_EQ(row.at("error"), row.at("error_without_arm"));
+    }
+    hidden = std::max(hidden, number(row, "occluded"));
+  }
+  EXPECT_GT(hidden, 0.05);
+  EXPECT_THAT(summary, HasSubstr("hidden at most"));
+}
+
+TEST(Speed, GrowsFromRunToRunAndStepsOnce) {
+  const TemporaryFolder folder;
+  const auto summary = run_experiment("speed", "cabinet", folder / "out",
+                                      {"--frames", "16", "--fastest", "2", "--runs", "1"});
+  const auto rows = read_rows(folder / "out/speed_cabinet.csv");
+  ASSERT_EQ(rows.size(), 24U);
+  // Sampled at so few frames, the largest speed of a smooth motion grows by less than its rate.
+  EXPECT_GT(number(rows.back(), "turning_speed"), 1.1 * number(rows.front(), "turning_speed"));
+  const auto steps = read_rows(folder / "out/speed_cabinet_steps.csv");
+  ASSERT_EQ(steps.size(), 20U);
+  EXPECT_EQ(steps.back().at("kind"), "hinge");
+  EXPECT_THAT(summary, HasSubstr("step of a hinge by 20 degrees"));
+}
+
+TEST(Experiment, RefusesAShardThatIsNone) {
+  const TemporaryFolder folder;
+  const auto result = run_tool(
+      {"experiment", "convergence", "--output", (folder / "out").string(), "--shard", "3/2"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("--shard"));
+}
+
+TEST(Experiment, WithoutANameIsRefused) {
+  const auto result = run_tool({"experiment", "--output", "out"});
+  EXPECT_EQ(result.status, 2);
+}
+
+}  // namespace
+}  // namespace lockbox
