@@ -7,14 +7,21 @@
 
 namespace lockbox {
 
+std::filesystem::path shipped_file(const std::string& name) {
+  return std::filesystem::path(LOCKBOX_MODELS) / name / (name + ".urdf");
+}
+
+LoadOptions with_cache() {
+  LoadOptions options;
+  options.cache_directory = LOCKBOX_CACHE;
+  return options;
+}
+
 const ArticulatedModel& shipped(const std::string& name) {
   static std::map<std::string, ArticulatedModel> models;
   const auto known = models.find(name);
   if (known != models.end()) return known->second;
-  LoadOptions options;
-  options.cache_directory = LOCKBOX_CACHE;
-  const std::string file = std::string(LOCKBOX_MODELS) + "/" + name + "/" + name + ".urdf";
-  return models.emplace(name, load_model(file, options)).first->second;
+  return models.emplace(name, load_model(shipped_file(name), with_cache())).first->second;
 }
 
 TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
@@ -8,6 +9,11 @@
 #include "lockbox/simulation/scene.hpp"
 
 namespace lockbox {
+
+std::filesystem::path shipped_file(const std::string& name);
+
+/// Fields come from the build's cache.
+LoadOptions with_cache();
 
 /// The shipped model of that name.
 const ArticulatedModel& shipped(const std::string& name);

@@ -7,7 +7,7 @@
 #include "lockbox/registration/free_space_term.hpp"
 #include "lockbox/registration/model_term.hpp"
 #include "lockbox/registration/visible_surface.hpp"
-#include "mechanism.hpp"
+#include "registration/mechanism.hpp"
 
 namespace lockbox {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// No result may depend on how a model's file was written.
+// Property "order invariance": no result depends on how a model's files were written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "lockbox/model/forward_kinematics.hpp"
-#include "urdf_test.hpp"
+#include "model/urdf_test.hpp"
 
 namespace lockbox {
 namespace {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The field agrees with the mesh: volume within 1 %, surface within a tenth of a voxel, signs
-// right, wherever the body lies on the grid.
+// Property "volumes are right": each link's field agrees with its mesh (volume within 1 %, surface
+// within a tenth of a voxel, signs right) wherever the body lies on the grid; a mesh that bounds
+// nothing is refused by name (tests/sdf/defective_mesh_test.cpp: what is repaired).
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "field_fixture.hpp"
 #include "lockbox/mesh/primitives.hpp"
+#include "sdf/field_fixture.hpp"
 
 namespace lockbox {
 namespace {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/registration/bounded_step.hpp"
-
+// Property "the solver is a solver": a linear problem in one undamped step, limits as active
+// bounds, no step without information; a hidden joint stays where it is and nothing visible
+// freezes.
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
+
+#include "lockbox/registration/bounded_step.hpp"
 
 namespace lockbox {
 namespace {
