@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pcd_component.hpp"
 
-#include <dlfcn.h>
-
-#include "components.hpp"
+#include "lockbox/core/component.hpp"
 #include "lockbox/core/error.hpp"
 #include "pcd_header.hpp"
 
 namespace lockbox {
 namespace {
 
-/// The component stays loaded: unloading VTK's static objects is asking for trouble.
+constexpr char kHere = 0;  // its address is in this library
+
 template <typename Function>
 Function* find_function(const char* name) {
-  const std::string library = find_component(kPcdComponent).string();
-  void* const handle = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  void* const function = handle != nullptr ? ::dlsym(handle, name) : nullptr;
-  if (function == nullptr) {
-    throw DeviceError(std::string("PCL's .pcd files cannot be used: ") + ::dlerror());
-  }
-  return reinterpret_cast<Function*>(function);
+  static const auto component = find_component(kPcdComponent, &kHere);
+  return reinterpret_cast<Function*>(find_symbol(component, name));
 }
 
 }  // namespace

@@ -25,10 +25,10 @@ inline constexpr char kPcdComponent[] = "liblockbox_pcd.so";
 inline constexpr char kLoadPcd[] = "lockbox_load_pcd";
 inline constexpr char kSavePcd[] = "lockbox_save_pcd";
 
-/// Checks the file, loads the component, and reads. Throws InputError or DeviceError.
+/// Checks the file, loads the component, and reads. Throws InputError.
 void load_pcd(const std::filesystem::path& file, OrganizedCloud& cloud);
 
-/// Throws InputError or DeviceError.
+/// Throws InputError.
 void save_pcd(const std::filesystem::path& file, const OrganizedCloud& cloud);
 
 }  // namespace lockbox

@@ -10,11 +10,13 @@
 #include <cstring>
 #include <utility>
 
-#include "components.hpp"
+#include "lockbox/core/component.hpp"
 #include "lockbox/core/error.hpp"
 
 namespace lockbox {
 namespace {
+
+constexpr char kHere = 0;  // its address is in this library
 
 struct Pipe {
   Pipe() {
@@ -29,7 +31,7 @@ struct Pipe {
 
 RecorderProcess::RecorderProcess(const std::string& uri, const std::filesystem::path& file,
                                  std::optional<int> socket) {
-  std::string program = find_component("lockbox-oni-recorder").string();
+  std::string program = find_component("lockbox-oni-recorder", &kHere).string();
   std::string uri_argument = uri;
   std::string file_argument = std::filesystem::absolute(file).string();
   const Pipe control;

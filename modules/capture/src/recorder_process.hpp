@@ -15,7 +15,8 @@ class RecorderProcess {
   /// The number under which the process inherits `socket`.
   static constexpr int kSocket = 3;
 
-  /// Records the device with this URI into a file. Throws DeviceError if the helper is missing.
+  /// Records the device with this URI into a file. Throws InputError if the helper is
+  /// missing, DeviceError if it does not start.
   RecorderProcess(const std::string& uri, const std::filesystem::path& file,
                   std::optional<int> socket = std::nullopt);
 

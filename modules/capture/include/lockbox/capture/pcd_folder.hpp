@@ -16,7 +16,7 @@ namespace lockbox {
 /// Stamps come from the names if all hold one (docs/file-formats.md), else are 1/30 s apart.
 class PcdFolderSource : public FrameSource {
  public:
-  /// Throws InputError if there are no clouds, or their camera can not be recovered; DeviceError if
+  /// Throws InputError if there are no clouds, or their camera can not be recovered, or if
   /// the component is not installed.
   explicit PcdFolderSource(const std::filesystem::path& folder, const SourceOptions& options = {});
   ~PcdFolderSource() override;

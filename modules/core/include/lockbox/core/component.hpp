@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Programs and libraries of lockbox that are loaded when they are asked for, because of all that
+// they bring with them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace lockbox {
+
+/// Path of a component: in the folder `lockbox` beside the library that holds the code or data at
+/// this address, or, where that is linked into a program, in `../lib/lockbox` beside the program.
+/// Throws InputError if it is not installed.
+std::filesystem::path find_component(const std::string& name, const void* address_in_library);
+
+/// Loads a library and returns what it exports under this name. It stays loaded: static objects of
+/// VTK and the like do not survive it otherwise. Throws InputError with the loader's reason.
+void* find_symbol(const std::filesystem::path& library, const std::string& symbol);
+
+}  // namespace lockbox

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/core/component.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "lockbox/core/error.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr char kHere = 0;
+
+TEST(FindComponent, NamesWhatIsMissingAndWhere) {
+  EXPECT_THAT([] { find_component("libno_such_component.so", &kHere); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("lockbox/libno_such_component.so"),
+                                              HasSubstr("install lockbox completely"))));
+}
+
+TEST(FindSymbol, SaysWhyALibraryCannotBeLoaded) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "lockbox_no_library.so";
+  std::ofstream(file) << "this is not a library, but a text that is long enough to be looked at";
+  EXPECT_THAT(
+      [&] { find_symbol(file, "anything"); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr(file.string()), HasSubstr("cannot be loaded"))));
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace lockbox
