@@ -3,7 +3,11 @@
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(TBB REQUIRED)
 find_package(HWY REQUIRED NAMES HWY hwy)
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOGeometry IOPLY)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOGeometry IOPLY
+                                         InteractionStyle RenderingAnnotation RenderingCore
+                                         RenderingFreeType RenderingOpenGL2)
+find_package(X11 REQUIRED)
+find_package(Threads REQUIRED)
 # PCL's package would look for all of VTK again and hand it to everything that links PCL.
 set(CMAKE_DISABLE_FIND_PACKAGE_VTK TRUE)
 find_package(PCL 1.13 REQUIRED COMPONENTS common search kdtree octree sample_consensus filters

@@ -58,3 +58,17 @@ function(lockbox_add_test name)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
                        PROPERTIES TIMEOUT ${LOCKBOX_TEST_TIMEOUT} ${ARG_PROPERTIES})
 endfunction()
+
+# lockbox_add_test_with_display(<name> COMMAND ...) registers a test that opens windows, with an X
+# server of its own: nothing but its own windows is there.
+function(lockbox_add_test_with_display name)
+  cmake_parse_arguments(ARG "" "" "COMMAND" ${ARGN})
+  find_program(XVFB_RUN xvfb-run)
+  set(launcher)
+  if(XVFB_RUN)
+    set(launcher ${XVFB_RUN} -a -s "-screen 0 1280x960x24")
+  endif()
+  add_test(NAME ${name} COMMAND ${launcher} ${ARG_COMMAND})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${LOCKBOX_TEST_TIMEOUT}
+                                          SKIP_REGULAR_EXPRESSION "SKIPPED")
+endfunction()

@@ -73,6 +73,9 @@ class TrackCommand : public Command {
         .add_option("--snapshot-interval", settings_.snapshot_interval,
                     "Frames from one picture to the next")
         ->check(CLI::PositiveNumber);
+    options.add_flag("--view", settings_.view,
+                     "Also show the newest frame and estimate in a 3D window (keys are explained "
+                     "there); closing it ends the view only");
     options.add_option("--max-frames", settings_.max_frames, "Stop after so many frames; 0: never");
     options.add_flag("-q,--quiet", settings_.quiet, "Say nothing but errors");
   }

@@ -9,6 +9,8 @@
 #include "interruption.hpp"
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/visualization/live_view.hpp"
+#include "lockbox/visualization/scene_composer.hpp"
 #include "progress.hpp"
 #include "run_writer.hpp"
 #include "snapshots.hpp"
@@ -23,6 +25,7 @@ class Outputs {
  public:
   Outputs(const ArticulatedModel& model, RunDescription description, const RunSettings& settings)
       : settings_(settings), description_(std::move(description)), start_(Clock::now()) {
+    if (settings.view) view_.emplace(model);  // first: without a display no file is begun
     if (!settings.output.empty()) {
       states_.emplace(settings.output, model.tree, settings.covariance);
     }
@@ -37,6 +40,10 @@ class Outputs {
     if (states_) states_->write(result);
     if (recording_) recording_->write(frame);
     if (snapshots_) snapshots_->add(frame, result.configuration);
+    if (view_) {
+      view_->show(frame, result.configuration,
+                  frame_title(frame.index, frame.stamp, to_string(result.status)));
+    }
   }
 
   void finish(RunEnd end) {
@@ -70,6 +77,7 @@ class Outputs {
   std::optional<RunWriter> states_;
   std::optional<OniWriter> recording_;
   std::optional<Snapshots> snapshots_;
+  std::optional<LiveView> view_;
   Clock::time_point start_;
 };
 

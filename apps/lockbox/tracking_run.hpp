@@ -20,6 +20,7 @@ struct RunSettings {
   std::filesystem::path snapshots;  ///< folder of pictures; empty: none
   std::size_t snapshot_interval = 10;
   std::size_t max_frames = 0;  ///< 0: until the source ends
+  bool view = false;           ///< show every frame in a window
   bool quiet = false;
 };
 

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "block_tree.hpp"
+#include "block_model.hpp"
 
 namespace lockbox {
 namespace {
@@ -14,12 +14,6 @@ using testing::Gt;
 using testing::Lt;
 
 constexpr PinholeCamera kCamera{80, 60, 100.0, 100.0, 39.5, 29.5};
-
-Configuration one_metre_away() {
-  Configuration configuration;
-  configuration.T_camera_base.translation().z() = 1.0;
-  return configuration;
-}
 
 std::vector<int> color_at(const RgbImage& image, int u, int v) {
   const auto first = image.rgb.begin() + 3 * (v * image.width + u);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lockbox/core/depth_frame.hpp"
+#include "lockbox/model/articulated_model.hpp"
+
+namespace lockbox {
+
+/// A window beside a loop over frames. It has a thread of its own, of low priority, and shows the
+/// newest frame whenever it is done with the one before: it holds nobody up.
+class LiveView {
+ public:
+  /// The model must outlive it. Throws InputError if no window can be opened.
+  explicit LiveView(const ArticulatedModel& model);
+
+  /// Closes the window.
+  ~LiveView();
+  LiveView(const LiveView&) = delete;
+  LiveView& operator=(const LiveView&) = delete;
+
+  /// Copies what is to be shown next; configuration: NaN while it is not known. Does not wait for
+  /// the drawing.
+  void show(const DepthFrame& frame, const Configuration& configuration, const std::string& title);
+
+  /// False after the user has closed the window.
+  bool is_open() const;
+
+ private:
+  class Loop;
+  std::unique_ptr<Loop> loop_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace lockbox {
+
+/// Explains the keys of Playback.
+inline constexpr char kPlaybackHelp[] =
+    "space play, pause   left, right 1 frame   down, up 10   page keys 100   home, end";
+
+/// Where a recording is being looked at, and whether it runs. It does not know the time: whoever
+/// shows the frames says when the next one is due.
+class Playback {
+ public:
+  /// frames: at least 1; first < frames.
+  Playback(std::size_t frames, std::size_t first, bool playing)
+      : frames_(frames), position_(first), playing_(playing) {}
+
+  std::size_t position() const { return position_; }
+  std::size_t frames() const { return frames_; }
+  bool is_at_end() const { return position_ + 1 == frames_; }
+
+  /// At the end nothing plays.
+  bool is_playing() const { return playing_ && !is_at_end(); }
+
+  /// What a key stands for (its name in X11); all but `space` pause. False if it is none of ours.
+  bool handle(const std::string& key);
+
+  /// Goes to the next frame, if there is one.
+  void advance();
+
+  /// There turned out to be fewer frames.
+  void shorten(std::size_t frames);
+
+ private:
+  void toggle();
+
+  std::size_t frames_;
+  std::size_t position_;
+  bool playing_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window of the 3D viewer. VTK draws it, in a component of its own (viewer/) that is loaded
+// when a window is opened: whoever opens none needs none of its libraries.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lockbox/mesh/triangle_mesh.hpp"
+#include "lockbox/visualization/rgb_image.hpp"
+
+namespace lockbox {
+
+/// Triangles of one colour that move with a body.
+struct ScenePart {
+  const TriangleMesh* mesh = nullptr;  ///< in the frame of the body; is copied
+  Eigen::Vector3f color;               ///< red, green, blue in [0, 1]
+  std::size_t body = 0;
+};
+
+/// A step of a colour scale.
+struct ScaleColor {
+  double value;
+  Eigen::Vector3f color;  ///< red, green, blue in [0, 1]
+};
+
+/// What a window shows, in the depth camera's optical frame (metres).
+struct Scene {
+  std::vector<Eigen::Vector3f> points;
+  std::vector<std::uint8_t> point_rgb;           ///< three bytes a point
+  double point_size = 1.0;                       ///< pixels of the window
+  std::vector<Eigen::Isometry3d> T_camera_body;  ///< by body; empty: the model is not shown
+  double model_opacity = 1.0;
+  std::string status;             ///< lines for the upper left corner
+  std::string help;               ///< lines for the lower left corner
+  std::string scale_title;        ///< of the colour scale
+  std::vector<ScaleColor> scale;  ///< values at equal steps; empty: no scale is shown
+};
+
+/// From where a scene is seen.
+struct SceneCamera {
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();
+  Eigen::Vector3d target = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d up = -Eigen::Vector3d::UnitY();
+  double view_angle = 0.8;  ///< of the window's height, radians
+};
+
+/// All calls for a window, its destruction too, have to come from the thread that opened it.
+class SceneWindow {
+ public:
+  virtual ~SceneWindow() = default;
+
+  /// Where the mouse and the key `r` start from.
+  virtual void look(const SceneCamera& camera) = 0;
+
+  /// Draws the scene, which may change or go afterwards.
+  virtual void show(const Scene& scene) = 0;
+
+  /// Handles what the user did since the last call (the mouse turns, shifts and zooms the view) and
+  /// returns the keys that were pressed, by their names in X11. Does not wait.
+  virtual std::vector<std::string> poll() = 0;
+
+  /// False after the user has closed it, also with `q` or Escape.
+  virtual bool is_open() const = 0;
+
+  /// What was drawn last.
+  virtual RgbImage picture() = 0;
+};
+
+struct WindowOptions {
+  std::string title = "lockbox";
+  int width = 1280;  ///< pixels
+  int height = 800;
+  bool visible = true;  ///< else only for picture(), with smooth edges
+};
+
+/// Throws InputError that says what to do if the component is missing or there is no display.
+std::unique_ptr<SceneWindow> open_scene_window(const std::vector<ScenePart>& parts,
+                                               const WindowOptions& options = {});
+
+}  // namespace lockbox

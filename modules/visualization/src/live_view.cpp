@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/visualization/live_view.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "lockbox/visualization/scene_composer.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr auto kPollInterval = std::chrono::milliseconds(10);
+constexpr int kNice = 10;
+
+/// Of the calling thread, and of the threads that it will start (those of a renderer in software):
+/// on Linux each thread has its own.
+void lower_priority() {
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
+}
+
+struct Moment {
+  DepthFrame frame;
+  Configuration configuration;
+  std::string title;
+};
+
+}  // namespace
+
+/// The thread of the window, and what it is handed.
+class LiveView::Loop {
+ public:
+  explicit Loop(const ArticulatedModel& model) : composer_(model, kSceneHelp) {
+    std::promise<void> opened;
+    auto is_opened = opened.get_future();
+    thread_ = std::thread([this, &opened] { run(opened); });
+    try {
+      is_opened.get();
+    } catch (...) {
+      thread_.join();
+      throw;
+    }
+  }
+
+  ~Loop() {
+    stop_ = true;
+    thread_.join();
+  }
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+
+  void hand_over(const DepthFrame& frame, const Configuration& configuration,
+                 const std::string& title) {
+    const std::lock_guard lock(mutex_);
+    next_.frame = frame;
+    next_.configuration = configuration;
+    next_.title = title;
+    has_next_ = true;
+  }
+
+  bool is_open() const { return is_open_; }
+
+ private:
+  void run(std::promise<void>& opened) {
+    lower_priority();
+    std::unique_ptr<SceneWindow> window;
+    try {
+      window = open_scene_window(composer_.parts());
+    } catch (...) {
+      opened.set_exception(std::current_exception());
+      return;
+    }
+    is_open_ = true;
+    opened.set_value();
+    while (!stop_ && window->is_open()) {
+      if (!refresh(*window)) std::this_thread::sleep_for(kPollInterval);
+    }
+    is_open_ = false;
+  }
+
+  /// Draws if there is something new.
+  bool refresh(SceneWindow& window) {
+    bool is_new = false;
+    for (const auto& key : window.poll()) is_new |= choices_.handle(key);
+    const bool is_first = !has_shown_;
+    is_new |= take_over();
+    if (!is_new || !has_shown_) return false;
+    if (is_first) window.look(camera_near_sensor(now_.frame));
+    window.show(composer_.compose(&now_.frame, now_.configuration, now_.title, choices_));
+    return true;
+  }
+
+  bool take_over() {
+    const std::lock_guard lock(mutex_);
+    if (!has_next_) return false;
+    std::swap(now_, next_);
+    has_next_ = false;
+    has_shown_ = true;
+    return true;
+  }
+
+  SceneComposer composer_;
+  SceneChoices choices_;
+  Moment now_;  ///< the thread's own
+  bool has_shown_ = false;
+  std::mutex mutex_;
+  Moment next_;  ///< guarded by mutex_
+  bool has_next_ = false;
+  std::atomic<bool> stop_ = false;
+  std::atomic<bool> is_open_ = false;
+  std::thread thread_;
+};
+
+LiveView::LiveView(const ArticulatedModel& model) : loop_(std::make_unique<Loop>(model)) {}
+
+LiveView::~LiveView() = default;
+
+void LiveView::show(const DepthFrame& frame, const Configuration& configuration,
+                    const std::string& title) {
+  if (loop_->is_open()) loop_->hand_over(frame, configuration, title);
+}
+
+bool LiveView::is_open() const {
+  return loop_->is_open();
+}
+
+}  // namespace lockbox

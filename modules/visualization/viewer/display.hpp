@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+struct _XDisplay;
+
+namespace lockbox {
+
+/// A connection to the X display, to be made before VTK opens a window, because VTK aborts the
+/// process where it cannot. It has to stay open until VTK has one of its own: a virtual X server
+/// starts anew when its last client leaves, and refuses the next one meanwhile.
+class DisplayConnection {
+ public:
+  /// Tries the display of the environment.
+  DisplayConnection();
+
+  /// Empty if windows with OpenGL can be opened; else the reason, and what to do.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  struct Close {
+    void operator()(_XDisplay* display) const;
+  };
+
+  std::unique_ptr<_XDisplay, Close> display_;
+  std::string problem_;
+};
+
+}  // namespace lockbox

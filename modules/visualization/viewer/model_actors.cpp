@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model_actors.hpp"
+
+#include <vtkCellArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+namespace lockbox {
+namespace {
+
+vtkNew<vtkPolyData> to_poly_data(const TriangleMesh& mesh) {
+  vtkNew<vtkPoints> points;
+  for (const auto& vertex : mesh.vertices) points->InsertNextPoint(vertex.data());
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    triangles->InsertNextCell({vtkIdType{a}, vtkIdType{b}, vtkIdType{c}});
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  return data;
+}
+
+vtkSmartPointer<vtkActor> make_actor(const ScenePart& part) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(to_poly_data(*part.mesh));
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetUserMatrix(vtkNew<vtkMatrix4x4>());
+  vtkProperty& look = *actor->GetProperty();
+  const Eigen::Vector3d color = part.color.cast<double>();
+  look.SetColor(color.x(), color.y(), color.z());
+  look.SetInterpolationToFlat();  // vertices carry no normals, and most edges are sharp
+  look.SetAmbient(0.25);
+  look.SetDiffuse(0.75);
+  return actor;
+}
+
+}  // namespace
+
+ModelActors::ModelActors(const std::vector<ScenePart>& parts, vtkRenderer& renderer) {
+  for (const auto& part : parts) {
+    actors_.push_back(make_actor(part));
+    body_of_actor_.push_back(part.body);
+    renderer.AddActor(actors_.back());
+  }
+}
+
+void ModelActors::place(const std::vector<Eigen::Isometry3d>& T_camera_body, double opacity) {
+  for (std::size_t i = 0; i < actors_.size(); ++i) {
+    actors_[i]->SetVisibility(T_camera_body.empty() ? 0 : 1);
+    if (T_camera_body.empty()) continue;
+    const Eigen::Matrix4d T = T_camera_body[body_of_actor_[i]].matrix().transpose();
+    actors_[i]->GetUserMatrix()->DeepCopy(T.data());  // VTK's matrices lie row by row
+    actors_[i]->GetProperty()->SetOpacity(opacity);
+  }
+}
+
+}  // namespace lockbox

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "lockbox/visualization/scene_window.hpp"
+
+namespace lockbox {
+
+/// The model of a scene: one actor a part.
+class ModelActors {
+ public:
+  ModelActors(const std::vector<ScenePart>& parts, vtkRenderer& renderer);
+
+  /// Without poses the model is hidden.
+  void place(const std::vector<Eigen::Isometry3d>& T_camera_body, double opacity);
+
+ private:
+  std::vector<vtkSmartPointer<vtkActor>> actors_;
+  std::vector<std::size_t> body_of_actor_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtk_window.hpp"
+
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace lockbox {
+namespace {
+
+constexpr double kTopOfBackground[] = {0.16, 0.18, 0.22};
+constexpr double kBottomOfBackground[] = {0.05, 0.06, 0.08};
+constexpr int kSamplesOfPictures = 8;  // a pixel; smooths edges
+
+}  // namespace
+
+VtkWindow::VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& options)
+    : model_(parts, *renderer_), points_(*renderer_), captions_(*renderer_) {
+  renderer_->GradientBackgroundOn();
+  renderer_->SetBackground(kBottomOfBackground);
+  renderer_->SetBackground2(kTopOfBackground);
+  window_->SetMultiSamples(options.visible ? 0 : kSamplesOfPictures);
+  window_->SetOffScreenRendering(options.visible ? 0 : 1);
+  window_->SetSize(options.width, options.height);
+  window_->AddRenderer(renderer_);
+  if (options.visible) listen();
+  aim();
+  window_->Render();
+  window_->SetWindowName(options.title.c_str());
+}
+
+VtkWindow::~VtkWindow() {
+  window_->Finalize();
+}
+
+void VtkWindow::listen() {
+  interactor_->SetRenderWindow(window_);
+  interactor_->SetInteractorStyle(style_);
+  interactor_->AddObserver(vtkCommand::ExitEvent, this, &VtkWindow::note_exit);
+  interactor_->Initialize();
+}
+
+void VtkWindow::note_exit() {
+  closed_ = true;
+}
+
+void VtkWindow::look(const SceneCamera& camera) {
+  camera_ = camera;
+  aim();
+}
+
+void VtkWindow::aim() {
+  vtkCamera& view = *renderer_->GetActiveCamera();
+  view.SetPosition(camera_.eye.data());
+  view.SetFocalPoint(camera_.target.data());
+  view.SetViewUp(camera_.up.data());
+  view.SetViewAngle(camera_.view_angle * 180.0 / std::numbers::pi);
+}
+
+void VtkWindow::show(const Scene& scene) {
+  points_.set(scene);
+  model_.place(scene.T_camera_body, scene.model_opacity);
+  captions_.set(scene);
+  renderer_->ResetCameraClippingRange();
+  window_->Render();
+}
+
+std::vector<std::string> VtkWindow::poll() {
+  if (window_->GetOffScreenRendering() != 0) return {};
+  interactor_->ProcessEvents();
+  auto keys = style_->take_keys();
+  if (std::find(keys.begin(), keys.end(), "r") != keys.end()) {
+    aim();
+    renderer_->ResetCameraClippingRange();
+    window_->Render();
+  }
+  return keys;
+}
+
+bool VtkWindow::is_open() const {
+  return !closed_;
+}
+
+RgbImage VtkWindow::picture() {
+  const int* const size = window_->GetSize();
+  RgbImage image(size[0], size[1]);
+  vtkNew<vtkUnsignedCharArray> pixels;
+  const int last_read = 0;  // the back buffer, where the drawing is
+  window_->GetPixelData(0, 0, image.width - 1, image.height - 1, last_read, pixels);
+  const auto row = static_cast<std::ptrdiff_t>(3) * image.width;
+  for (int v = 0; v < image.height; ++v) {  // OpenGL counts rows from the bottom
+    std::copy_n(pixels->GetPointer(0) + row * (image.height - 1 - v), row,
+                image.rgb.begin() + row * v);
+  }
+  return image;
+}
+
+}  // namespace lockbox

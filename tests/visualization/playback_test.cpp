@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/visualization/playback.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lockbox {
+namespace {
+
+std::size_t after(Playback playback, const std::string& key) {
+  EXPECT_TRUE(playback.handle(key));
+  return playback.position();
+}
+
+TEST(Playback, StepsByKeysAndStaysWithinTheRecording) {
+  const Playback middle(300, 150, true);
+  EXPECT_EQ(after(middle, "Right"), 151U);
+  EXPECT_EQ(after(middle, "Left"), 149U);
+  EXPECT_EQ(after(middle, "Up"), 160U);
+  EXPECT_EQ(after(middle, "Down"), 140U);
+  EXPECT_EQ(after(middle, "Next"), 250U);
+  EXPECT_EQ(after(middle, "Prior"), 50U);
+  EXPECT_EQ(after(middle, "Home"), 0U);
+  EXPECT_EQ(after(middle, "End"), 299U);
+  EXPECT_EQ(after(Playback(300, 295, true), "Up"), 299U);
+  EXPECT_EQ(after(Playback(300, 5, true), "Prior"), 0U);
+}
+
+TEST(Playback, PausesWhereTheUserSteps) {
+  for (const auto* key : {"Right", "Left", "Up", "Down", "Next", "Prior", "Home"}) {
+    Playback playback(300, 150, true);
+    playback.handle(key);
+    EXPECT_FALSE(playback.is_playing()) << key;
+  }
+}
+
+TEST(Playback, TogglesWithSpaceAndBeginsAgainFromTheEnd) {
+  Playback playback(3, 0, false);
+  playback.handle("space");
+  EXPECT_TRUE(playback.is_playing());
+  playback.handle("space");
+  EXPECT_FALSE(playback.is_playing());
+  playback.handle("space");
+  playback.advance();
+  playback.advance();
+  EXPECT_FALSE(playback.is_playing()) << "at the end";
+  playback.advance();
+  EXPECT_EQ(playback.position(), 2U);
+  playback.handle("space");
+  EXPECT_EQ(playback.position(), 0U);
+  EXPECT_TRUE(playback.is_playing());
+}
+
+TEST(Playback, LeavesOtherKeysAlone) {
+  Playback playback(3, 1, true);
+  EXPECT_FALSE(playback.handle("e"));
+  EXPECT_EQ(playback.position(), 1U);
+  EXPECT_TRUE(playback.is_playing());
+}
+
+TEST(Playback, GoesBackIntoARecordingThatIsShorterThanItSaid) {
+  Playback playback(300, 250, true);
+  playback.shorten(100);
+  EXPECT_EQ(playback.position(), 99U);
+  EXPECT_TRUE(playback.is_at_end());
+}
+
+}  // namespace
+}  // namespace lockbox

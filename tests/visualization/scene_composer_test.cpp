@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/visualization/scene_composer.hpp"
+
+#include <gmock/gmock.h>
+
+#include "block_model.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// Three measurements: 5 mm before the block's front face at 0.95 m, 5 mm behind it, a wall; and
+/// one pixel without.
+DepthFrame four_pixels() {
+  DepthFrame frame;
+  frame.camera = {4, 1, 100.0, 100.0, 1.5, 0.0};
+  frame.depth = {945, 955, 0, 2000};
+  return frame;
+}
+
+class SceneComposerTest : public testing::Test {
+ protected:
+  const Scene& compose(const Configuration& configuration, const SceneChoices& choices) {
+    return composer_.compose(&frame_, configuration, "title", choices);
+  }
+
+  std::vector<int> color_of(const Scene& scene, std::ptrdiff_t point) const {
+    return {scene.point_rgb.begin() + 3 * point, scene.point_rgb.begin() + 3 * point + 3};
+  }
+
+  const ArticulatedModel model_ = block_model();
+  const DepthFrame frame_ = four_pixels();
+  SceneComposer composer_{model_, "keys"};
+};
+
+TEST_F(SceneComposerTest, PutsMeasuredPixelsIntoSpace) {
+  const Scene& scene = compose(one_metre_away(), {});
+  ASSERT_THAT(scene.points, SizeIs(3));
+  EXPECT_LT((scene.points[2] - Eigen::Vector3f(0.03F, 0.0F, 2.0F)).norm(), 1e-5F);
+  EXPECT_THAT(scene.point_rgb, SizeIs(9));
+  EXPECT_THAT(scene.T_camera_body, SizeIs(1));
+  EXPECT_THAT(scene.scale, IsEmpty());
+}
+
+TEST_F(SceneComposerTest, ColorsErrorsBlueBeforeRedBehindGreyBeyond) {
+  SceneChoices choices;
+  choices.errors = true;
+  const Scene& scene = compose(one_metre_away(), choices);
+  const auto before = color_of(scene, 0);
+  const auto behind = color_of(scene, 1);
+  const auto beyond = color_of(scene, 2);
+  EXPECT_GT(before[2], before[0] + 50);
+  EXPECT_GT(behind[0], behind[2] + 50);
+  EXPECT_EQ(beyond[0], beyond[2]);
+  EXPECT_LT(scene.model_opacity, 0.5) << "points behind the surface have to be seen";
+  EXPECT_FALSE(scene.scale.empty());
+}
+
+TEST_F(SceneComposerTest, ShowsTheCloudAloneWhileThePoseIsNotKnown) {
+  SceneChoices choices;
+  choices.errors = true;
+  const Scene& scene = compose(unknown_configuration(model_.tree), choices);
+  EXPECT_THAT(scene.points, SizeIs(3));
+  EXPECT_THAT(scene.T_camera_body, IsEmpty());
+  EXPECT_THAT(scene.scale, IsEmpty());
+}
+
+TEST_F(SceneComposerTest, LeavesOutWhatTheUserHasSwitchedOff) {
+  SceneChoices choices;
+  EXPECT_TRUE(choices.handle("p"));
+  EXPECT_TRUE(choices.handle("m"));
+  EXPECT_FALSE(choices.handle("space"));
+  EXPECT_THAT(compose(one_metre_away(), choices).points, IsEmpty());
+  EXPECT_THAT(compose(one_metre_away(), choices).T_camera_body, IsEmpty());
+  choices.handle("p");
+  EXPECT_THAT(compose(one_metre_away(), choices).points, SizeIs(3));
+}
+
+TEST_F(SceneComposerTest, SaysHowTheJointsStand) {
+  ArticulatedModel drawer = block_model();
+  drawer.tree.bodies.push_back(drawer.tree.bodies[0]);
+  drawer.fields.emplace_back(std::nullopt);
+  Joint joint;
+  joint.name = "drawer";
+  joint.type = JointType::prismatic;
+  joint.child_body = 1;
+  joint.variable = 0;
+  drawer.tree.joints = {joint};
+  drawer.tree.variable_joint = {0};
+  drawer.tree.file_order = {0};
+  auto configuration = one_metre_away();
+  configuration.q = Eigen::VectorXd::Constant(1, 0.0123);
+  SceneComposer composer(drawer, "");
+  const Scene& scene = composer.compose(nullptr, configuration, "title", {});
+  EXPECT_THAT(scene.status, HasSubstr("title\n"));
+  EXPECT_THAT(scene.status, HasSubstr("12.3 mm  drawer"));
+}
+
+TEST(CameraNearSensor, LooksAtWhatIsMeasuredFromTheSideOfTheSensor) {
+  const SceneCamera camera = camera_near_sensor(four_pixels());
+  EXPECT_NEAR(camera.target.z(), 0.955, 1e-6);
+  EXPECT_LT(camera.eye.norm(), 0.5);
+  EXPECT_LT(camera.up.y(), 0.0);
+}
+
+}  // namespace
+}  // namespace lockbox

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Windows of VTK on a real (virtual) X display.
+#include "lockbox/visualization/scene_window.hpp"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/mesh/primitives.hpp"
+#include "x_user.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// A red block half a metre from the camera, which looks at it along z.
+class SceneWindowTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!user_.is_connected()) GTEST_SKIP() << "no display";
+  }
+
+  std::unique_ptr<SceneWindow> open(bool visible) const {
+    WindowOptions options;
+    options.title = kTitle;
+    options.width = 200;
+    options.height = 160;
+    options.visible = visible;
+    auto window = open_scene_window({{&block_, {1.0F, 0.0F, 0.0F}, 0}}, options);
+    window->look({});
+    return window;
+  }
+
+  static Scene block_at(double x) {
+    Scene scene;
+    scene.T_camera_body = {Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, 0.5))};
+    return scene;
+  }
+
+  static std::vector<int> color_at(const RgbImage& image, int u, int v) {
+    const auto first = image.rgb.begin() + std::ptrdiff_t{3} * (v * image.width + u);
+    return {first, first + 3};
+  }
+
+  static bool is_red(const RgbImage& image, int u, int v) {
+    const auto color = color_at(image, u, v);
+    return color[0] > 100 && color[1] < 20 && color[2] < 20;
+  }
+
+  /// What the window reports within a while.
+  static std::vector<std::string> keys_of(SceneWindow& window, std::size_t count) {
+    std::vector<std::string> keys;
+    for (int waits = 0; waits < 5000 && keys.size() < count && window.is_open(); ++waits) {
+      for (const auto& key : window.poll()) keys.push_back(key);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return keys;
+  }
+
+  static constexpr char kTitle[] = "scene window test";
+  const TriangleMesh block_ = make_box({0.1, 0.1, 0.1});
+  XUser user_;
+};
+
+TEST_F(SceneWindowTest, DrawsTheModelWhereItIs) {
+  const auto window = open(false);
+  window->show(block_at(0.0));
+  EXPECT_TRUE(is_red(window->picture(), 100, 80));
+  EXPECT_FALSE(is_red(window->picture(), 160, 80));
+  window->show(block_at(0.15));  // the camera's x axis points to the right
+  EXPECT_FALSE(is_red(window->picture(), 100, 80));
+  EXPECT_TRUE(is_red(window->picture(), 160, 80));
+}
+
+TEST_F(SceneWindowTest, HidesTheModelWithoutPoses) {
+  const auto window = open(false);
+  window->show(block_at(0.0));
+  window->show({});
+  EXPECT_FALSE(is_red(window->picture(), 100, 80));
+}
+
+TEST_F(SceneWindowTest, DrawsPointsInTheirColorsBeforeAndBehindTheModel) {
+  const auto window = open(false);
+  Scene scene = block_at(0.0);
+  scene.point_size = 9.0;
+  scene.points = {{0.0F, 0.0F, 0.4F}, {0.03F, 0.0F, 0.6F}, {0.0F, -0.1F, 0.4F}};
+  scene.point_rgb = {10, 200, 30, 10, 200, 30, 20, 30, 220};
+  window->show(scene);
+  const RgbImage image = window->picture();
+  EXPECT_THAT(color_at(image, 100, 80), ElementsAre(10, 200, 30)) << "in front";
+  EXPECT_TRUE(is_red(image, 109, 80)) << "what is behind is hidden";
+  // 0.1 m above the axis, 0.4 m away; half the height of 160 pixels is seen under 0.4 rad: 47.3.
+  EXPECT_THAT(color_at(image, 100, 80 - 47), ElementsAre(20, 30, 220)) << "y points down";
+}
+
+TEST_F(SceneWindowTest, TakesPointsOfAnyNumber) {
+  const auto window = open(false);
+  Scene scene;
+  for (const std::size_t count : {3U, 0U, 1000U, 1U}) {
+    scene.points.assign(count, {0.0F, 0.0F, 0.4F});
+    scene.point_rgb.assign(3 * count, 255);
+    scene.point_size = 5.0;
+    window->show(scene);
+    EXPECT_EQ(color_at(window->picture(), 100, 80) == std::vector<int>({255, 255, 255}), count > 0);
+  }
+}
+
+TEST_F(SceneWindowTest, ReportsKeysByName) {
+  const auto window = open(true);
+  window->show(block_at(0.0));
+  user_.find_window(kTitle);
+  for (const auto* key : {"space", "Left", "e"}) user_.press(key);
+  EXPECT_THAT(keys_of(*window, 3), ElementsAre("space", "Left", "e"));
+  EXPECT_TRUE(window->is_open());
+}
+
+TEST_F(SceneWindowTest, IsClosedByTheUser) {
+  for (const bool by_key : {true, false}) {
+    const auto window = open(true);
+    window->show(block_at(0.0));
+    user_.find_window(kTitle);
+    if (by_key) {
+      user_.press("q");
+    } else {
+      user_.close();
+    }
+    EXPECT_THAT(keys_of(*window, 1), ElementsAre());
+    EXPECT_FALSE(window->is_open()) << (by_key ? "by key" : "by its frame");
+  }
+}
+
+TEST_F(SceneWindowTest, IsRefusedWithoutADisplay) {
+  const std::string display = std::getenv("DISPLAY");
+  const auto open_on = [&](const char* name) {
+    ::setenv("DISPLAY", name, 1);
+    open(false);
+  };
+  EXPECT_THAT([&] { open_on(""); }, ThrowsMessage<InputError>(HasSubstr("DISPLAY is not set")));
+  EXPECT_THAT([&] { open_on(":4095"); },
+              ThrowsMessage<InputError>(HasSubstr("display :4095 cannot be reached")));
+  ::setenv("DISPLAY", display.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace lockbox

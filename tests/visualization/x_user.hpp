@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+struct _XDisplay;
+
+namespace lockbox {
+
+/// Another client of the X display, which does to a window what a user does. While it lives, the
+/// server of the tests does not start anew between two windows.
+class XUser {
+ public:
+  XUser();
+  ~XUser();
+
+  /// False if there is no display.
+  bool is_connected() const { return display_ != nullptr; }
+
+  /// Waits until there is a window of this name, and it is on the screen.
+  void find_window(const std::string& name);
+
+  /// key: its name in X11, such as `space`.
+  void press(const std::string& key);
+
+  /// As with the button of its frame.
+  void close();
+
+ private:
+  _XDisplay* display_ = nullptr;
+  unsigned long window_ = 0;
+};
+
+}  // namespace lockbox
