@@ -20,6 +20,9 @@ const std::vector<CommandEntry>& commands() {
        "lockbox experiment rigid --output out/rigid", make_experiment_command},
       {"inspect", "Shows a model: its tree, distance fields, contacts, and a picture",
        "lockbox inspect --model lockbox --picture lockbox.png", make_inspect_command},
+      {"view", "Shows a model, a live device, or a recorded run in a 3D window",
+       "lockbox view --model lockbox --source recording.oni --states out/run/states.csv",
+       make_view_command},
   };
   return entries;
 }

@@ -6,12 +6,22 @@
 namespace lockbox::app {
 
 void SourceArguments::add_to(CLI::App& options) {
-  options
-      .add_option("-s,--source", source_,
-                  "openni2:, openni2:<uri>, a .oni file, a folder with depth.txt, or a folder of "
-                  ".pcd files")
-      ->required()
-      ->type_name("SOURCE");
+  add_source(options)->required();
+  options.add_flag("--realtime", realtime_,
+                   "Play recordings at recorded speed, dropping frames like a live device");
+}
+
+void SourceArguments::add_optional_to(CLI::App& options) {
+  add_source(options);
+}
+
+CLI::Option* SourceArguments::add_source(CLI::App& options) {
+  CLI::Option* const source =
+      options
+          .add_option("-s,--source", source_,
+                      "openni2:, openni2:<uri>, a .oni file, a folder with depth.txt, or a folder "
+                      "of .pcd files")
+          ->type_name("SOURCE");
   options
       .add_option("--camera-info", camera_info_,
                   "ROS camera calibration (YAML) to use instead of the source's own intrinsics")
@@ -20,8 +30,7 @@ void SourceArguments::add_to(CLI::App& options) {
       .add_option("--depth-scale", depth_scale_,
                   "Units per metre of depth images in a folder (TUM data sets: 5000)")
       ->check(CLI::PositiveNumber);
-  options.add_flag("--realtime", realtime_,
-                   "Play recordings at recorded speed, dropping frames like a live device");
+  return source;
 }
 
 std::unique_ptr<FrameSource> SourceArguments::open() const {

@@ -15,12 +15,18 @@ class SourceArguments {
  public:
   void add_to(CLI::App& options);
 
+  /// The same for a command that can do without a source, and that looks at every frame in peace.
+  void add_optional_to(CLI::App& options);
+
+  bool is_given() const { return !source_.empty(); }
   const std::string& name() const { return source_; }
 
   /// Warnings go to standard error.
   std::unique_ptr<FrameSource> open() const;
 
  private:
+  CLI::Option* add_source(CLI::App& options);
+
   std::string source_;
   std::string camera_info_;
   std::optional<double> depth_scale_;

@@ -89,13 +89,6 @@ TEST_F(RigidBlock, IsTrackedThroughAGenuineRecording) {
   }
 }
 
-/// The rows of states.csv without the column of the latency, which is the clock's.
-std::vector<std::string> rows_without_latency(const std::string& file) {
-  auto lines = read_lines(file);
-  for (auto& line : lines) line.erase(line.rfind(','));
-  return lines;
-}
-
 TEST_F(RigidBlock, ComesOutTheSameFromARecordingAndAFolderOnAnyNumberOfThreads) {
   // The truth carries the recording's stamps, which are whole microseconds.
   ASSERT_EQ(simulate(path("groundtruth.csv"), "images").status, 0);

@@ -88,4 +88,10 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
   return lines;
 }
 
+std::vector<std::string> rows_without_latency(const std::filesystem::path& file) {
+  auto lines = read_lines(file);
+  for (auto& line : lines) line.erase(line.rfind(','));
+  return lines;
+}
+
 }  // namespace lockbox

@@ -7,7 +7,7 @@
 
 #include "frame_errors.hpp"
 #include "lockbox/core/error.hpp"
-#include "nearest_stamp.hpp"
+#include "lockbox/evaluation/nearest_stamp.hpp"
 
 namespace lockbox {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nearest_stamp.hpp"
+#include "lockbox/evaluation/nearest_stamp.hpp"
 
 #include <algorithm>
 #include <cmath>

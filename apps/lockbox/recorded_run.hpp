@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/model/states_file.hpp"
+#include "recorded_frames.hpp"
+
+namespace lockbox::app {
+
+/// Frames of a recording, each with the state that belongs to it; or states alone; or the model as
+/// it starts, alone.
+class RecordedRun {
+ public:
+  struct Moment {
+    const DepthFrame* frame;      ///< null without a recording
+    Configuration configuration;  ///< NaN where it is not known
+    double stamp;                 ///< seconds
+    std::string word;             ///< on the state
+  };
+
+  /// states: empty if there is no file; a single one holds for all frames.
+  RecordedRun(const ArticulatedModel& model, std::optional<RecordedFrames> frames,
+              std::vector<State> states);
+
+  std::size_t size() const;
+
+  /// Nothing if the recording turns out to end before. Valid until the next call.
+  std::optional<Moment> at(std::size_t index);
+
+ private:
+  Moment start() const;
+  const State* state_at(double stamp) const;
+
+  const ArticulatedModel& model_;
+  std::optional<RecordedFrames> frames_;
+  std::vector<State> states_;
+  std::vector<double> stamps_;  ///< of the states
+};
+
+}  // namespace lockbox::app
