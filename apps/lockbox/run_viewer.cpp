@@ -15,14 +15,14 @@ constexpr double kLongestPause = 1.0;  // seconds between two frames, however fa
 }  // namespace
 
 RunViewer::RunViewer(const ArticulatedModel& model, RecordedRun& run, const Playback& playback,
-                     const SceneChoices& choices)
-    : model_(model), run_(run), playback_(playback), choices_(choices) {}
+                     const SceneChoices& choices, const WindowOptions& options)
+    : model_(model), run_(run), playback_(playback), choices_(choices), options_(options) {}
 
 void RunViewer::play() {
   const std::string playback_help =
       run_.size() > 1 ? std::string(kPlaybackHelp).append("\n") : std::string();
   SceneComposer composer(model_, playback_help + kSceneHelp);
-  const auto window = open_scene_window(composer.parts());
+  const auto window = open_scene_window(composer.parts(), options_);
   const Interruption interruption;
   aim(*window);
   draw(*window, composer);
@@ -45,7 +45,7 @@ void RunViewer::play() {
 
 RgbImage RunViewer::picture() {
   SceneComposer composer(model_, "");
-  WindowOptions options;
+  WindowOptions options = options_;
   options.visible = false;
   const auto window = open_scene_window(composer.parts(), options);
   aim(*window);

@@ -15,7 +15,7 @@ class RunViewer {
  public:
   /// Model and run are referred to. The view is chosen for the frame at which playback stands.
   RunViewer(const ArticulatedModel& model, RecordedRun& run, const Playback& playback,
-            const SceneChoices& choices);
+            const SceneChoices& choices, const WindowOptions& options);
 
   /// Plays until the window is closed, or until Ctrl-C. Throws InputError if there is no display.
   void play();
@@ -37,6 +37,7 @@ class RunViewer {
   RecordedRun& run_;
   Playback playback_;
   SceneChoices choices_;
+  WindowOptions options_;
   Clock::time_point drawn_;
 };
 

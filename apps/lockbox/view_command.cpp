@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "commands.hpp"
 #include "interruption.hpp"
@@ -23,6 +25,9 @@ void show_live(FrameSource& source, const ArticulatedModel& model) {
   }
 }
 
+constexpr int kSmallest = 100;  // pixels
+constexpr int kLargest = 8192;
+
 class ViewCommand : public Command {
  public:
   void add_options(CLI::App& options) override {
@@ -42,6 +47,11 @@ class ViewCommand : public Command {
         .add_option("--screenshot", screenshot_,
                     "Draw one frame into a PNG file instead of opening a window")
         ->type_name("FILE.png");
+    options.add_option("--size", size_, "Of window or picture, pixels")
+        ->delimiter('x')
+        ->check(CLI::Range(kSmallest, kLargest))
+        ->type_name("WIDTHxHEIGHT")
+        ->default_str("1280x800");
     options.footer(std::string(options.get_footer()) + "\n\nKeys in the window:\n  " +
                    kPlaybackHelp + "\n  " + kSceneHelp);
   }
@@ -84,7 +94,9 @@ class ViewCommand : public Command {
                        "there are " + std::to_string(run.size()) + " frames only");
     }
     const bool plays = !frame_ || !screenshot_.empty();
-    RunViewer viewer(model, run, Playback(run.size(), first, plays), choices_);
+    WindowOptions window;
+    std::tie(window.width, window.height) = size_;
+    RunViewer viewer(model, run, Playback(run.size(), first, plays), choices_, window);
     if (screenshot_.empty()) {
       viewer.play();
     } else {
@@ -98,6 +110,7 @@ class ViewCommand : public Command {
   SceneChoices choices_;
   std::optional<std::size_t> frame_;
   std::string screenshot_;
+  std::pair<int, int> size_ = {1280, 800};
 };
 
 }  // namespace

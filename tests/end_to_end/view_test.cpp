@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <cstdio>
 #include <memory>
 #include <set>
 #include <thread>
@@ -79,6 +80,29 @@ std::unique_ptr<XUser> View::user_;
 ToolResult View::simulated_;
 ToolResult View::tracked_;
 
+/// An X server of its own, to be ended while windows are open on it.
+class DoomedServer {
+ public:
+  DoomedServer() : output_(popen("echo $$; exec Xvfb -displayfd 1 2>/dev/null", "r")) {
+    if (fscanf(output_, "%d %d", &process_, &number_) != 2) number_ = -1;
+  }
+  ~DoomedServer() {
+    end();
+    pclose(output_);
+  }
+  DoomedServer(const DoomedServer&) = delete;
+  DoomedServer& operator=(const DoomedServer&) = delete;
+
+  bool is_running() const { return number_ >= 0; }
+  std::string display() const { return ":" + std::to_string(number_); }
+  void end() const { kill(process_, SIGKILL); }
+
+ private:
+  FILE* output_;
+  int process_ = -1;
+  int number_ = -1;
+};
+
 /// Colours of a picture, three bytes a pixel.
 std::vector<std::uint8_t> read_png(const std::string& file) {
   png_image header = {};
@@ -118,6 +142,17 @@ TEST_F(View, OfARunEndsAloneWhenItsWindowIsClosed) {
   EXPECT_THAT(read_text(path("closed/run.yaml")), HasSubstr("end: end of the source"));
 }
 
+TEST_F(View, OfARunEndsAloneWhenTheDisplayIsLost) {
+  const DoomedServer server;
+  if (!server.is_running()) GTEST_SKIP() << "no Xvfb";
+  Tool tool(tracking("lost_display", {"--view", "--realtime"}), {"DISPLAY=" + server.display()});
+  XUser(server.display()).find_window("lockbox");
+  server.end();
+  const auto result = tool.wait();
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(read_text(path("lost_display/run.yaml")), HasSubstr("end: end of the source"));
+}
+
 TEST_F(View, IsRefusedWhereThereIsNoDisplay) {
   for (const std::string display : {"", ":4095"}) {
     const std::vector<std::string> environment = {"DISPLAY=" + display};
@@ -134,9 +169,11 @@ TEST_F(View, IsRefusedWhereThereIsNoDisplay) {
 
 TEST_F(View, DrawsTheModelInItsColorsIntoAPicture) {
   const auto file = path("model.png");
-  const auto result = run_tool({"view", "--model", "rigid_block", "--screenshot", file});
+  const auto result =
+      run_tool({"view", "--model", "rigid_block", "--screenshot", file, "--size", "320x240"});
   ASSERT_EQ(result.status, 0) << result.errors;
   const auto picture = read_png(file);
+  ASSERT_THAT(picture, SizeIs(3 * 320 * 240));
   // The block's material is a warm colour; the background is bluish.
   const double block = share_of(picture, [](int r, int, int b) { return r > b + 30; });
   EXPECT_GT(block, 0.05);

@@ -38,7 +38,8 @@ Window window_of_name(Display* display, const std::string& name) {
 
 }  // namespace
 
-XUser::XUser() : display_(XOpenDisplay(nullptr)) {
+XUser::XUser(const std::string& display)
+    : display_(XOpenDisplay(display.empty() ? nullptr : display.c_str())) {
   // Windows may go between two questions about them.
   XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
 }

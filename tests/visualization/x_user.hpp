@@ -11,7 +11,8 @@ namespace lockbox {
 /// server of the tests does not start anew between two windows.
 class XUser {
  public:
-  XUser();
+  /// On the display of the environment, if none is named.
+  explicit XUser(const std::string& display = "");
   ~XUser();
 
   /// False if there is no display.

@@ -38,8 +38,14 @@ class LiveView::Loop {
  public:
   explicit Loop(const ArticulatedModel& model) : composer_(model, kSceneHelp) {
     std::promise<void> opened;
+    std::promise<void> ended;
     auto is_opened = opened.get_future();
-    thread_ = std::thread([this, &opened] { run(opened); });
+    is_ended_ = ended.get_future();
+    thread_ = std::thread([this, &opened, ended = std::move(ended)]() mutable {
+      run(opened);
+      ended.set_value();
+    });
+    if (!happens(is_opened)) return;
     try {
       is_opened.get();
     } catch (...) {
@@ -50,7 +56,11 @@ class LiveView::Loop {
 
   ~Loop() {
     stop_ = true;
-    thread_.join();
+    if (happens(is_ended_)) {
+      thread_.join();
+    } else {
+      thread_.detach();
+    }
   }
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
@@ -67,11 +77,24 @@ class LiveView::Loop {
   bool is_open() const { return is_open_; }
 
  private:
+  /// Waits for what the thread will do. False if it stands still instead.
+  bool happens(const std::future<void>& event) const {
+    while (!is_lost_) {
+      if (event.wait_for(kPollInterval) == std::future_status::ready) return true;
+    }
+    return false;
+  }
+
   void run(std::promise<void>& opened) {
     lower_priority();
     std::unique_ptr<SceneWindow> window;
     try {
-      window = open_scene_window(composer_.parts());
+      WindowOptions options;
+      options.on_display_lost = [this] {
+        is_open_ = false;
+        is_lost_ = true;
+      };
+      window = open_scene_window(composer_.parts(), options);
     } catch (...) {
       opened.set_exception(std::current_exception());
       return;
@@ -114,6 +137,8 @@ class LiveView::Loop {
   bool has_next_ = false;
   std::atomic<bool> stop_ = false;
   std::atomic<bool> is_open_ = false;
+  std::atomic<bool> is_lost_ = false;  ///< the display; then the thread stands still
+  std::future<void> is_ended_;
   std::thread thread_;
 };
 

@@ -23,6 +23,8 @@ void style(vtkTextProperty& look, int size, double grey) {
   look.ItalicOff();
   look.BoldOff();
   look.ShadowOff();
+  look.SetBackgroundColor(0.05, 0.06, 0.08);
+  look.SetBackgroundOpacity(0.5);  // readable over bright points
 }
 
 void show(vtkTextActor& text, const std::string& lines) {

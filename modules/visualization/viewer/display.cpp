@@ -2,6 +2,7 @@
 #include "display.hpp"
 
 #include <X11/Xlib.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -33,6 +34,16 @@ DisplayConnection::DisplayConnection() {
   } else if (XQueryExtension(display_.get(), "GLX", &opcode, &event, &error) == 0) {
     problem_ = std::string("the X display ") + name + " has no OpenGL (GLX)" + kAdvice;
   }
+}
+
+void stop_thread_on_loss(_XDisplay* display, const std::function<void()>& on_loss) {
+  XSetIOErrorHandler([](Display*) { return 0; });  // the one that is there ends the process
+  const auto stop = [](Display* broken, void* told) {
+    XUnlockDisplay(broken);  // Xlib has locked it so that no other thread could exit
+    (*static_cast<const std::function<void()>*>(told))();
+    for (;;) ::pause();
+  };
+  XSetIOErrorExitHandler(display, stop, const_cast<std::function<void()>*>(&on_loss));
 }
 
 }  // namespace lockbox

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -27,5 +28,9 @@ class DisplayConnection {
   std::unique_ptr<_XDisplay, Close> display_;
   std::string problem_;
 };
+
+/// When the connection breaks, Xlib ends the process, because its callers could not go on. With
+/// this, it calls on_loss, which must stay where it is, and stops the calling thread for good.
+void stop_thread_on_loss(_XDisplay* display, const std::function<void()>& on_loss);
 
 }  // namespace lockbox

@@ -18,7 +18,10 @@ constexpr int kSamplesOfPictures = 8;  // a pixel; smooths edges
 }  // namespace
 
 VtkWindow::VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& options)
-    : model_(parts, *renderer_), points_(*renderer_), captions_(*renderer_) {
+    : on_loss_(options.on_display_lost),
+      model_(parts, *renderer_),
+      points_(*renderer_),
+      captions_(*renderer_) {
   renderer_->GradientBackgroundOn();
   renderer_->SetBackground(kBottomOfBackground);
   renderer_->SetBackground2(kTopOfBackground);
@@ -30,6 +33,9 @@ VtkWindow::VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& o
   aim();
   window_->Render();
   window_->SetWindowName(options.title.c_str());
+  if (on_loss_) {
+    stop_thread_on_loss(static_cast<_XDisplay*>(window_->GetGenericDisplayId()), on_loss_);
+  }
 }
 
 VtkWindow::~VtkWindow() {

@@ -7,6 +7,7 @@
 #include <vtkRenderer.h>
 
 #include "captions.hpp"
+#include "display.hpp"
 #include "key_style.hpp"
 #include "lockbox/visualization/scene_window.hpp"
 #include "model_actors.hpp"
@@ -30,6 +31,7 @@ class VtkWindow : public SceneWindow {
   void listen();
   void note_exit();
 
+  const std::function<void()> on_loss_;
   SceneCamera camera_;
   bool closed_ = false;
   vtkNew<vtkRenderer> renderer_;

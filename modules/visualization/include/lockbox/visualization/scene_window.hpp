@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -75,6 +76,9 @@ struct WindowOptions {
   int width = 1280;  ///< pixels
   int height = 800;
   bool visible = true;  ///< else only for picture(), with smooth edges
+  /// Called if the display goes, in the thread of the window, which then stops for good: it must
+  /// not be waited for. Without it the process ends, as is usual with X.
+  std::function<void()> on_display_lost;
 };
 
 /// Throws InputError that says what to do if the component is missing or there is no display.
