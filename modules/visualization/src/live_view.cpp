@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -16,8 +17,10 @@
 namespace lockbox {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr auto kPollInterval = std::chrono::milliseconds(10);
-constexpr int kNice = 10;
+constexpr int kNice = 19;
 
 /// Of the calling thread, and of the threads that it will start (those of a renderer in software):
 /// on Linux each thread has its own.
@@ -102,21 +105,23 @@ class LiveView::Loop {
     is_open_ = true;
     opened.set_value();
     while (!stop_ && window->is_open()) {
-      if (!refresh(*window)) std::this_thread::sleep_for(kPollInterval);
+      const auto start = Clock::now();
+      refresh(*window);
+      // At most half of the time is for drawing, however slowly the machine draws.
+      std::this_thread::sleep_for(std::max<Clock::duration>(Clock::now() - start, kPollInterval));
     }
     is_open_ = false;
   }
 
   /// Draws if there is something new.
-  bool refresh(SceneWindow& window) {
+  void refresh(SceneWindow& window) {
     bool is_new = false;
     for (const auto& key : window.poll()) is_new |= choices_.handle(key);
     const bool is_first = !has_shown_;
     is_new |= take_over();
-    if (!is_new || !has_shown_) return false;
+    if (!is_new || !has_shown_) return;
     if (is_first) window.look(camera_near_sensor(now_.frame));
     window.show(composer_.compose(&now_.frame, now_.configuration, now_.title, choices_));
-    return true;
   }
 
   bool take_over() {
