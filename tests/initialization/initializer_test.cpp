@@ -87,20 +87,6 @@ TEST(Initializer, RanksItsAnswersByScore) {
   for (std::size_t i = 1; i < found.size(); ++i) EXPECT_LE(found[i].score, found[i - 1].score);
 }
 
-TEST(Initializer, FindsTheSameWithAnyNumberOfThreads) {
-  const ArticulatedModel& model = shipped("rigid_block");
-  const TiledCloud cloud = seen(model, placed(model, 0.9, 0.3, -1.5), wall_behind(0.4));
-  const auto one = search(model, cloud, 1);
-  const auto three = search(model, cloud, 3);
-  ASSERT_FALSE(one.empty());
-  ASSERT_EQ(one.size(), three.size());
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    EXPECT_EQ(one[i].score, three[i].score);
-    EXPECT_EQ(one[i].configuration.T_camera_base.matrix(),
-              three[i].configuration.T_camera_base.matrix());
-  }
-}
-
 TEST(Initializer, FindsNothingWhereNothingIsMeasured) {
   DepthFrame frame;
   frame.camera = {64, 48, 57.6, 57.6, 31.5, 23.5};

@@ -10,65 +10,15 @@
 #include <random>
 
 #include "initialization/seen_model.hpp"
-#include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/registration/collision_term.hpp"
 #include "lockbox/sdf/field_cache.hpp"
+#include "overlaps.hpp"
 
 namespace lockbox {
 namespace {
 
+constexpr double kRounding = 0.0002;  // metres: of fields at edges
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Surfaces of all bodies, for measuring overlaps apart from the collision term.
-class Overlaps {
- public:
-  explicit Overlaps(const ArticulatedModel& model) : model_(model) {
-    for (const Body& body : model.tree.bodies) {
-      samples_.push_back(sample_surface(body.mesh, 0.006));
-    }
-  }
-
-  /// How deep the one body's surface reaches into the other, metres.
-  double between(std::size_t a, std::size_t b, const BodyPoses& poses) const {
-    return std::max(reach(a, b, poses), reach(b, a, poses));
-  }
-
-  /// Whether no two links are in each other's way. Joints guide the links that they connect.
-  bool allow(const BodyPoses& poses) const {
-    constexpr double kTolerance = 0.0002;  // metres: what fields round at edges
-    for (std::size_t a = 0; a < samples_.size(); ++a) {
-      for (std::size_t b = a + 1; b < samples_.size(); ++b) {
-        const int joint = model_.tree.bodies[b].parent_joint;
-        const bool guided =
-            model_.tree.joints[static_cast<std::size_t>(joint)].parent_body == static_cast<int>(a);
-        if (!guided && between(a, b, poses) > kTolerance) {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
- private:
-  double reach(std::size_t moving, std::size_t still, const BodyPoses& poses) const {
-    const Eigen::Isometry3d T = poses[still].inverse() * poses[moving];
-    const SignedDistanceField& field = *model_.fields[still];
-    double deepest = 0.0;
-    if (!field.bounds().intersects(model_.fields[moving]->bounds().transformed(T))) {
-      return deepest;
-    }
-    for (const SurfaceSample& sample : samples_[moving]) {
-      const Eigen::Vector3d p = T * sample.position;
-      if (field.bounds().contains(p)) {
-        deepest = std::max(deepest, -static_cast<double>(field.sample(p.cast<float>()).distance));
-      }
-    }
-    return deepest;
-  }
-
-  const ArticulatedModel& model_;
-  std::vector<std::vector<SurfaceSample>> samples_;
-};
 
 BodyPoses poses_at(const ArticulatedModel& model, const Configuration& configuration) {
   BodyPoses poses;
@@ -87,7 +37,7 @@ Configuration random_configuration(const ArticulatedModel& model, const Overlaps
       configuration.q[v] = std::uniform_real_distribution<double>(
           std::max(limits.lower, -4.0), std::min(limits.upper, 4.0))(random);
     }
-  } while (!overlaps.allow(poses_at(model, configuration)));
+  } while (overlaps.deepest(poses_at(model, configuration)) > kRounding);
   return configuration;
 }
 

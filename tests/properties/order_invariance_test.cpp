@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <random>
 
+#include "initialization/seen_model.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
 #include "model/urdf_test.hpp"
+#include "registration/mechanism.hpp"
 
 namespace lockbox {
 namespace {
@@ -130,6 +134,82 @@ TEST_F(CanonicalOrder, BodiesStandDepthFirstAndJointsBeforeWhatTheyMove) {
     EXPECT_LE(tree.joints[j].parent_body, static_cast<int>(j));
   }
   EXPECT_EQ(tree.bodies[0].parent_joint, -1);
+}
+
+/// What the registration makes of one measurement, with a model that was written in another way.
+RegistrationResult registered(const ArticulatedModel& model) {
+  static const TiledCloud cloud =
+      cloud_of(measured(mechanism(), mechanism_start(mechanism()), "primesense"));
+  Eigen::VectorXd step = Eigen::VectorXd::Constant(6 + model.tree.variables(), 0.004);
+  step.tail(model.tree.variables()).setConstant(0.01);
+  return ArticulatedRegistration(model, {}, Executor(1))
+      .align(cloud, stepped(mechanism_start(model), step), {0.01, 6});
+}
+
+TEST(OrderInvariance, AnyOrderOfLinksAndJointsGivesTheSameEstimate) {
+  const RegistrationResult reference = registered(mechanism());
+  std::vector<std::string> parts = mechanism_elements();
+  std::mt19937 generator{7};
+  for (int i = 0; i < 50; ++i) {
+    std::shuffle(parts.begin(), parts.end(), generator);
+    const RegistrationResult result = registered(load_mechanism(parts, with_cache()));
+    EXPECT_TRUE(result.configuration.T_camera_base.matrix() ==
+                reference.configuration.T_camera_base.matrix());
+    EXPECT_TRUE(result.configuration.q == reference.configuration.q);
+    EXPECT_TRUE(result.covariance == reference.covariance);
+  }
+}
+
+TEST(OrderInvariance, OtherNamesOfLinksChangeNothingButRounding) {
+  const RegistrationResult reference = registered(mechanism());
+  std::vector<std::string> names{"plate", "block", "arm", "knob", "follower"};
+  std::mt19937 generator{8};
+  for (int i = 0; i < 10; ++i) {
+    std::shuffle(names.begin(), names.end(), generator);
+    std::vector<std::string> parts = mechanism_elements();
+    for (std::string& element : parts) {
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        const std::string quoted = '"' + names[k] + '"';
+        for (auto at = element.find(quoted); at != std::string::npos; at = element.find(quoted)) {
+          element.replace(at, quoted.size(), "\"part_" + std::to_string(k) + '"');
+        }
+      }
+    }
+    const RegistrationResult result = registered(load_mechanism(parts, with_cache()));
+    EXPECT_LT((result.configuration.T_camera_base.matrix() -
+               reference.configuration.T_camera_base.matrix())
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-6);
+    EXPECT_LT((result.configuration.q - reference.configuration.q).cwiseAbs().maxCoeff(), 1e-6);
+  }
+}
+
+using OrderOfFiles = WithTemporaryFolder;
+
+TEST_F(OrderOfFiles, MeshesUnderOtherNamesInOtherPlacesGiveTheSameBits) {
+  const ArticulatedModel& reference = shipped("lockbox");
+  std::ifstream original(shipped_file("lockbox"));
+  std::string text((std::istreambuf_iterator<char>(original)), {});
+  std::vector<std::filesystem::path> meshes;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(shipped_file("lockbox").parent_path() / "meshes")) {
+    meshes.push_back(entry.path());
+  }
+  std::sort(meshes.begin(), meshes.end());
+  std::mt19937 generator{9};
+  std::shuffle(meshes.begin(), meshes.end(), generator);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const std::string other = "part_" + std::to_string(i) + ".obj";
+    const std::string own = "meshes/" + meshes[i].filename().string();
+    std::filesystem::copy_file(meshes[i], folder_ / other);
+    text.replace(text.find(own), own.size(), other);
+  }
+  const ArticulatedModel moved = load_model(write("lockbox.urdf", text), with_cache());
+  expect_same_bits(moved.tree, reference.tree);
+  for (std::size_t b = 0; b < moved.fields.size(); ++b) {
+    EXPECT_EQ(moved.fields[b]->storage().samples, reference.fields[b]->storage().samples);
+  }
 }
 
 }  // namespace

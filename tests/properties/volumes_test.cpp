@@ -88,17 +88,5 @@ TEST(FieldDistances, AreExactOffTheSurface) {
   }
 }
 
-TEST(FieldBuilding, GivesTheSameBitsForAnyNumberOfThreads) {
-  TriangleMesh mesh = make_cylinder(0.02, 0.05);
-  append(mesh, moved(make_box({0.03, 0.03, 0.03}), 0.02, 0.0, 0.0));
-  FieldOptions options;
-  options.far_reach = 0.05;
-  const SignedDistanceField one = build_field(mesh, options, Executor(1));
-  const SignedDistanceField four = build_field(mesh, options, Executor(4));
-  EXPECT_EQ(one.storage().samples, four.storage().samples);
-  EXPECT_EQ(one.storage().block_first, four.storage().block_first);
-  EXPECT_EQ(one.thickness(), four.thickness());
-}
-
 }  // namespace
 }  // namespace lockbox

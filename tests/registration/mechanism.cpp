@@ -11,55 +11,65 @@
 namespace lockbox {
 namespace {
 
-constexpr char kUrdf[] = R"(<robot name="mechanism">
-  <link name="plate"><visual><geometry><box size="0.4 0.4 0.02"/></geometry></visual></link>
-  <link name="block"><visual><geometry><box size="0.08 0.06 0.05"/></geometry></visual></link>
-  <link name="arm">
-    <visual><origin xyz="0.06 0 0"/><geometry><box size="0.16 0.04 0.02"/></geometry></visual>
-  </link>
-  <link name="knob">
-    <visual><geometry><cylinder radius="0.015" length="0.05"/></geometry></visual>
-    <visual><origin xyz="0 0 0.03"/><geometry><box size="0.04 0.05 0.02"/></geometry></visual>
-  </link>
-  <link name="follower"><visual><geometry><box size="0.05 0.05 0.03"/></geometry></visual></link>
-  <joint name="slide" type="prismatic">
-    <parent link="plate"/><child link="block"/><origin xyz="-0.05 0.05 0.035"/>
-    <axis xyz="1 0 0"/><limit lower="-0.08" upper="0.08" effort="1" velocity="1"/>
-  </joint>
-  <joint name="turn" type="revolute">
-    <parent link="block"/><child link="arm"/><origin xyz="0 0 0.035"/>
-    <axis xyz="0 0 1"/><limit lower="-1.2" upper="1.2" effort="1" velocity="1"/>
-  </joint>
-  <joint name="twist" type="continuous">
-    <parent link="arm"/><child link="knob"/><origin xyz="0.1 0 0.035" rpy="0 0 0.4"/>
-    <axis xyz="0 0 1"/>
-  </joint>
-  <joint name="follow" type="prismatic">
-    <parent link="plate"/><child link="follower"/><origin xyz="0.14 -0.08 0.025"/>
-    <axis xyz="0 1 0"/><limit lower="-0.1" upper="0.1" effort="1" velocity="1"/>
-    <mimic joint="slide" multiplier="0.8" offset="0.01"/>
-  </joint>
-</robot>
-)";
-
-std::filesystem::path write_urdf() {
+std::filesystem::path write_urdf(const std::vector<std::string>& elements) {
   const auto folder =
       std::filesystem::temp_directory_path() / ("lockbox_mechanism_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "mechanism.urdf") << kUrdf;
+  std::ofstream file(folder / "mechanism.urdf");
+  file << "<robot name=\"mechanism\">\n";
+  for (const std::string& element : elements) {
+    file << element << '\n';
+  }
+  file << "</robot>\n";
   return folder / "mechanism.urdf";
 }
 
 }  // namespace
 
+std::vector<std::string> mechanism_elements() {
+  return {
+      R"(<link name="plate"><visual><geometry><box size="0.4 0.4 0.02"/></geometry></visual></link>)",
+      R"(<link name="block"><visual><geometry><box size="0.08 0.06 0.05"/></geometry></visual></link>)",
+      R"(<link name="arm">
+    <visual><origin xyz="0.06 0 0"/><geometry><box size="0.16 0.04 0.02"/></geometry></visual>
+  </link>)",
+      R"(<link name="knob">
+    <visual><geometry><cylinder radius="0.015" length="0.05"/></geometry></visual>
+    <visual><origin xyz="0 0 0.03"/><geometry><box size="0.04 0.05 0.02"/></geometry></visual>
+  </link>)",
+      R"(<link name="follower"><visual><geometry><box size="0.05 0.05 0.03"/></geometry></visual></link>)",
+      R"(<joint name="slide" type="prismatic">
+    <parent link="plate"/><child link="block"/><origin xyz="-0.05 0.05 0.035"/>
+    <axis xyz="1 0 0"/><limit lower="-0.08" upper="0.08" effort="1" velocity="1"/>
+  </joint>)",
+      R"(<joint name="turn" type="revolute">
+    <parent link="block"/><child link="arm"/><origin xyz="0 0 0.035"/>
+    <axis xyz="0 0 1"/><limit lower="-1.2" upper="1.2" effort="1" velocity="1"/>
+  </joint>)",
+      R"(<joint name="twist" type="continuous">
+    <parent link="arm"/><child link="knob"/><origin xyz="0.1 0 0.035" rpy="0 0 0.4"/>
+    <axis xyz="0 0 1"/>
+  </joint>)",
+      R"(<joint name="follow" type="prismatic">
+    <parent link="plate"/><child link="follower"/><origin xyz="0.14 -0.08 0.025"/>
+    <axis xyz="0 1 0"/><limit lower="-0.1" upper="0.1" effort="1" velocity="1"/>
+    <mimic joint="slide" multiplier="0.8" offset="0.01"/>
+  </joint>)"};
+}
+
+ArticulatedModel load_mechanism(const std::vector<std::string>& elements,
+                                const LoadOptions& options) {
+  const auto file = write_urdf(elements);
+  ArticulatedModel loaded = load_model(file, options);
+  std::filesystem::remove_all(file.parent_path());
+  return loaded;
+}
+
 const ArticulatedModel& mechanism() {
   static const ArticulatedModel model = [] {
-    LoadOptions options;
-    options.cache_directory = std::filesystem::path();
-    const auto file = write_urdf();
-    ArticulatedModel loaded = load_model(file, options);
-    std::filesystem::remove_all(file.parent_path());
-    return loaded;
+    LoadOptions without_cache;
+    without_cache.cache_directory = std::filesystem::path();
+    return load_mechanism(mechanism_elements(), without_cache);
   }();
   return model;
 }

@@ -2,6 +2,9 @@
 // A small mechanism with every kind of joint, and what a camera sees of it.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/simulation/simulator.hpp"
@@ -12,6 +15,13 @@ namespace lockbox {
 /// block `turn`, an arm about z; on the arm `twist`, a knob about the arm's x (continuous); and
 /// `follower`, a second block along y that mimics `slide`. Chains of three, all in contact.
 const ArticulatedModel& mechanism();
+
+/// Its links and joints, as elements of a URDF file.
+std::vector<std::string> mechanism_elements();
+
+/// The same, or another model, from such elements.
+ArticulatedModel load_mechanism(const std::vector<std::string>& elements,
+                                const LoadOptions& options);
 
 /// Seen from about 0.7 m, joints in mid-range, tilted.
 Configuration mechanism_start(const ArticulatedModel& model);
