@@ -112,8 +112,12 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   }
   // The covariance, and what the model explains, belong to the solution.
   linearize(cloud, 0.0);
-  covariance_.estimate(model_.tree, data_equations_, model_term_.tile_gradients(),
-                       options_.noise_correlation, jacobians_, scale_, held_);
+  tile_systems_ = model_term_.tile_systems();
+  if (options_.lambda_free > 0.0 && cloud.has_image()) {
+    free_term_.append_tile_systems(poses_, tile_systems_);
+  }
+  covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
+                       scale_, levers_, held_);
   result_.covariance = covariance_.covariance();
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();

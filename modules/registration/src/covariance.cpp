@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/registration/covariance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace lockbox {
 namespace {
@@ -12,42 +14,53 @@ using Index = Eigen::Index;
 // What no amount of data averages away: quantisation, interpolation, the model itself.
 constexpr double kBaseFloor = 0.05e-3;                             // metres
 constexpr double kBaseTurnFloor = 0.005 * std::numbers::pi / 180;  // radians
-constexpr double kSlideFloor = 0.15e-3;                            // metres
-constexpr double kTurnFloor = 0.1 * std::numbers::pi / 180;        // radians
+constexpr double kJointFloor = 0.15e-3;                            // metres at a part's far end
 
 constexpr double kObservableShare = 0.1;  // of a unit: where the solver, too, draws the line
 
-double systematic_floor(const KinematicTree& tree, Index unknown) {
+/// lever: metres that surfaces move for a unit of the unknown, at most.
+double systematic_floor(Index unknown, double lever) {
   if (unknown < 6) {
     return unknown < 3 ? kBaseFloor : kBaseTurnFloor;
   }
-  const int joint = tree.variable_joint[static_cast<std::size_t>(unknown - 6)];
-  return tree.joints[static_cast<std::size_t>(joint)].type == JointType::prismatic ? kSlideFloor
-                                                                                   : kTurnFloor;
+  return lever > 0.0 ? kJointFloor / lever : 0.0;
+}
+
+/// Brings all that speaks for the same body in the same tile together.
+void merge(std::vector<TileSystem>& tiles) {
+  std::stable_sort(tiles.begin(), tiles.end(), [](const TileSystem& a, const TileSystem& b) {
+    return std::tie(a.tile, a.body) < std::tie(b.tile, b.body);
+  });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < tiles.size(); ++i) {
+    if (tiles[i].tile == tiles[last].tile && tiles[i].body == tiles[last].body) {
+      tiles[last].hessian += tiles[i].hessian;
+      tiles[last].gradient += tiles[i].gradient;
+    } else {
+      tiles[++last] = tiles[i];
+    }
+  }
+  tiles.resize(std::min(tiles.size(), last + 1));
+}
+
+/// How much more the mean residual of a tile varies than if all its residuals were independent and
+/// as large as assumed.
+double dispersion(const std::vector<TileSystem>& tiles) {
+  double squares = 0.0;
+  double expected = 0.0;
+  for (const TileSystem& tile : tiles) {
+    squares += tile.gradient.head<3>().squaredNorm();
+    expected += tile.hessian.topLeftCorner<3, 3>().trace();
+  }
+  return expected > 0.0 ? squares / expected : 0.0;
 }
 
 }  // namespace
 
-/// scatter_: the sum over tiles of g g', with g the pull of one tile at all unknowns.
-void CovarianceEstimator::sum_tiles(const std::vector<ModelTerm::TileGradient>& tile_gradients,
-                                    const std::vector<BodyJacobian>& jacobians) {
-  for (std::size_t i = 0; i < tile_gradients.size(); ++i) {
-    const auto& part = tile_gradients[i];
-    pull_.noalias() += jacobians[static_cast<std::size_t>(part.body)].transpose() * part.gradient;
-    const bool last_of_tile =
-        i + 1 == tile_gradients.size() || tile_gradients[i + 1].tile != part.tile;
-    if (last_of_tile) {
-      scatter_.noalias() += pull_ * pull_.transpose();
-      pull_.setZero();
-    }
-  }
-}
-
-void CovarianceEstimator::estimate(const KinematicTree& tree, const NormalEquations& data,
-                                   const std::vector<ModelTerm::TileGradient>& tile_gradients,
-                                   double noise_correlation,
-                                   const std::vector<BodyJacobian>& jacobians,
-                                   const StepScale& scale, const std::vector<bool>& held) {
+/// bread_: the inverse of the information, without the directions of which there is too little;
+/// unknown_modes_: 1 for those.
+void CovarianceEstimator::invert_information(const NormalEquations& data, const StepScale& scale,
+                                             const std::vector<bool>& held) {
   const Index n = data.gradient.size();
   unit_ = scale.unit;
   for (Index i = 0; i < n; ++i) {
@@ -55,14 +68,6 @@ void CovarianceEstimator::estimate(const KinematicTree& tree, const NormalEquati
       unit_[i] = 0.0;
     }
   }
-  pull_.setZero(n);
-  scatter_.setZero(n, n);
-  sum_tiles(tile_gradients, jacobians);
-  // The noise that the tiles show and the noise that was assumed: few tiles see a small part.
-  scatter_ /= noise_correlation * noise_correlation;
-  scatter_ += data.hessian;
-  scatter_ = unit_.asDiagonal() * scatter_ * unit_.asDiagonal();
-
   scaled_ = unit_.asDiagonal() * data.information * unit_.asDiagonal();
   modes_.compute(scaled_);
   inverse_.resize(n);
@@ -72,20 +77,69 @@ void CovarianceEstimator::estimate(const KinematicTree& tree, const NormalEquati
     inverse_[k] = strong ? 1.0 / modes_.eigenvalues()[k] : 0.0;
     unknown_modes_[k] = strong ? 0.0 : 1.0;
   }
-  const Eigen::MatrixXd& V = modes_.eigenvectors();
-  product_.noalias() = V * inverse_.asDiagonal();
-  bread_.noalias() = product_ * V.transpose();
+  product_.noalias() = modes_.eigenvectors() * inverse_.asDiagonal();
+  bread_.noalias() = product_ * modes_.eigenvectors().transpose();
+  bread_ = unit_.asDiagonal() * bread_ * unit_.asDiagonal();
+}
+
+/// scatter_: the sum over tiles of g g', with g the pull of one tile at all unknowns.
+void CovarianceEstimator::sum_tiles(const std::vector<TileSystem>& tiles,
+                                    const std::vector<BodyJacobian>& jacobians) {
+  const Index n = unit_.size();
+  pull_.setZero(n);
+  scatter_.setZero(n, n);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const TileSystem& part = tiles[i];
+    pull_.noalias() += jacobians[static_cast<std::size_t>(part.body)].transpose() * part.gradient;
+    const bool last_of_tile = i + 1 == tiles.size() || tiles[i + 1].tile != part.tile;
+    if (last_of_tile) {
+      scatter_.noalias() += pull_ * pull_.transpose();
+      pull_.setZero();
+    }
+  }
+}
+
+/// Adds c sum H_t H^-1 H_t, what the tiles would pull more if the estimate had not followed them.
+void CovarianceEstimator::restore_what_was_followed(const std::vector<TileSystem>& tiles,
+                                                    double noise_correlation,
+                                                    const std::vector<BodyJacobian>& jacobians) {
+  body_covariances_.resize(jacobians.size());
+  for (std::size_t b = 0; b < jacobians.size(); ++b) {
+    body_covariances_[b] = jacobians[b] * bread_ * jacobians[b].transpose() / noise_correlation;
+  }
+  followed_.assign(jacobians.size(), Matrix6::Zero());
+  for (const TileSystem& tile : tiles) {
+    const auto body = static_cast<std::size_t>(tile.body);
+    const Matrix6 response = tile.hessian * body_covariances_[body];
+    followed_[body].noalias() += response * tile.hessian;
+  }
+  const double factor = dispersion(tiles);
+  for (std::size_t b = 0; b < jacobians.size(); ++b) {
+    scatter_.noalias() += factor * jacobians[b].transpose() * followed_[b] * jacobians[b];
+  }
+}
+
+void CovarianceEstimator::estimate(const NormalEquations& data, std::vector<TileSystem>& tiles,
+                                   double noise_correlation,
+                                   const std::vector<BodyJacobian>& jacobians,
+                                   const StepScale& scale, const Eigen::VectorXd& levers,
+                                   const std::vector<bool>& held) {
+  const Index n = data.gradient.size();
+  merge(tiles);
+  invert_information(data, scale, held);
+  sum_tiles(tiles, jacobians);
+  restore_what_was_followed(tiles, noise_correlation, jacobians);
+  scatter_ /= noise_correlation * noise_correlation;
   product_.noalias() = bread_ * scatter_;
   covariance_.noalias() = product_ * bread_;
-  product_.noalias() = V * unknown_modes_.asDiagonal();
-  covariance_.noalias() += product_ * V.transpose();
-  covariance_ = unit_.asDiagonal() * covariance_ * unit_.asDiagonal();
+  product_ = unit_.asDiagonal() * modes_.eigenvectors();
+  covariance_.noalias() += product_ * unknown_modes_.asDiagonal() * product_.transpose();
 
   sigma_.setZero(n);
   observable_.assign(static_cast<std::size_t>(n), true);
   for (Index i = 0; i < n; ++i) {
     if (unit_[i] > 0.0) {
-      covariance_(i, i) += std::pow(systematic_floor(tree, i), 2);
+      covariance_(i, i) += std::pow(systematic_floor(i, levers[i]), 2);
       sigma_[i] = std::sqrt(covariance_(i, i));
       observable_[static_cast<std::size_t>(i)] = sigma_[i] < kObservableShare * unit_[i];
     }

@@ -67,11 +67,16 @@ class PullFinder {
     if (!observed_.sees_through(u, v, p.z(), plane.steepness() / surface_.reduction())) {
       return std::nullopt;
     }
-    return aim(sample, plane, T_camera_body, {p_body, p, Eigen::Vector3d::Zero(), 0.0, sample.body},
-               u, v);
+    return aim(sample, plane, T_camera_body,
+               {p_body, p, Eigen::Vector3d::Zero(), 0.0, sample.body, tile_of(u, v)}, u, v);
   }
 
  private:
+  std::size_t tile_of(int u, int v) const {
+    const int columns = (camera_.width + kTileSize - 1) / kTileSize;
+    return static_cast<std::size_t>(v / kTileSize * columns + u / kTileSize);
+  }
+
   /// Near an outline the evidence is that the outline passes farther in than this pixel, and the
   /// pull goes along the outline's normal: the nearest observed pixel lies in a direction that the
   /// grid decides, and would hold the body against sliding along its own outline. Elsewhere the
@@ -179,19 +184,32 @@ double FreeSpaceTerm::linearize(const BodyPoses& T_camera_body, double spread,
                                 std::vector<BodySystem>& systems) {
   spread2_ = spread * spread;
   for (const FreeSpacePull& pull : pulls_) {
-    const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
-    const double residual = pull.direction.dot(T * pull.p_body - pull.target);
-    const double inverse_variance = 1.0 / (pull.variance + spread2_);
-    const double w = weight_ * loss(residual, inverse_variance, cut_).weight * inverse_variance;
-    const Eigen::Vector3d n_body = T.linear().transpose() * pull.direction;
-    Twist row;
-    row << n_body, pull.p_body.cross(n_body);
+    const TileSystem own = system_of(pull, T_camera_body);
     BodySystem& system = systems[static_cast<std::size_t>(pull.body)];
-    system.hessian.noalias() += w * row * row.transpose();
-    system.gradient += w * residual * row;
-    system.add_leverage(pull.p_body, w);
+    system.hessian += own.hessian;
+    system.gradient += own.gradient;
+    system.add_leverage(pull.p_body, own.hessian.topLeftCorner<3, 3>().trace());
   }
   return cost(T_camera_body);
+}
+
+TileSystem FreeSpaceTerm::system_of(const FreeSpacePull& pull,
+                                    const BodyPoses& T_camera_body) const {
+  const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
+  const double residual = pull.direction.dot(T * pull.p_body - pull.target);
+  const double inverse_variance = 1.0 / (pull.variance + spread2_);
+  const double w = weight_ * loss(residual, inverse_variance, cut_).weight * inverse_variance;
+  const Eigen::Vector3d n_body = T.linear().transpose() * pull.direction;
+  Twist row;
+  row << n_body, pull.p_body.cross(n_body);
+  return {pull.tile, pull.body, w * row * row.transpose(), w * residual * row};
+}
+
+void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body,
+                                        std::vector<TileSystem>& systems) const {
+  for (const FreeSpacePull& pull : pulls_) {
+    systems.push_back(system_of(pull, T_camera_body));
+  }
 }
 
 double FreeSpaceTerm::cost(const BodyPoses& T_camera_body) const {

@@ -113,7 +113,7 @@ void ModelTerm::select_candidates(const ArticulatedModel& model, const BodyPoses
   }
   body_numbers_.assign(candidates_.begin(), candidates_.end());
   inverse_variance_.resize(candidates_.size() * kTilePoints);
-  tile_gradients_.resize(candidates_.size());
+  tile_systems_.resize(candidates_.size());
 }
 
 kernels::Candidates ModelTerm::candidates_of(const TileCandidates& tile, const TiledCloud& cloud,
@@ -175,7 +175,8 @@ double ModelTerm::linearize(const ArticulatedModel& model, const BodyPoses& T_ca
                                 tile.bounds.center().cast<double>(),
                             system.hessian.topLeftCorner<3, 3>().trace());
         sums[static_cast<std::size_t>(body)] += system;
-        tile_gradients_[candidates.first + l] = {candidates.tile, body, system.gradient};
+        tile_systems_[candidates.first + l] = {candidates.tile, body, system.hessian,
+                                               system.gradient};
         chunk_totals_[chunk].weighted_squares += tile_sums.weighted_squares;
         chunk_totals_[chunk].points += tile_sums.weight;
       }

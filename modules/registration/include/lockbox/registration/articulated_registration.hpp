@@ -114,6 +114,7 @@ class ArticulatedRegistration {
   Configuration candidate_;
   std::vector<bool> held_;  ///< by unknown
   CovarianceEstimator covariance_;
+  std::vector<TileSystem> tile_systems_;
   std::vector<std::uint8_t> object_;
 };
 

@@ -2,25 +2,32 @@
 // How sure the estimate is: the sandwich H^-1 S H^-1 (White 1980), with S summed over image tiles
 // (cluster-robust, Liang and Zeger 1986), so that noise which neighbouring pixels share counts as
 // what it is, and a systematic floor.
+//
+// The estimate has followed the noise of the tiles that determine it, so their pulls at the
+// solution are smaller than the noise was: of E[g g'] = c H_t there remains c (H_t - H_t H^-1 H_t).
+// The rest is put back (as in Bell and McCaffrey 2002), with c measured over all tiles; for a part
+// that a single tile sees, it is all there is.
 #pragma once
 
 #include <Eigen/Eigenvalues>
 #include <vector>
 
 #include "lockbox/registration/bounded_step.hpp"
-#include "lockbox/registration/model_term.hpp"
+#include "lockbox/registration/normal_equations.hpp"
 
 namespace lockbox {
 
 /// Owns its memory: once used, it allocates nothing for the same number of unknowns.
 class CovarianceEstimator {
  public:
-  /// data: the data terms linearised at the solution, divided by noise_correlation. Directions
-  /// with too little information are unknown by a whole unit; unknowns held have sigma 0.
-  void estimate(const KinematicTree& tree, const NormalEquations& data,
-                const std::vector<ModelTerm::TileGradient>& tile_gradients,
+  /// data: the data terms linearised at the solution, divided by noise_correlation. tiles: what
+  /// they are the sums of, not divided; brought into the order of the tiles. Directions with too
+  /// little information are unknown by a whole unit; unknowns held have sigma 0. levers: metres
+  /// that surfaces move for a unit of each unknown, at most.
+  void estimate(const NormalEquations& data, std::vector<TileSystem>& tiles,
                 double noise_correlation, const std::vector<BodyJacobian>& jacobians,
-                const StepScale& scale, const std::vector<bool>& held);
+                const StepScale& scale, const Eigen::VectorXd& levers,
+                const std::vector<bool>& held);
 
   /// Of (base twist, variables).
   const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -30,8 +37,11 @@ class CovarianceEstimator {
   const std::vector<bool>& observable() const { return observable_; }
 
  private:
-  void sum_tiles(const std::vector<ModelTerm::TileGradient>& tile_gradients,
-                 const std::vector<BodyJacobian>& jacobians);
+  void invert_information(const NormalEquations& data, const StepScale& scale,
+                          const std::vector<bool>& held);
+  void sum_tiles(const std::vector<TileSystem>& tiles, const std::vector<BodyJacobian>& jacobians);
+  void restore_what_was_followed(const std::vector<TileSystem>& tiles, double noise_correlation,
+                                 const std::vector<BodyJacobian>& jacobians);
 
   Eigen::MatrixXd covariance_;
   Eigen::VectorXd sigma_;
@@ -45,6 +55,8 @@ class CovarianceEstimator {
   Eigen::MatrixXd product_;
   Eigen::VectorXd inverse_;
   Eigen::VectorXd unknown_modes_;
+  std::vector<Matrix6> body_covariances_;
+  std::vector<Matrix6> followed_;  ///< by body
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes_;
 };
 

@@ -22,6 +22,7 @@ struct FreeSpacePull {
   Eigen::Vector3d direction;  ///< unit vector, camera frame
   double variance;            ///< of the residual by the sensor's noise, m^2
   int body;
+  std::size_t tile;  ///< of the cloud, that the sample is seen in
 };
 
 class FreeSpaceTerm {
@@ -41,9 +42,14 @@ class FreeSpaceTerm {
   /// The cost at other poses under the selection of the last linearisation.
   double cost(const BodyPoses& T_camera_body) const;
 
+  /// Appends what each pull of the last linearisation had to say.
+  void append_tile_systems(const BodyPoses& T_camera_body, std::vector<TileSystem>& systems) const;
+
   std::size_t pulled_samples() const { return pulls_.size(); }
 
  private:
+  TileSystem system_of(const FreeSpacePull& pull, const BodyPoses& T_camera_body) const;
+
   double weight_ = 1.0;
   double cut_ = 0.0;
   double spread2_ = 0.0;  ///< m^2, of the last linearisation

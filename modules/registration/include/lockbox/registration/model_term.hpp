@@ -43,12 +43,7 @@ class ModelTerm {
   const std::vector<float>& explained() const { return explained_; }
 
   /// How each tile pulls at each body: clusters of residuals for the covariance.
-  struct TileGradient {
-    std::size_t tile;
-    int body;
-    Twist gradient;
-  };
-  const std::vector<TileGradient>& tile_gradients() const { return tile_gradients_; }
+  const std::vector<TileSystem>& tile_systems() const { return tile_systems_; }
 
   struct Totals {
     double weighted_squares = 0.0;  ///< sum of weight * whitened residual^2
@@ -79,7 +74,7 @@ class ModelTerm {
   std::vector<float> body_numbers_;  ///< the same, as the kernels compare them
   std::vector<float> inverse_variance_;
   std::vector<float> explained_;
-  std::vector<TileGradient> tile_gradients_;
+  std::vector<TileSystem> tile_systems_;
   std::vector<double> chunk_costs_;
   std::vector<std::vector<BodySystem>> chunk_systems_;
   std::vector<Totals> chunk_totals_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "lockbox/core/lie.hpp"
@@ -31,6 +32,14 @@ struct BodySystem {
   /// along itself; facets and the field's cells tilt its normals, and thousands of points would
   /// make of that an angle, known to a degree.
   Matrix6 information() const;
+};
+
+/// What one tile of the image has to say about one body.
+struct TileSystem {
+  std::size_t tile;
+  int body;
+  Matrix6 hessian;
+  Twist gradient;
 };
 
 /// The same for a step (base twist, joint variables).
