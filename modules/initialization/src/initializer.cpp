@@ -261,12 +261,13 @@ Configuration Initializer::find_joints(const TiledCloud& cloud, const Configurat
   check(cloud);
   Workspace& w = *workspace_;
   const CoarseView view(cloud, kColumns, w.executor);
-  w.scores.front().set_view(view);
+  constexpr bool kIsKnown = true;
+  w.scores.front().set_view(view, kIsKnown);
   Configuration configuration = start;
   scan_joints(w.model.tree, w.scores.front(), variables, 0.01, configuration);
   scan_joints(w.model.tree, w.scores.front(), variables, 0.006, configuration);
   const CoarseView pixels(cloud, cloud.camera().width, w.executor);
-  w.details.front().set_view(pixels);
+  w.details.front().set_view(pixels, kIsKnown);
   scan_joints_by_contrast(w.model.tree, w.details.front(), variables, configuration);
   return configuration;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace lockbox {
 namespace {
@@ -90,8 +91,9 @@ ViewScore::ViewScore(const KinematicTree& tree, double noise) : tree_(tree), noi
   }
 }
 
-void ViewScore::set_view(const CoarseView& view) {
+void ViewScore::set_view(const CoarseView& view, bool is_known) {
   view_ = &view;
+  is_known_ = is_known;
   if (!whole_.renderer || !(whole_.renderer->camera() == view.camera)) {
     whole_.renderer = std::make_unique<DepthRenderer>(view.camera, Executor(1));
   }
@@ -115,6 +117,7 @@ void ViewScore::frame_motion(const Configuration& configuration, int variable,
                              const std::vector<std::uint8_t>& moved) {
   const PinholeCamera& camera = view_->camera;
   Eigen::AlignedBox2d frame;
+  nearest_reach_ = std::numeric_limits<double>::infinity();
   const Eigen::AlignedBox2d image(Eigen::Vector2d(0.0, 0.0),
                                   Eigen::Vector2d(camera.width - 1, camera.height - 1));
   Configuration trial = configuration;
@@ -126,6 +129,7 @@ void ViewScore::frame_motion(const Configuration& configuration, int variable,
       for (int corner = 0; corner < 8; ++corner) {
         const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
         const Eigen::Vector3d p = poses_[b] * boxes_[b].corner(type);
+        nearest_reach_ = std::min(nearest_reach_, p.z());
         if (p.z() < DepthRenderer::kNear) {
           frame = image;
         } else {
@@ -152,11 +156,18 @@ void ViewScore::frame_motion(const Configuration& configuration, int variable,
   }
 }
 
+/// Whether what was measured stands before everything that the variable can move there. Such pixels
+/// say nothing about it; on steep surfaces, of which depths are uncertain, they might seem to.
+bool ViewScore::is_before_reach(double measured, double slack) const {
+  const double sigma = noise_ * measured * measured;
+  return is_known_ && measured < nearest_reach_ - slack - 3.0 * sigma;
+}
+
 double ViewScore::pixel_score(const Drawing& drawing, int u, int v, double slack) const {
   const RenderedDepth& image = drawing.image;
   const std::size_t view_pixel = view_->index(u + drawing.left, v + drawing.top);
   const auto measured = static_cast<double>(view_->depth[view_pixel]);
-  if (!(measured > 0.0)) return 0.0;
+  if (!(measured > 0.0) || is_before_reach(measured, slack)) return 0.0;
   const auto z = static_cast<double>(image.depth[pixel_index(image, u, v)]);
   const double difference = measured - z;
   const double sigma_z = noise_ * z * z;
@@ -263,6 +274,7 @@ double ViewEvidence::total(double tolerance) const {
 
 ViewEvidence ViewScore::evidence(const Configuration& configuration, double slack,
                                  const std::vector<std::uint8_t>& bodies) {
+  nearest_reach_ = 0.0;
   draw(configuration, bodies, whole_);
   const RenderedDepth& image = whole_.image;
   ViewEvidence evidence;
@@ -331,7 +343,7 @@ double ViewScore::contrast_score() {
       const float z = std::min(image.depth[pixel], rest_.image.depth[pixel]);
       const std::size_t view_pixel = view_->index(u + moving_.left, v + moving_.top);
       const float measured = view_->depth[view_pixel];
-      if (!(measured > 0.0F) || !std::isfinite(z)) continue;
+      if (!(measured > 0.0F) || !std::isfinite(z) || is_before_reach(measured, 0.0)) continue;
       const float residual = (1.0F / measured - 1.0F / z) / static_cast<float>(noise_);
       if (std::abs(residual) < kContrastGate) {
         residuals_[pixel] = residual;

@@ -36,8 +36,9 @@ class ViewScore {
   /// noise: standard deviation of 1/depth of a pixel of the view, 1/metre.
   ViewScore(const KinematicTree& tree, double noise);
 
-  /// Draws what follows into this view.
-  void set_view(const CoarseView& view);
+  /// Draws what follows into this view. What stands before the object speaks against it while it is
+  /// sought, but says nothing about the joints of one that is known to be there.
+  void set_view(const CoarseView& view, bool is_known = false);
 
   /// slack: metres that surfaces may be off. bodies: which to draw, by body; what hides the others
   /// is no matter.
@@ -67,6 +68,7 @@ class ViewScore {
             Drawing& drawing);
   void frame_motion(const Configuration& configuration, int variable,
                     const std::vector<double>& positions, const std::vector<std::uint8_t>& moved);
+  bool is_before_reach(double measured, double slack) const;
   double pixel_score(const Drawing& drawing, int u, int v, double slack) const;
   double contrast_score();
   double share_that_continues(double slack) const;
@@ -75,6 +77,8 @@ class ViewScore {
   const KinematicTree& tree_;
   double noise_;
   const CoarseView* view_ = nullptr;
+  bool is_known_ = false;
+  double nearest_reach_ = 0.0;  ///< least depth that what the variable moves can have, metres
   std::vector<std::vector<SurfaceSample>> samples_;  ///< by body
   std::vector<Eigen::AlignedBox3d> boxes_;           ///< by body
   std::vector<Eigen::Isometry3d> poses_;
