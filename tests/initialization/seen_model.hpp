@@ -19,6 +19,8 @@ LoadOptions with_cache();
 const ArticulatedModel& shipped(const std::string& name);
 
 /// What a PrimeSense-class sensor sees of the model in the scene.
+DepthFrame seen_frame(const ArticulatedModel& model, const Configuration& truth,
+                      const Scene& scene);
 TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene);
 
 /// A wall that many metres behind the base's origin, square to the base.

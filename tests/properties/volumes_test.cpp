@@ -6,7 +6,10 @@
 
 #include <array>
 
+#include "initialization/seen_model.hpp"
+#include "lockbox/core/error.hpp"
 #include "lockbox/mesh/primitives.hpp"
+#include "registration/mechanism.hpp"
 #include "sdf/field_fixture.hpp"
 
 namespace lockbox {
@@ -85,6 +88,50 @@ TEST(FieldDistances, AreExactOffTheSurface) {
       EXPECT_NEAR(static_cast<double>(sample.distance), p.z() - half.z(), 2e-5);
       EXPECT_TRUE(sample.gradient.isApprox(Eigen::Vector3f::UnitZ(), 0.02F));
     }
+  }
+}
+
+class FieldsOfShippedModels : public testing::TestWithParam<const char*> {};
+
+TEST_P(FieldsOfShippedModels, EncloseTheirLinks) {
+  const ArticulatedModel& model = shipped(GetParam());
+  for (std::size_t b = 0; b < model.fields.size(); ++b) {
+    SCOPED_TRACE(model.tree.bodies[b].name);
+    const SignedDistanceField& field = *model.fields[b];
+    EXPECT_LT(std::abs(volume_error(field, field.storage().mesh_volume)), 0.01);
+    EXPECT_LE(field.voxel(), 0.5 * field.thickness());
+    double distance = 0.0;
+    double area = 0.0;
+    for (const SurfaceSample& sample : sample_surface(model.tree.bodies[b].mesh, 0.004)) {
+      const double d = field.sample(sample.position.cast<float>()).distance;
+      if (d > -0.5 * field.voxel()) {  // else buried in another solid of the same link
+        distance += std::abs(d) * sample.area;
+        area += sample.area;
+      }
+    }
+    EXPECT_LT(distance, 0.1 * field.voxel() * area);
+    EXPECT_GT(area, 0.5 * surface_area(model.tree.bodies[b].mesh));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Links, FieldsOfShippedModels,
+                         testing::Values("lockbox", "lockbox_overlapping", "cabinet",
+                                         "rigid_block"),
+                         [](const auto& model) { return std::string(model.param); });
+
+TEST(OpenMesh, IsRefusedByTheNameOfItsLink) {
+  try {
+    load_mechanism({R"(<link name="good"><visual><geometry><box size="0.1 0.1 0.1"/></geometry>
+                       </visual></link>)",
+                    R"(<link name="sheet"><visual><geometry><box size="0.1 0.1 0"/></geometry>
+                       </visual></link>)",
+                    R"(<joint name="slide" type="prismatic"><parent link="good"/>
+                       <child link="sheet"/><axis xyz="1 0 0"/>
+                       <limit lower="0" upper="0.1" effort="1" velocity="1"/></joint>)"},
+                   with_cache());
+    FAIL() << "accepted a sheet as a solid";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("'sheet'"), std::string::npos) << error.what();
   }
 }
 

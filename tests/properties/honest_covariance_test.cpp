@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Property "honest covariance": over independent frames, converged without a prior, errors are as
+// large as their reported standard deviations, whatever the noise; what the view does not determine
+// is said to be unobservable.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "initialization/seen_model.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/simulation/simulator.hpp"
+#include "registration/mechanism.hpp"
+
+namespace lockbox {
+namespace {
+
+const PinholeCamera kCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
+
+struct Subject {
+  std::string name;
+  std::string sensor;
+  int frames;
+};
+
+void PrintTo(const Subject& subject, std::ostream* stream) {
+  *stream << subject.name << " seen by " << subject.sensor;
+}
+
+const ArticulatedModel& model_of(const std::string& name) {
+  return name == "mechanism" ? mechanism() : shipped(name);
+}
+
+Configuration usual_view(const ArticulatedModel& model) {
+  if (!model.parameters.initial_configuration) {
+    return mechanism_start(model);
+  }
+  Configuration configuration = *model.parameters.initial_configuration;
+  for (int v = 0; v < model.tree.variables(); ++v) {
+    const VariableLimits limits = variable_limits(model.tree, v);
+    const bool limited = std::isfinite(limits.upper - limits.lower);
+    // A third of the way: an open door shows its latch still from the front.
+    configuration.q[v] = limited ? limits.lower + (limits.upper - limits.lower) / 3.0 : 0.7;
+  }
+  return configuration;
+}
+
+State state(const Configuration& configuration) {
+  State result;
+  result.configuration = configuration;
+  return result;
+}
+
+/// Squared normalised errors by unknown, over the frames that report it observable.
+struct Calibration {
+  Eigen::VectorXd sum;
+  Eigen::VectorXd count;
+  int beyond_four_sigma = 0;
+};
+
+class HonestCovariance : public ::testing::TestWithParam<Subject> {
+ protected:
+  const ArticulatedModel& model_ = model_of(GetParam().name);
+  const Configuration view_ = usual_view(model_);
+  const Eigen::Index unknowns_ = 6 + model_.tree.variables();
+  std::mt19937 random_{5};
+
+  Eigen::VectorXd random_step(double metres, double radians) {
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    Eigen::VectorXd step(unknowns_);
+    for (Eigen::Index i = 0; i < unknowns_; ++i) {
+      step[i] = (is_length(i) ? metres : radians) * uniform(random_);
+    }
+    return step;
+  }
+
+  bool is_length(Eigen::Index unknown) const {
+    if (unknown < 6) {
+      return unknown < 3;
+    }
+    const int joint = model_.tree.variable_joint[static_cast<std::size_t>(unknown - 6)];
+    return model_.tree.joints[static_cast<std::size_t>(joint)].type == JointType::prismatic;
+  }
+
+  Eigen::VectorXd error(const Configuration& found, const Configuration& truth) const {
+    Eigen::VectorXd difference(unknowns_);
+    difference.head<6>() = log_se3(truth.T_camera_base.inverse() * found.T_camera_base);
+    difference.tail(unknowns_ - 6) = found.q - truth.q;
+    return difference;
+  }
+
+  Calibration calibrate();
+};
+
+Calibration HonestCovariance::calibrate() {
+  Scene scene;
+  const double wall = view_.T_camera_base.translation().z() + 0.6;
+  scene.planes.push_back({SceneFrame::world, {0.0, 0.0, wall}, {0.0, 0.0, -1.0}, {8.0, 8.0}});
+  Simulator simulator(model_.tree, kCamera, PlacedScene(scene, {state(view_)}),
+                      sensor_model(GetParam().sensor), 7, Executor());
+  ArticulatedRegistration registration(model_, {}, Executor());
+  Calibration calibration{Eigen::VectorXd::Zero(unknowns_), Eigen::VectorXd::Zero(unknowns_)};
+  TiledCloud cloud;
+  DepthFrame frame;
+  for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(GetParam().frames); ++k) {
+    const Configuration truth = stepped(view_, random_step(0.01, 0.03));
+    simulator.simulate(state(truth), k, frame);
+    cloud.assign(frame, {}, Executor());
+    const Configuration start = stepped(truth, random_step(0.003, 0.01));
+    const RegistrationResult& found = registration.align(cloud, start, {0.005, 12, false, 6});
+    const Eigen::VectorXd normalised = error(found.configuration, truth).cwiseQuotient(found.sigma);
+    for (Eigen::Index i = 0; i < unknowns_; ++i) {
+      if (found.observable[static_cast<std::size_t>(i)]) {
+        calibration.sum[i] += normalised[i] * normalised[i];
+        calibration.count[i] += 1.0;
+        calibration.beyond_four_sigma += std::abs(normalised[i]) > 4.0 ? 1 : 0;
+      }
+    }
+  }
+  return calibration;
+}
+
+TEST_P(HonestCovariance, NinetyNineInAHundredErrorsLieWithinFourSigma) {
+  const Calibration calibration = calibrate();
+  EXPECT_GT(calibration.count.minCoeff(), 0.8 * GetParam().frames) << "all are in sight";
+  EXPECT_LE(calibration.beyond_four_sigma, 0.01 * calibration.count.sum());
+}
+
+INSTANTIATE_TEST_SUITE_P(Seen, HonestCovariance,
+                         ::testing::Values(Subject{"mechanism", "white", 30},
+                                           Subject{"mechanism", "primesense", 30},
+                                           Subject{"lockbox", "white", 10},
+                                           Subject{"lockbox", "primesense", 10}),
+                         [](const ::testing::TestParamInfo<Subject>& subject) {
+                           return subject.param.name + "_by_" + subject.param.sensor;
+                         });
+
+TEST(Observability, AHiddenSliderIsSaidToBeUnobservableAndAVisibleOneIsNot) {
+  const ArticulatedModel& model = shipped("lockbox");
+  const Configuration truth = usual_view(model);
+  const int joint = joint_index(model.tree, "block");
+  const auto& slide = model.tree.joints[static_cast<std::size_t>(joint)];
+  const auto unknown = static_cast<std::size_t>(6 + slide.variable);
+  BodyPoses poses;
+  forward_kinematics(model.tree, truth, poses);
+  SceneBox cover;  // 10 cm before all of the block's way
+  cover.size = {0.5, 0.4, 0.05};
+  cover.pose.translation() = 0.85 * poses[static_cast<std::size_t>(slide.child_body)].translation();
+  Scene covered = wall_behind(0.6);
+  covered.boxes.push_back(cover);
+  ArticulatedRegistration registration(model, {}, Executor());
+  const Annealing annealing{0.003, 6};
+  EXPECT_TRUE(registration.align(seen(model, truth, wall_behind(0.6)), truth, annealing)
+                  .observable[unknown]);
+  const RegistrationResult& hidden =
+      registration.align(seen(model, truth, covered), truth, annealing);
+  EXPECT_FALSE(hidden.observable[unknown]);
+  EXPECT_GE(hidden.sigma[static_cast<Eigen::Index>(unknown)], 0.25 * (slide.upper - slide.lower));
+  EXPECT_TRUE(hidden.observable[0]);
+}
+
+}  // namespace
+}  // namespace lockbox
