@@ -28,7 +28,7 @@ double systematic_floor(Index unknown, double lever) {
 
 /// Brings all that speaks for the same body in the same tile together.
 void merge(std::vector<TileSystem>& tiles) {
-  std::stable_sort(tiles.begin(), tiles.end(), [](const TileSystem& a, const TileSystem& b) {
+  std::sort(tiles.begin(), tiles.end(), [](const TileSystem& a, const TileSystem& b) {
     return std::tie(a.tile, a.body) < std::tie(b.tile, b.body);
   });
   std::size_t last = 0;
@@ -105,7 +105,9 @@ void CovarianceEstimator::restore_what_was_followed(const std::vector<TileSystem
                                                     const std::vector<BodyJacobian>& jacobians) {
   body_covariances_.resize(jacobians.size());
   for (std::size_t b = 0; b < jacobians.size(); ++b) {
-    body_covariances_[b] = jacobians[b] * bread_ * jacobians[b].transpose() / noise_correlation;
+    image_.noalias() = jacobians[b].lazyProduct(bread_);
+    body_covariances_[b].noalias() = image_.lazyProduct(jacobians[b].transpose());
+    body_covariances_[b] /= noise_correlation;
   }
   followed_.assign(jacobians.size(), Matrix6::Zero());
   for (const TileSystem& tile : tiles) {
@@ -115,7 +117,9 @@ void CovarianceEstimator::restore_what_was_followed(const std::vector<TileSystem
   }
   const double factor = dispersion(tiles);
   for (std::size_t b = 0; b < jacobians.size(); ++b) {
-    scatter_.noalias() += factor * jacobians[b].transpose() * followed_[b] * jacobians[b];
+    followed_[b] *= factor;
+    image_.noalias() = followed_[b].lazyProduct(jacobians[b]);
+    scatter_.noalias() += jacobians[b].transpose().lazyProduct(image_);
   }
 }
 
@@ -133,7 +137,8 @@ void CovarianceEstimator::estimate(const NormalEquations& data, std::vector<Tile
   product_.noalias() = bread_ * scatter_;
   covariance_.noalias() = product_ * bread_;
   product_ = unit_.asDiagonal() * modes_.eigenvectors();
-  covariance_.noalias() += product_ * unknown_modes_.asDiagonal() * product_.transpose();
+  scaled_ = product_ * unknown_modes_.asDiagonal();
+  covariance_.noalias() += scaled_ * product_.transpose();
 
   sigma_.setZero(n);
   observable_.assign(static_cast<std::size_t>(n), true);

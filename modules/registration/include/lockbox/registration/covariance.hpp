@@ -53,6 +53,7 @@ class CovarianceEstimator {
   Eigen::MatrixXd scaled_;
   Eigen::MatrixXd bread_;
   Eigen::MatrixXd product_;
+  BodyJacobian image_;
   Eigen::VectorXd inverse_;
   Eigen::VectorXd unknown_modes_;
   std::vector<Matrix6> body_covariances_;
