@@ -75,14 +75,6 @@ class Convergence : public Experiment {
     shard_.add_to(options);
   }
 
-  bool run(const ExperimentSettings& settings) override {
-    shard_.parse();
-    const auto models = models_or_lockbox(settings);
-    return std::all_of(models.begin(), models.end(), [&](const std::string& name) {
-      return run_model(load_model(find_model(name)), settings);
-    });
-  }
-
  private:
   /// All runs, so ordered that an interrupted experiment has filled all cells alike.
   std::vector<ConvergenceRun> planned_runs() const {
@@ -138,7 +130,7 @@ class Convergence : public Experiment {
     run.worst_joint = outcome.worst_joint;
   }
 
-  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) const {
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     const auto stem =
         settings.output / ("convergence_" + model.tree.name + "_" + settings.sensor + "_" +
                            std::to_string(frames_) + "frames_seed" + std::to_string(settings.seed));

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiment.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 #include "lockbox/simulation/trajectory.hpp"
 #include "primesense_camera.hpp"
 #include "progress.hpp"
+#include "shipped_files.hpp"
 
 namespace lockbox::app {
 
-std::vector<std::string> models_or_lockbox(const ExperimentSettings& settings) {
-  return settings.models.empty() ? std::vector<std::string>{"lockbox"} : settings.models;
+bool Experiment::run(const ExperimentSettings& settings) {
+  const auto models = settings.models.empty() ? default_models() : settings.models;
+  return std::all_of(models.begin(), models.end(), [&](const std::string& name) {
+    return run_model(load_model(find_model(name)), settings);
+  });
 }
 
 Configuration usual_view(const ArticulatedModel& model) {

@@ -32,13 +32,16 @@ class Experiment {
   /// Declares its own options.
   virtual void add_options(CLI::App& options) = 0;
 
-  /// Writes raw rows and figures, and prints the summary. False if the user stopped it; the same
-  /// command then picks it up again.
-  virtual bool run(const ExperimentSettings& settings) = 0;
-};
+  /// Model after model. False if the user stopped it; the same command then picks it up again.
+  bool run(const ExperimentSettings& settings);
 
-/// The named models, or the shipped lockbox.
-std::vector<std::string> models_or_lockbox(const ExperimentSettings& settings);
+ protected:
+  /// Shipped models that it runs where none are named.
+  virtual std::vector<std::string> default_models() const { return {"lockbox"}; }
+
+  /// Writes raw rows and figures, and prints the summary. False if the user stopped it.
+  virtual bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) = 0;
+};
 
 /// The model's own initial state, or at rest 1.3 m in front of the camera.
 Configuration usual_view(const ArticulatedModel& model);

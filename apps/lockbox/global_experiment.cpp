@@ -12,7 +12,6 @@
 #include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shard.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -85,18 +84,13 @@ class GlobalSearch : public Experiment {
     shard_.add_to(options);
   }
 
-  bool run(const ExperimentSettings& settings) override {
-    shard_.parse();
-    auto models = settings.models;
-    if (models.empty()) models = {"lockbox", "cabinet", "rigid_block"};
-    return std::all_of(models.begin(), models.end(), [&](const std::string& name) {
-      return run_model(load_model(find_model(name)), settings);
-    });
+ private:
+  std::vector<std::string> default_models() const override {
+    return {"lockbox", "cabinet", "rigid_block"};
   }
 
- private:
   /// Searches the scenes that have no row yet; sums up the rows of all shards.
-  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) const {
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     const auto stem =
         settings.output / ("global_" + model.tree.name + "_seed" + std::to_string(settings.seed));
     const auto file = shard_.rows_file(stem);

@@ -148,15 +148,12 @@ class Intersection : public Experiment {
         ->type_name("FILE");
   }
 
-  bool run(const ExperimentSettings& settings) override {
-    auto models = settings.models;
-    if (models.empty()) models = {"lockbox", "lockbox_overlapping"};
-    for (const auto& name : models) run_model(load_model(find_model(name)), settings);
-    return true;
+ private:
+  std::vector<std::string> default_models() const override {
+    return {"lockbox", "lockbox_overlapping"};
   }
 
- private:
-  void run_model(const ArticulatedModel& model, const ExperimentSettings& settings) const {
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     TrajectoryOptions trajectory;
     trajectory.frames = frames_;
     trajectory.T_camera_base = usual_view(model).T_camera_base;
@@ -175,6 +172,7 @@ class Intersection : public Experiment {
     const auto stem = settings.output / ("intersection_" + model.tree.name);
     write_table(stem.string() + ".csv", rows_of(model.tree, runs));
     draw(stem, error_figure(model.tree, runs));
+    return true;
   }
 
   int frames_ = 120;

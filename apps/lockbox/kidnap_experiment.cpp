@@ -180,15 +180,8 @@ class Kidnap : public Experiment {
     options.add_option("--runs", runs_, "Of each kind")->check(CLI::PositiveNumber);
   }
 
-  bool run(const ExperimentSettings& settings) override {
-    for (const auto& name : models_or_lockbox(settings)) {
-      run_model(load_model(find_model(name)), settings);
-    }
-    return true;
-  }
-
  private:
-  void run_model(const ArticulatedModel& model, const ExperimentSettings& settings) const {
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     const Recording still =
         simulate(model, still_states(usual_view(model), kFramesBefore + kFramesAfter),
                  read_scene(find_scene("room")), settings);
@@ -206,6 +199,7 @@ class Kidnap : public Experiment {
     write_table(stem.string() + ".csv", rows_of(runs));
     draw(stem, {model.tree.name + ": error after it was lost",
                 {error_panel("covered", runs), error_panel("thrown", runs)}});
+    return true;
   }
 
   int runs_ = 20;

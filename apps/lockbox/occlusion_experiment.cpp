@@ -136,15 +136,8 @@ class Occlusion : public Experiment {
         ->type_name("FILE");
   }
 
-  bool run(const ExperimentSettings& settings) override {
-    for (const auto& name : models_or_lockbox(settings)) {
-      run_model(load_model(find_model(name)), settings);
-    }
-    return true;
-  }
-
  private:
-  void run_model(const ArticulatedModel& model, const ExperimentSettings& settings) const {
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     TrajectoryOptions trajectory;
     trajectory.frames = frames_;
     trajectory.T_camera_base = usual_view(model).T_camera_base;
@@ -172,6 +165,7 @@ class Occlusion : public Experiment {
     const auto stem = settings.output / ("occlusion_" + model.tree.name);
     write_table(stem.string() + ".csv", rows_of(model.tree, runs));
     draw(stem, error_figure(model.tree, runs));
+    return true;
   }
 
   int frames_ = 120;

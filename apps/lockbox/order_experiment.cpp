@@ -108,15 +108,8 @@ class Order : public Experiment {
     options.add_option("--frames", frames_, "Of the recording")->check(CLI::Range(2, 100000));
   }
 
-  bool run(const ExperimentSettings& settings) override {
-    for (const auto& name : models_or_lockbox(settings)) {
-      run_model(load_model(find_model(name)), settings);
-    }
-    return true;
-  }
-
  private:
-  void run_model(const ArticulatedModel& model, const ExperimentSettings& settings) const {
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     TrajectoryOptions trajectory;
     trajectory.frames = frames_;
     trajectory.T_camera_base = usual_view(model).T_camera_base;
@@ -148,6 +141,7 @@ class Order : public Experiment {
     print_summary(runs);
     write_table(stem.string() + ".csv", rows_of(runs));
     draw(stem, difference_figure(model.tree.name, runs));
+    return true;
   }
 
   int runs_ = 10;

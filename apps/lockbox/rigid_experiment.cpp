@@ -95,15 +95,8 @@ class Rigid : public Experiment {
         ->check(CLI::Range(1.0, 90.0));
   }
 
-  bool run(const ExperimentSettings& settings) override {
-    for (const auto& name : models_or_lockbox(settings)) {
-      run_model(load_model(find_model(name)), settings);
-    }
-    return true;
-  }
-
  private:
-  void run_model(const ArticulatedModel& model, const ExperimentSettings& settings) const {
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     Configuration truth = usual_view(model);
     truth.T_camera_base.translation().y() += kOutOfView;
     const Recording recording =
@@ -130,6 +123,7 @@ class Rigid : public Experiment {
     const auto stem = settings.output / ("rigid_" + model.tree.name);
     write_table(stem.string() + ".csv", rows_of(runs));
     draw(stem, error_figure(model.tree.name, runs));
+    return true;
   }
 
   int frames_ = 93;

@@ -1,32 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shard.hpp"
 
+#include <CLI/Error.hpp>
 #include <algorithm>
 #include <charconv>
-
-#include "lockbox/core/error.hpp"
 
 namespace lockbox::app {
 
 void Shard::add_to(CLI::App& options) {
   options
-      .add_option("--shard", text_,
-                  "Only the i-th of n parts of the runs; rows of all parts in the folder are "
-                  "summed up")
+      .add_option_function<std::string>(
+          "--shard", [this](const std::string& text) { parse(text); },
+          "Only the i-th of n parts of the runs; rows of all parts in the folder are summed up")
       ->type_name("I/N");
 }
 
-void Shard::parse() {
-  const auto slash = text_.find('/');
+void Shard::parse(const std::string& text) {
+  const auto slash = text.find('/');
   const auto parse_number = [&](std::size_t begin, std::size_t end, std::uint64_t& value) {
-    const auto result = std::from_chars(text_.data() + begin, text_.data() + end, value);
-    return result.ec == std::errc() && result.ptr == text_.data() + end;
+    const auto result = std::from_chars(text.data() + begin, text.data() + end, value);
+    return result.ec == std::errc() && result.ptr == text.data() + end;
   };
   const bool valid = slash != std::string::npos && parse_number(0, slash, index_) &&
-                     parse_number(slash + 1, text_.size(), count_) && index_ >= 1 &&
+                     parse_number(slash + 1, text.size(), count_) && index_ >= 1 &&
                      index_ <= count_;
   if (!valid) {
-    throw InputError("--shard", "'" + text_ + "' is no shard; write i/n, from 1/n to n/n");
+    throw CLI::ValidationError("--shard", "'" + text + "' is no shard; write i/n, from 1/n to n/n");
   }
 }
 

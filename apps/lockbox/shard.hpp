@@ -13,11 +13,8 @@ namespace lockbox::app {
 /// One of `count` equal parts of a list.
 class Shard {
  public:
-  /// Adds `--shard i/n`.
+  /// Adds `--shard i/n`, and reads it.
   void add_to(CLI::App& options);
-
-  /// Throws InputError if the option is no shard.
-  void parse();
 
   bool holds(std::uint64_t run) const { return run % count_ == index_ - 1; }
   std::uint64_t runs_of(std::uint64_t total) const { return (total + count_ - index_) / count_; }
@@ -26,7 +23,9 @@ class Shard {
   std::filesystem::path rows_file(const std::filesystem::path& stem) const;
 
  private:
-  std::string text_ = "1/1";
+  /// Throws CLI::ValidationError if the text is no shard.
+  void parse(const std::string& text);
+
   std::uint64_t index_ = 1;
   std::uint64_t count_ = 1;
 };

@@ -21,15 +21,8 @@ class Speed : public Experiment {
     options.add_option("--runs", runs_, "Steps of each kind")->check(CLI::NonNegativeNumber);
   }
 
-  bool run(const ExperimentSettings& settings) override {
-    for (const auto& name : models_or_lockbox(settings)) {
-      run_model(load_model(find_model(name)), settings);
-    }
-    return true;
-  }
-
  private:
-  void run_model(const ArticulatedModel& model, const ExperimentSettings& settings) const {
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     ExperimentSettings silent = settings;
     silent.quiet = true;
     const Scene room = read_scene(find_scene("room"));
@@ -60,6 +53,7 @@ class Speed : public Experiment {
     write_table(stem.string() + ".csv", speed_rows(runs));
     write_table(stem.string() + "_steps.csv", step_rows(steps));
     draw(stem, speed_figure(model.tree.name, runs, steps));
+    return true;
   }
 
   int frames_ = 300;

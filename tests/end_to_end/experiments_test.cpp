@@ -173,7 +173,7 @@ TEST(Experiment, RefusesAShardThatIsNone) {
   const TemporaryFolder folder;
   const auto result = run_tool(
       {"experiment", "convergence", "--output", (folder / "out").string(), "--shard", "3/2"});
-  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.errors, HasSubstr("--shard"));
 }
 
