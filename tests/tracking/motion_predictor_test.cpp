@@ -61,6 +61,17 @@ TEST_F(MotionPredictorTest, AHiddenJointStandsStillAtOnce) {
   EXPECT_EQ(predictor.predict(3 * kFrame).q[0], 0.07);
 }
 
+TEST_F(MotionPredictorTest, AJointThatCameIntoSightMovesFromItsSecondFrameOn) {
+  std::vector<bool> hidden = seen;
+  hidden[6] = false;
+  predictor.reset(0.0, at(0.05, 0.0));
+  predictor.update(kFrame, at(0.05, 0.0), hidden, 0.0);
+  predictor.update(2 * kFrame, at(0.08, 0.0), seen, 0.03);  // found elsewhere: not a velocity
+  EXPECT_EQ(predictor.predict(3 * kFrame).q[0], 0.08);
+  predictor.update(3 * kFrame, at(0.082, 0.0), seen, 0.002);
+  EXPECT_NEAR(predictor.predict(4 * kFrame).q[0], 0.084, 1e-12);
+}
+
 TEST_F(MotionPredictorTest, LimitsStopThePrediction) {
   predictor.reset(0.0, at(0.18, 0.0));
   predictor.update(kFrame, at(0.195, 0.0), seen, 0.015);

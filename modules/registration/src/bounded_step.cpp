@@ -10,12 +10,14 @@ namespace {
 using Index = Eigen::Index;
 
 constexpr double kLeastSlope = 1e-12;  // cost per unit: below it a limit does not matter
+constexpr double kOwnShare = 0.9;      // of a direction's square: it is this unknown's own
 
 }  // namespace
 
 const Eigen::VectorXd& BoundedStepSolver::solve(const NormalEquations& equations, double damping,
                                                 const StepLimits& limits, const StepScale& scale) {
   start(equations, damping, limits);
+  fix_undetermined(equations, scale);
   // Each round holds one more unknown or releases one; the bound only guards against cycling.
   const Index rounds = 4 * step_.size() + 4;
   for (Index round = 0; round < rounds; ++round) {
@@ -37,38 +39,67 @@ void BoundedStepSolver::start(const NormalEquations& equations, double damping,
   for (Index i = 0; i < n; ++i) {
     held_[static_cast<std::size_t>(i)] = limits.lower[i] >= limits.upper[i];
   }
+  fixed_ = held_;
+}
+
+/// The information over the free unknowns, in units of the scale and relative to what is enough.
+/// True if there is enough in all directions.
+bool BoundedStepSolver::scale_information(const NormalEquations& equations,
+                                          const StepScale& scale) {
+  unit_ = scale.unit;
+  for (Index i = 0; i < unit_.size(); ++i) {
+    if (is_held(i)) {
+      unit_[i] = 0.0;
+    }
+  }
+  information_ = unit_.asDiagonal() * equations.information * unit_.asDiagonal();
+  for (Index i = 0; i < unit_.size(); ++i) {
+    if (is_held(i)) {  // never in the way: decoupled, and strong
+      information_(i, i) = 2.0 * scale.least_information + 1.0;
+    }
+  }
+  information_.diagonal().array() -= scale.least_information;
+  definite_.compute(information_);
+  return definite_.info() == Eigen::Success;
+}
+
+/// A smooth disk's angle would follow each step of its neighbours by whatever its facets couple it
+/// to them.
+void BoundedStepSolver::fix_undetermined(const NormalEquations& equations, const StepScale& scale) {
+  if (scale_information(equations, scale)) {
+    return;
+  }
+  modes_.compute(information_);
+  for (Index k = 0; k < step_.size() && modes_.eigenvalues()[k] <= 0.0; ++k) {
+    Index own = 0;
+    const double largest = modes_.eigenvectors().col(k).cwiseAbs().maxCoeff(&own);
+    if (largest * largest > kOwnShare) {
+      hold(own);
+    }
+  }
+  fixed_ = held_;
 }
 
 /// Solves H s = -g over the free unknowns, the others staying where they are.
 void BoundedStepSolver::solve_free(const NormalEquations& equations, const StepScale& scale) {
+  const bool all_strong = scale_information(equations, scale);
   const Index n = step_.size();
-  unit_ = scale.unit;
   trial_.setZero(n);
+  scaled_ = unit_.asDiagonal() * hessian_ * unit_.asDiagonal();
   for (Index i = 0; i < n; ++i) {
-    if (held_[static_cast<std::size_t>(i)]) {
-      unit_[i] = 0.0;
+    if (is_held(i)) {
       trial_[i] = step_[i];
+      scaled_(i, i) = 1.0;
     }
   }
   slope_ = equations.gradient;
   slope_.noalias() += hessian_ * trial_;
   right_ = -unit_.cwiseProduct(slope_);
-  scaled_ = unit_.asDiagonal() * hessian_ * unit_.asDiagonal();
-  information_ = unit_.asDiagonal() * equations.information * unit_.asDiagonal();
-  for (Index i = 0; i < n; ++i) {
-    if (unit_[i] == 0.0) {  // never in the way: decoupled, and strong
-      scaled_(i, i) = 1.0;
-      information_(i, i) = 2.0 * scale.least_information + 1.0;
-    }
-  }
-  // All directions are strong where the information exceeds the threshold as a matrix.
-  information_.diagonal().array() -= scale.least_information;
-  definite_.compute(information_);
-  if (definite_.info() == Eigen::Success) {
+  if (all_strong) {
     factors_.compute(scaled_);
     solution_ = factors_.solve(right_);
   } else {
-    solve_strong_directions(0.0);
+    solve_strong_directions();
   }
   for (Index i = 0; i < n; ++i) {
     if (unit_[i] > 0.0) {
@@ -77,20 +108,20 @@ void BoundedStepSolver::solve_free(const NormalEquations& equations, const StepS
   }
 }
 
-/// The best step within the span of the eigenvectors whose information exceeds the threshold.
-void BoundedStepSolver::solve_strong_directions(double least_information) {
+/// The best step within the span of the eigenvectors about which there is enough information.
+void BoundedStepSolver::solve_strong_directions() {
   modes_.compute(information_);
   const Index n = right_.size();
   strong_ = modes_.eigenvectors();
   for (Index k = 0; k < n; ++k) {
-    if (!(modes_.eigenvalues()[k] > least_information)) {
+    if (!(modes_.eigenvalues()[k] > 0.0)) {
       strong_.col(k).setZero();
     }
   }
   product_.noalias() = scaled_ * strong_;
   information_.noalias() = strong_.transpose() * product_;
   for (Index k = 0; k < n; ++k) {
-    if (!(modes_.eigenvalues()[k] > least_information)) {
+    if (!(modes_.eigenvalues()[k] > 0.0)) {
       information_(k, k) = 1.0;
     }
   }
@@ -108,8 +139,7 @@ bool BoundedStepSolver::advance(const StepLimits& limits) {
   for (Index i = 0; i < step_.size(); ++i) {
     const double move = trial_[i] - step_[i];
     const double room = (move > 0.0 ? limits.upper[i] : limits.lower[i]) - step_[i];
-    if (!held_[static_cast<std::size_t>(i)] && std::abs(move) > std::abs(room) &&
-        room / move < share) {
+    if (!is_held(i) && std::abs(move) > std::abs(room) && room / move < share) {
       share = std::max(0.0, room / move);
       blocking = i;
     }
@@ -122,7 +152,7 @@ bool BoundedStepSolver::advance(const StepLimits& limits) {
       trial_[blocking] > step_[blocking] ? limits.upper[blocking] : limits.lower[blocking];
   step_ += share * (trial_ - step_);
   step_[blocking] = limit;
-  held_[static_cast<std::size_t>(blocking)] = true;
+  hold(blocking);
   return false;
 }
 
@@ -134,7 +164,7 @@ bool BoundedStepSolver::release(const NormalEquations& equations, const StepLimi
   Index released = -1;
   double strongest = kLeastSlope;
   for (Index i = 0; i < step_.size(); ++i) {
-    if (!held_[static_cast<std::size_t>(i)] || limits.lower[i] >= limits.upper[i]) {
+    if (!is_held(i) || fixed_[static_cast<std::size_t>(i)]) {
       continue;
     }
     const double inward = step_[i] <= limits.lower[i] ? -slope_[i] : slope_[i];

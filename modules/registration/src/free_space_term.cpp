@@ -68,7 +68,7 @@ class PullFinder {
       return std::nullopt;
     }
     return aim(sample, plane, T_camera_body,
-               {p_body, p, Eigen::Vector3d::Zero(), 0.0, sample.body, tile_of(u, v)}, u, v);
+               {p_body, p, Eigen::Vector3d::Zero(), 0.0, 0.0, sample.body, tile_of(u, v)}, u, v);
   }
 
  private:
@@ -100,7 +100,11 @@ class PullFinder {
     }
     pull.target = *nearest;
     pull.direction = (p - *nearest).normalized();
-    return weighted(pull, p);
+    auto weighed = weighted(pull, p);
+    if (weighed) {  // noise at either end turns a short pull
+      weighed->direction_variance += weighed->variance / (p - *nearest).squaredNorm();
+    }
+    return weighed;
   }
 
   /// Asks the body's field beside the outline for the outline's normal across the ray, and for how
@@ -137,6 +141,7 @@ class PullFinder {
         std::max(0.0, 1.0 - std::pow(pull.direction.dot(p), 2) / p.squaredNorm());
     pull.variance = std::pow(along * observed_.sigma_z(p.z()), 2) +
                     across2 * std::pow(observed_.sigma_lateral(p.z()), 2);
+    pull.direction_variance = kNormalVariance;
     const double residual = pull.direction.dot(p - pull.target);
     const double inverse_variance = 1.0 / (pull.variance + spread_ * spread_);
     return loss(residual, inverse_variance, cut_).weight > kLeastWeight ? std::optional(pull)
@@ -188,7 +193,8 @@ double FreeSpaceTerm::linearize(const BodyPoses& T_camera_body, double spread,
     BodySystem& system = systems[static_cast<std::size_t>(pull.body)];
     system.hessian += own.hessian;
     system.gradient += own.gradient;
-    system.add_leverage(pull.p_body, own.hessian.topLeftCorner<3, 3>().trace());
+    system.add_feigned(pull.p_body, own.hessian.topLeftCorner<3, 3>().trace(),
+                       pull.direction_variance);
   }
   return cost(T_camera_body);
 }

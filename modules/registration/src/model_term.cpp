@@ -171,9 +171,9 @@ double ModelTerm::linearize(const ArticulatedModel& model, const BodyPoses& T_ca
         const kernels::NormalSums tile_sums =
             kernels::accumulate(tile.padded, scratch.hits[l], scratch.weight[l]);
         BodySystem system = to_system(tile_sums);
-        system.add_leverage(T_camera_body[static_cast<std::size_t>(body)].inverse() *
-                                tile.bounds.center().cast<double>(),
-                            system.hessian.topLeftCorner<3, 3>().trace());
+        system.add_feigned(T_camera_body[static_cast<std::size_t>(body)].inverse() *
+                               tile.bounds.center().cast<double>(),
+                           system.hessian.topLeftCorner<3, 3>().trace(), kNormalVariance);
         sums[static_cast<std::size_t>(body)] += system;
         tile_systems_[candidates.first + l] = {candidates.tile, body, system.hessian,
                                                system.gradient};

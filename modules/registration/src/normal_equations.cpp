@@ -4,8 +4,6 @@
 namespace lockbox {
 namespace {
 
-constexpr double kNormalError = 0.05;  // radians: facets of round bodies, cells of fields
-
 /// sum += weight J' A J; products of fixed size, column by column, so that nothing is allocated.
 void add_mapped(const Matrix6& A, const BodyJacobian& jacobian, double weight,
                 Eigen::MatrixXd& sum) {
@@ -19,16 +17,13 @@ void add_mapped(const Matrix6& A, const BodyJacobian& jacobian, double weight,
 
 }  // namespace
 
-void BodySystem::add_leverage(const Eigen::Vector3d& p, double weight) {
+void BodySystem::add_feigned(const Eigen::Vector3d& p, double weight, double normal_variance) {
   const Eigen::Matrix3d P = hat(p);
-  leverage.topLeftCorner<3, 3>() += weight * Eigen::Matrix3d::Identity();
-  leverage.topRightCorner<3, 3>() -= weight * P;
-  leverage.bottomLeftCorner<3, 3>() += weight * P;
-  leverage.bottomRightCorner<3, 3>() -= weight * P * P;
-}
-
-Matrix6 BodySystem::information() const {
-  return hessian - kNormalError * kNormalError * leverage;
+  const double w = weight * normal_variance;
+  feigned.topLeftCorner<3, 3>() += w * Eigen::Matrix3d::Identity();
+  feigned.topRightCorner<3, 3>() -= w * P;
+  feigned.bottomLeftCorner<3, 3>() += w * P;
+  feigned.bottomRightCorner<3, 3>() -= w * P * P;
 }
 
 void NormalEquations::set_zero(Eigen::Index unknowns) {

@@ -24,7 +24,8 @@ struct StepScale {
 
 /// Minimises gradient.s + s' (hessian + damping diag(hessian)) s / 2 for lower <= s <= upper, by an
 /// active-set method: an unknown that meets its limit leaves the solve and returns if the gradient
-/// pulls it back. Directions with too little information, in the given units, get no step.
+/// pulls it back. Directions with too little information, in the given units, get no step; an
+/// unknown that is such a direction by itself does not move at all.
 /// Owns the memory of the solution: once used, it allocates nothing for the same number of
 /// unknowns.
 class BoundedStepSolver {
@@ -35,16 +36,21 @@ class BoundedStepSolver {
 
  private:
   void start(const NormalEquations& equations, double damping, const StepLimits& limits);
+  void fix_undetermined(const NormalEquations& equations, const StepScale& scale);
+  bool scale_information(const NormalEquations& equations, const StepScale& scale);
   void solve_free(const NormalEquations& equations, const StepScale& scale);
-  void solve_strong_directions(double least_information);
+  void solve_strong_directions();
   bool advance(const StepLimits& limits);
   bool release(const NormalEquations& equations, const StepLimits& limits, const StepScale& scale);
+  void hold(Eigen::Index unknown) { held_[static_cast<std::size_t>(unknown)] = true; }
+  bool is_held(Eigen::Index unknown) const { return held_[static_cast<std::size_t>(unknown)]; }
 
   Eigen::VectorXd step_;
   Eigen::VectorXd trial_;
   Eigen::VectorXd slope_;
   Eigen::MatrixXd hessian_;  ///< damped
-  std::vector<bool> held_;
+  std::vector<bool> held_;   ///< at a limit, or fixed
+  std::vector<bool> fixed_;  ///< whatever the gradient says
 
   // In units of the scale; held unknowns have rows and columns of zeros.
   Eigen::VectorXd unit_;

@@ -21,6 +21,7 @@ struct FreeSpacePull {
   Eigen::Vector3d target;     ///< camera frame
   Eigen::Vector3d direction;  ///< unit vector, camera frame
   double variance;            ///< of the residual by the sensor's noise, m^2
+  double direction_variance;  ///< squared radians
   int body;
   std::size_t tile;  ///< of the cloud, that the sample is seen in
 };

@@ -11,27 +11,31 @@
 
 namespace lockbox {
 
+/// How wrong the normals of a field may be, squared radians: facets of round bodies, its cells.
+inline constexpr double kNormalVariance = 0.05 * 0.05;
+
 /// Cost as a function of one body's twist xi (body frame): cost + gradient.xi + xi' hessian xi / 2.
 struct BodySystem {
   Matrix6 hessian = Matrix6::Zero();
   Twist gradient = Twist::Zero();
-  /// What the hessian would be if each point's normal pointed every way: sum w M(p) M(p)'.
-  Matrix6 leverage = Matrix6::Zero();
+  /// The curvature that wrong normals could feign: sum w delta^2 M(p) M(p)'.
+  Matrix6 feigned = Matrix6::Zero();
 
   BodySystem& operator+=(const BodySystem& other) {
     hessian += other.hessian;
     gradient += other.gradient;
-    leverage += other.leverage;
+    feigned += other.feigned;
     return *this;
   }
 
-  /// Adds the leverage of points around p (body frame) whose weights sum to weight.
-  void add_leverage(const Eigen::Vector3d& p, double weight);
+  /// Of points around p (body frame) whose weights sum to weight, and whose normals err by
+  /// normal_variance (squared radians).
+  void add_feigned(const Eigen::Vector3d& p, double weight, double normal_variance);
 
   /// The curvature less what wrong normals could feign. A disk that turns about its axis slides
   /// along itself; facets and the field's cells tilt its normals, and thousands of points would
   /// make of that an angle, known to a degree.
-  Matrix6 information() const;
+  Matrix6 information() const { return hessian - feigned; }
 };
 
 /// What one tile of the image has to say about one body.

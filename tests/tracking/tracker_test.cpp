@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The frame loop on a small mechanism: hidden joints, views without the object, good starts.
+#include "lockbox/tracking/tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanism.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr int kTurn = 7;  ///< unknown of the joint `turn`
+
+class TrackerTest : public ::testing::Test {
+ protected:
+  static TrackerOptions options() {
+    TrackerOptions options;
+    options.threads = 1;
+    return options;
+  }
+
+  DepthFrame frame_of(const Configuration& configuration) {
+    DepthFrame frame = measured(model, configuration, "primesense", ++frames_);
+    frame.stamp = static_cast<double>(frames_) / 30.0;
+    return frame;
+  }
+
+  Configuration with_turn(double angle) const {
+    Configuration configuration = truth;
+    set_joint_position(model.tree, configuration, "turn", angle);
+    return configuration;
+  }
+
+  /// No depth wherever the arm may be, as behind a black cloth.
+  DepthFrame with_arm_hidden(DepthFrame frame) const {
+    BodyPoses poses;
+    forward_kinematics(model.tree, truth, poses);
+    const Joint& turn = *std::find_if(model.tree.joints.begin(), model.tree.joints.end(),
+                                      [](const Joint& joint) { return joint.name == "turn"; });
+    const Eigen::Vector3d axis = poses[static_cast<std::size_t>(turn.child_body)].translation();
+    const PinholeCamera& camera = frame.camera;
+    for (int v = 0; v < camera.height; ++v) {
+      for (int u = 0; u < camera.width; ++u) {
+        const Eigen::Vector3d p = camera.back_project(u, v, axis.z());
+        auto& depth = frame.depth[static_cast<std::size_t>(v * camera.width + u)];
+        if ((p - axis).norm() < 0.2) depth = 0;
+      }
+    }
+    return frame;
+  }
+
+  const ArticulatedModel& model = mechanism();
+  const Configuration truth = mechanism_start(model);
+  Tracker tracker{model, options()};
+
+ private:
+  std::uint64_t frames_ = 0;
+};
+
+TEST_F(TrackerTest, AGoodStartNeedsNoSearch) {
+  tracker.start(truth);
+  for (int i = 0; i < 3; ++i) {
+    const TrackingResult& result = tracker.process(frame_of(truth));
+    EXPECT_EQ(result.status, TrackingStatus::tracking);
+    EXPECT_EQ(result.searches, 0);
+  }
+}
+
+TEST_F(TrackerTest, WithoutTheObjectInViewNothingIsReported) {
+  Configuration elsewhere = truth;
+  elsewhere.T_camera_base.translation().x() = 5.0;  // the camera sees the wall alone
+  const TrackingResult& result = tracker.process(frame_of(elsewhere));
+  EXPECT_EQ(result.status, TrackingStatus::initializing);
+  EXPECT_TRUE(std::isnan(result.configuration.T_camera_base.translation().x()));
+  EXPECT_TRUE(std::isnan(result.configuration.q[0]));
+}
+
+TEST_F(TrackerTest, AJointThatMovedWhileItWasHiddenIsFoundAgain) {
+  tracker.start(with_turn(0.3));
+  for (int i = 0; i < 3; ++i) tracker.process(frame_of(with_turn(0.3)));
+  for (int i = 0; i < 5; ++i) {
+    const auto& hidden = tracker.process(with_arm_hidden(frame_of(with_turn(-0.5))));
+    EXPECT_FALSE(hidden.observable[kTurn]) << i;
+    EXPECT_EQ(hidden.status, TrackingStatus::tracking) << i;
+  }
+  TrackingResult found;
+  for (int i = 0; i < 3; ++i) found = tracker.process(frame_of(with_turn(-0.5)));
+  EXPECT_TRUE(found.observable[kTurn]);
+  EXPECT_NEAR(found.configuration.q[1], -0.5, 0.02);
+  EXPECT_EQ(found.searches, 0);
+}
+
+}  // namespace
+}  // namespace lockbox
