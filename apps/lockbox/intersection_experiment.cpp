@@ -11,8 +11,8 @@
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/table.hpp"
-#include "lockbox/simulation/trajectory.hpp"
 #include "parameters.hpp"
+#include "possible_motion.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
 
@@ -157,7 +157,7 @@ class Intersection : public Experiment {
     TrajectoryOptions trajectory;
     trajectory.frames = frames_;
     trajectory.T_camera_base = usual_view(model).T_camera_base;
-    const Recording recording = simulate(model, generate_trajectory(model.tree, trajectory),
+    const Recording recording = simulate(model, possible_motion(model, trajectory),
                                          read_scene(find_scene(scene_)), settings);
     const std::vector<CollisionMode> modes = {CollisionMode::off, CollisionMode::literal,
                                               CollisionMode::eroded};

@@ -11,7 +11,7 @@
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/run_bounds.hpp"
 #include "lockbox/evaluation/table.hpp"
-#include "lockbox/simulation/trajectory.hpp"
+#include "possible_motion.hpp"
 #include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
@@ -141,7 +141,7 @@ class Occlusion : public Experiment {
     TrajectoryOptions trajectory;
     trajectory.frames = frames_;
     trajectory.T_camera_base = usual_view(model).T_camera_base;
-    const auto truth = generate_trajectory(model.tree, trajectory);
+    const auto truth = possible_motion(model, trajectory);
     const Scene with_arm = read_scene(find_scene(scene_));
     Scene without_arm = with_arm;
     without_arm.arms.clear();

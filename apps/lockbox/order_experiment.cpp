@@ -7,7 +7,7 @@
 
 #include "experiments.hpp"
 #include "lockbox/evaluation/table.hpp"
-#include "lockbox/simulation/trajectory.hpp"
+#include "possible_motion.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
 #include "urdf_variant.hpp"
@@ -113,7 +113,7 @@ class Order : public Experiment {
     TrajectoryOptions trajectory;
     trajectory.frames = frames_;
     trajectory.T_camera_base = usual_view(model).T_camera_base;
-    const Recording recording = simulate(model, generate_trajectory(model.tree, trajectory),
+    const Recording recording = simulate(model, possible_motion(model, trajectory),
                                          read_scene(find_scene("room")), settings);
     const Configuration& start = recording.truth.front().configuration;
     const auto reference = track_all(model, start, model.tree, recording);

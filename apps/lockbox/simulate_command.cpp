@@ -13,8 +13,8 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/run_bounds.hpp"
 #include "lockbox/simulation/simulator.hpp"
-#include "lockbox/simulation/trajectory.hpp"
 #include "model_options.hpp"
+#include "possible_motion.hpp"
 #include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
@@ -115,18 +115,19 @@ class SimulateCommand : public Command {
 
  private:
   std::vector<State> trajectory(const KinematicTree& tree) const {
-    if (trajectory_ == "auto") return generated_trajectory(tree);
+    if (trajectory_ == "auto") return generated_trajectory();
     std::vector<State> states = read_states(trajectory_, tree).states;
     require_increasing_stamps(trajectory_, states);
     return states;
   }
 
-  std::vector<State> generated_trajectory(const KinematicTree& tree) const {
+  std::vector<State> generated_trajectory() const {
+    const ArticulatedModel model = model_.load();
     TrajectoryOptions options;
     options.frames = frames_;
-    const auto start = model_.load().parameters.initial_configuration;
+    const auto start = model.parameters.initial_configuration;
     if (start) options.T_camera_base = start->T_camera_base;
-    return generate_trajectory(tree, options);
+    return possible_motion(model, options);
   }
 
   PinholeCamera camera() const {

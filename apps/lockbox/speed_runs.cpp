@@ -7,7 +7,7 @@
 
 #include "experiment.hpp"
 #include "lockbox/evaluation/random_draws.hpp"
-#include "lockbox/simulation/trajectory.hpp"
+#include "possible_motion.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -81,7 +81,7 @@ std::vector<State> faster_motion(const ArticulatedModel& model, const Configurat
   options.frames = std::max(2, frames / factor);
   options.rate = kRate / factor;
   options.T_camera_base = view.T_camera_base;
-  auto states = generate_trajectory(model.tree, options);
+  auto states = possible_motion(model, options);
   for (State& state : states) state.stamp /= factor;
   return states;
 }

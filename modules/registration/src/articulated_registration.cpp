@@ -21,7 +21,6 @@ constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
-constexpr std::size_t kAgreementStride = 4;  // of the visible samples; a share needs no more
 
 StepScale step_scale(const KinematicTree& tree) {
   StepScale scale{Eigen::VectorXd::Constant(6 + tree.variables(), kBaseUnit), kLeastInformation};
@@ -121,7 +120,9 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.covariance = covariance_.covariance();
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();
-  measure_agreement(cloud);
+  agreement_.measure(model_, surface_, poses_, cloud, options_);
+  result_.agreement = agreement_.total();
+  result_.body_agreement = agreement_.bodies();
   const ModelTerm::Totals& totals = model_term_.totals();
   result_.explained_points = totals.points;
   result_.residual_rms =
@@ -244,50 +245,6 @@ void ArticulatedRegistration::mark_object_pixels(const TiledCloud& cloud) {
       object_[cloud.pixel()[i]] = explained[i] > kObjectGain ? 1 : 0;
     }
   }
-}
-
-void ArticulatedRegistration::measure_agreement(const TiledCloud& cloud) {
-  result_.agreement = {};
-  if (!cloud.has_image()) {
-    return;
-  }
-  const PinholeCamera& camera = cloud.camera();
-  std::size_t counts[4] = {};  // explained, contradicted, occluded, unknown
-  const auto& samples = surface_.samples();
-  for (std::size_t i = 0; i < samples.size(); i += kAgreementStride) {
-    const auto body = static_cast<std::size_t>(samples[i].body);
-    const Eigen::Vector3d p = poses_[body] * samples[i].p_body.cast<double>();
-    if (p.z() <= 0.0) {
-      continue;
-    }
-    const Eigen::Vector2d image = camera.project(p);
-    const auto u = std::lround(image.x());
-    const auto v = std::lround(image.y());
-    if (u < 0 || v < 0 || u >= camera.width || v >= camera.height) {
-      continue;
-    }
-    const auto measured = static_cast<double>(
-        cloud.depth()[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +
-                      static_cast<std::size_t>(u)]);
-    if (measured <= 0.0) {
-      ++counts[3];
-      continue;
-    }
-    const double sigma =
-        options_.noise.depth_floor + options_.noise.depth_quadratic * p.z() * p.z();
-    const double gate = options_.cut * sigma;
-    const Eigen::Vector3d q =
-        camera.back_project(static_cast<double>(u), static_cast<double>(v), measured);
-    const bool near_surface =
-        std::abs(model_.fields[body]->sample((poses_[body].inverse() * q).cast<float>()).distance) <
-        gate;
-    ++counts[near_surface ? 0 : (measured > p.z() ? 1 : 2)];
-  }
-  const auto total =
-      static_cast<double>(std::max<std::size_t>(1, counts[0] + counts[1] + counts[2] + counts[3]));
-  result_.agreement = {
-      static_cast<double>(counts[0]) / total, static_cast<double>(counts[1]) / total,
-      static_cast<double>(counts[2]) / total, static_cast<double>(counts[3]) / total};
 }
 
 }  // namespace lockbox

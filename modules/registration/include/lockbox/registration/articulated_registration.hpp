@@ -14,6 +14,7 @@
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/agreement.hpp"
 #include "lockbox/registration/bounded_step.hpp"
 #include "lockbox/registration/collision_term.hpp"
 #include "lockbox/registration/covariance.hpp"
@@ -23,15 +24,6 @@
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
-
-/// How the visible model compares with the image, as shares of its visible surface within the
-/// image; all zero without an image.
-struct Agreement {
-  double explained = 0.0;     ///< measured where the model says
-  double contradicted = 0.0;  ///< seen through
-  double occluded = 0.0;      ///< something else in front
-  double unknown = 0.0;       ///< not measured
-};
 
 /// Gates begin with the spread and end with the sensor's noise alone.
 struct Annealing {
@@ -50,7 +42,8 @@ struct RegistrationResult {
   Eigen::VectorXd sigma;         ///< standard deviations, square roots of its diagonal
   std::vector<bool> observable;  ///< by unknown: whether the data determines it
   Agreement agreement;
-  double residual_rms = 0.0;  ///< whitened: 1 where the sensor errs as assumed
+  std::vector<Agreement> body_agreement;  ///< by body
+  double residual_rms = 0.0;              ///< whitened: 1 where the sensor errs as assumed
   double explained_points = 0.0;
   double model_cost = 0.0;  ///< relative to explaining nothing
   double free_cost = 0.0;
@@ -85,7 +78,6 @@ class ArticulatedRegistration {
   void set_step_limits(bool hold_joints);
   void mark_object_pixels(const TiledCloud& cloud);
   void select_free_space(const TiledCloud& cloud, double spread);
-  void measure_agreement(const TiledCloud& cloud);
   double largest_move(const Eigen::VectorXd& step) const;
 
   const ArticulatedModel& model_;
@@ -115,6 +107,7 @@ class ArticulatedRegistration {
   std::vector<bool> held_;  ///< by unknown
   CovarianceEstimator covariance_;
   std::vector<TileSystem> tile_systems_;
+  AgreementMeter agreement_;
   std::vector<std::uint8_t> object_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -20,10 +21,14 @@ struct TrajectoryOptions {
   double sway = 0.03;                                  ///< of the camera along each axis, metres
   double turn = 2.0 * std::numbers::pi / 180.0;        ///< about each axis, radians
   double coverage = 0.9;  ///< share of its range that each joint passes; continuous: of a turn
+
+  /// Whether the joints can stand so, parts not passing through each other; none: always.
+  std::function<bool(const Configuration&)> is_possible = nullptr;
 };
 
 /// Starts and ends with all joints at rest_configuration and all velocities zero. Each joint goes
-/// to the far end of its range, then to the other, and back, at times of its own.
+/// to the far end of its range, then to the other, and back, at times of its own; it waits where
+/// the way is not possible.
 std::vector<State> generate_trajectory(const KinematicTree& tree,
                                        const TrajectoryOptions& options = {});
 

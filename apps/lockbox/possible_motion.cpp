@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "possible_motion.hpp"
+
+#include "lockbox/registration/collision_term.hpp"
+
+namespace lockbox::app {
+
+std::vector<State> possible_motion(const ArticulatedModel& model, TrajectoryOptions options) {
+  CollisionTerm collision(model, RegistrationOptions{});
+  BodyPoses poses;
+  options.is_possible = [&](const Configuration& configuration) {
+    forward_kinematics(model.tree, configuration, poses);
+    return collision.evaluate(model, poses, nullptr) == 0.0;
+  };
+  return generate_trajectory(model.tree, options);
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the visible surface of a registered model compares with the image.
+#pragma once
+
+#include <vector>
+
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/visible_surface.hpp"
+
+namespace lockbox {
+
+/// Shares of the visible surface within the image, of the model or of one body; all zero without
+/// an image.
+struct Agreement {
+  double explained = 0.0;     ///< measured where the model says
+  double contradicted = 0.0;  ///< seen through
+  double occluded = 0.0;      ///< something else in front
+  double unknown = 0.0;       ///< not measured
+  int samples = 0;            ///< of which these are shares
+
+  /// Of what speaks for or against the model, the share that speaks for it; 0 if nothing does.
+  double consent() const { return explained > 0.0 ? explained / (explained + contradicted) : 0.0; }
+};
+
+/// Of each body at these poses, and over all of them. The surface may show a slightly different
+/// configuration: its samples are carried along.
+class AgreementMeter {
+ public:
+  void measure(const ArticulatedModel& model, const VisibleSurface& surface,
+               const BodyPoses& T_camera_body, const TiledCloud& cloud,
+               const RegistrationOptions& options);
+
+  const Agreement& total() const { return total_; }
+  const std::vector<Agreement>& bodies() const { return bodies_; }
+
+ private:
+  Agreement total_;
+  std::vector<Agreement> bodies_;  ///< by body
+};
+
+}  // namespace lockbox
