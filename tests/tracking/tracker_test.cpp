@@ -93,5 +93,29 @@ TEST_F(TrackerTest, AJointThatMovedWhileItWasHiddenIsFoundAgain) {
   EXPECT_EQ(found.searches, 0);
 }
 
+TEST_F(TrackerTest, AJointThatLeapsIsFoundInTheSameFrame) {
+  tracker.start(with_turn(0.3));
+  for (int i = 0; i < 3; ++i) tracker.process(frame_of(with_turn(0.3)));
+  const TrackingResult& leapt = tracker.process(frame_of(with_turn(-0.9)));
+  EXPECT_EQ(leapt.status, TrackingStatus::tracking);
+  EXPECT_NEAR(leapt.configuration.q[1], -0.9, 0.02);
+  EXPECT_EQ(leapt.searches, 0);
+}
+
+TEST_F(TrackerTest, ABaseThatLeapsIsFoundInTheSameFrame) {
+  tracker.start(truth);
+  for (int i = 0; i < 3; ++i) tracker.process(frame_of(truth));
+  Configuration elsewhere = truth;
+  elsewhere.T_camera_base.translation() += Eigen::Vector3d(0.05, 0.03, -0.05);
+  elsewhere.T_camera_base.rotate(Eigen::AngleAxisd(0.15, Eigen::Vector3d::UnitX()));
+  const TrackingResult& leapt = tracker.process(frame_of(elsewhere));
+  EXPECT_EQ(leapt.status, TrackingStatus::tracking);
+  EXPECT_LT(
+      (leapt.configuration.T_camera_base.translation() - elsewhere.T_camera_base.translation())
+          .norm(),
+      3e-3);
+  EXPECT_EQ(leapt.searches, 0);
+}
+
 }  // namespace
 }  // namespace lockbox

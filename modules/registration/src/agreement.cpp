@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/registration/agreement.hpp"
 
+#include <array>
 #include <cmath>
+
+#include "outline.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr std::size_t kStride = 4;  // of the visible samples; a share needs no more
+constexpr int kBeyond = 3;          // pixels of the view, across an outline
+
+std::size_t index(int width, int u, int v) {
+  return static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(u);
+}
+
+double sigma_z(const RegistrationOptions& options, double z) {
+  return options.noise.depth_floor + options.noise.depth_quadratic * z * z;
+}
 
 /// Adds one sample to what it says of its body; nothing if it lies outside the image.
 void count(const ArticulatedModel& model, const VisibleSample& sample,
@@ -25,23 +38,47 @@ void count(const ArticulatedModel& model, const VisibleSample& sample,
   }
   ++counts.samples;
   const auto measured = static_cast<double>(
-      cloud.depth()[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +
-                    static_cast<std::size_t>(u)]);
+      cloud.depth()[index(camera.width, static_cast<int>(u), static_cast<int>(v))]);
   if (measured <= 0.0) {
     ++counts.unknown;
     return;
   }
-  const double sigma = options.noise.depth_floor + options.noise.depth_quadratic * p.z() * p.z();
   const Eigen::Vector3d q =
       camera.back_project(static_cast<double>(u), static_cast<double>(v), measured);
   const double distance =
       static_cast<double>(model.fields[static_cast<std::size_t>(sample.body)]
                               ->sample((T_camera_body.inverse() * q).cast<float>())
                               .distance);
-  if (std::abs(distance) < options.cut * sigma) {
+  if (std::abs(distance) < options.cut * sigma_z(options, p.z())) {
     ++counts.explained;
   } else {
     ++(measured > p.z() ? counts.contradicted : counts.occluded);
+  }
+}
+
+/// Looks across the outline, if the sample lies at one: left, right, up and down.
+void look_beyond(const VisibleSurface& surface, const VisibleSample& sample,
+                 const TiledCloud& cloud, const RegistrationOptions& options,
+                 OutlineAgreement& outline) {
+  const RenderedDepth& view = surface.view();
+  constexpr std::array<std::array<int, 2>, 4> kWays{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+  for (const auto& [du, dv] : kWays) {
+    const int u = sample.u + kBeyond * du;
+    const int v = sample.v + kBeyond * dv;
+    if (u < 0 || v < 0 || u >= view.width || v >= view.height ||
+        view.id[index(view.width, u, v)] != kNothing) {
+      continue;
+    }
+    const double measured = static_cast<double>(cloud.depth()[index(
+        cloud.camera().width, u * surface.reduction(), v * surface.reduction())]);
+    const TangentPlane plane(view, sample.u, sample.v);
+    const double expected = static_cast<double>(view.depth[index(view.width, sample.u, sample.v)]) *
+                            plane.relative_depth(kBeyond * du, kBeyond * dv);
+    const double gate = options.cut * sigma_z(options, expected);
+    if (measured <= 0.0 || measured < expected - gate) {
+      continue;  // not known
+    }
+    ++(measured > expected + gate ? outline.ends : outline.goes_on);
   }
 }
 
@@ -70,6 +107,7 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
                              const RegistrationOptions& options) {
   total_ = {};
   bodies_.assign(T_camera_body.size(), {});
+  outline_ = {};
   if (!cloud.has_image()) {
     return;
   }
@@ -77,6 +115,7 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
   for (std::size_t i = 0; i < samples.size(); i += kStride) {
     const auto body = static_cast<std::size_t>(samples[i].body);
     count(model, samples[i], T_camera_body[body], cloud, options, bodies_[body]);
+    look_beyond(surface, samples[i], cloud, options, outline_);
   }
   for (Agreement& body : bodies_) {
     add(body, total_);

@@ -123,6 +123,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   agreement_.measure(model_, surface_, poses_, cloud, options_);
   result_.agreement = agreement_.total();
   result_.body_agreement = agreement_.bodies();
+  result_.outline = agreement_.outline();
   const ModelTerm::Totals& totals = model_term_.totals();
   result_.explained_points = totals.points;
   result_.residual_rms =

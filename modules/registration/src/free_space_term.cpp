@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/registration/free_space_term.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "observed_surface.hpp"
@@ -24,6 +25,7 @@ Loss loss(double residual, double inverse_variance, double cut) {
   return {std::log(sum) + outlier_cost, gaussian / sum};
 }
 
+constexpr double kAnyDirection = 1.0 / 3.0;  // of a random unit vector's square, along each axis
 constexpr double kBesideOutline = 3.0;   // pixels: where a body's field tells the outline's normal
 constexpr double kLeastAgreement = 0.5;  // of that normal with the z-buffer's: a cosine
 
@@ -102,7 +104,8 @@ class PullFinder {
     pull.direction = (p - *nearest).normalized();
     auto weighed = weighted(pull, p);
     if (weighed) {  // noise at either end turns a short pull
-      weighed->direction_variance += weighed->variance / (p - *nearest).squaredNorm();
+      weighed->direction_variance = std::clamp(weighed->variance / (p - *nearest).squaredNorm(),
+                                               kNormalVariance, kAnyDirection);
     }
     return weighed;
   }

@@ -4,14 +4,7 @@
 #include "lockbox/cloud/segmentation.hpp"
 
 namespace lockbox {
-namespace {
-
-/// A contradiction counts more than what remains unexplained: that may be hidden.
-double conviction(const Agreement& agreement) {
-  return agreement.explained - 2.0 * agreement.contradicted;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Acquisition::Acquisition(const ArticulatedModel& model, const TrackerOptions& options,
                          const Executor& executor, ArticulatedRegistration& registration,
@@ -28,19 +21,17 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
   best_.reset();
   const Annealing narrow{options_.start_joint_spread, options_.start_joint_iterations};
   if (guess) {
-    if (try_from(*guess, narrow)) {
+    if (consider(registration_.align(cloud_, *guess, narrow))) {
       return best_;
     }
-    Configuration placed = *guess;
-    place_base(frame, placed);
-    if (try_from(placed, narrow)) {
+    if (consider(find_near(frame, *guess))) {
       return best_;
     }
   }
   if (anywhere) {
     ++searches_;
     for (const Candidate& candidate : initializer().find(cloud_)) {
-      if (try_from(candidate.configuration, narrow)) {
+      if (consider(registration_.align(cloud_, candidate.configuration, narrow))) {
         return best_;
       }
     }
@@ -48,23 +39,23 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
   return best_;
 }
 
-/// Registers from there; true if the result is judged `tracking`.
-bool Acquisition::try_from(const Configuration& start, const Annealing& annealing) {
-  const RegistrationResult& found = registration_.align(cloud_, start, annealing);
-  if (!best_ || conviction(found.agreement) > conviction(best_->agreement)) {
+/// Keeps it if it is the best so far; true if it is judged `tracking`.
+bool Acquisition::consider(const RegistrationResult& found) {
+  if (!best_ || is_more_convincing(found.agreement, best_->agreement)) {
     best_ = found;
   }
-  return judge(found.agreement, options_) == TrackingStatus::tracking;
+  return judge(found, options_) == TrackingStatus::tracking;
 }
 
-/// The base alone, within a wide gate.
-void Acquisition::place_base(const DepthFrame& frame, Configuration& configuration) {
-  keep_object(configuration);
-  configuration =
-      registration_
-          .align(cloud_, configuration, {options_.start_spread, options_.start_iterations, true})
+const RegistrationResult& Acquisition::find_near(const DepthFrame& frame,
+                                                 const Configuration& guess) {
+  keep_object(guess);
+  const Configuration placed =
+      registration_.align(cloud_, guess, {options_.start_spread, options_.start_iterations, true})
           .configuration;
   cloud_.assign(frame, options_.cloud, executor_);
+  return registration_.align(cloud_, placed,
+                             {options_.start_joint_spread, options_.start_joint_iterations});
 }
 
 /// Only the points that may be the object: table, walls and clutter would pull at wide gates.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/tracking/judgement.hpp"
 
+#include <algorithm>
+
 namespace lockbox {
 
 std::string to_string(TrackingStatus status) {
@@ -17,15 +19,28 @@ std::string to_string(TrackingStatus status) {
   return "lost";
 }
 
-TrackingStatus judge(const Agreement& agreement, const TrackerOptions& options) {
-  const double decided = agreement.explained + agreement.contradicted;
-  const double share = decided > 0.0 ? agreement.explained / decided : 0.0;
-  if (agreement.explained >= options.least_explained && share >= options.least_agreement) {
-    return TrackingStatus::tracking;
+bool is_more_convincing(const Agreement& agreement, const Agreement& than) {
+  const auto conviction = [](const Agreement& a) { return a.explained - 2.0 * a.contradicted; };
+  return conviction(agreement) > conviction(than);
+}
+
+bool is_contradicted(const Agreement& body, const TrackerOptions& options) {
+  const double decided = (body.explained + body.contradicted) * body.samples;
+  return decided >= options.least_body_samples && body.consent() < options.least_body_agreement;
+}
+
+TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options) {
+  const Agreement& whole = registered.agreement;
+  if (whole.explained < 0.5 * options.least_explained || whole.consent() < options.lost_agreement) {
+    return TrackingStatus::lost;
   }
-  const bool lost =
-      agreement.explained < 0.5 * options.least_explained || share < options.lost_agreement;
-  return lost ? TrackingStatus::lost : TrackingStatus::uncertain;
+  const auto& bodies = registered.body_agreement;
+  const bool believable =
+      whole.explained >= options.least_explained && whole.consent() >= options.least_agreement &&
+      registered.outline.confirmed() >= options.least_outline &&
+      std::none_of(bodies.begin(), bodies.end(),
+                   [&](const Agreement& body) { return is_contradicted(body, options); });
+  return believable ? TrackingStatus::tracking : TrackingStatus::uncertain;
 }
 
 }  // namespace lockbox

@@ -6,8 +6,10 @@
 namespace lockbox {
 namespace {
 
-constexpr int kFramesToKnowMotion = 2;  // a joint that comes back into sight is sought until then
-constexpr int kLongestSearchPause = 8;  // frames
+constexpr int kFramesToKnowMotion = 2;    // a joint that comes back into sight is sought until then
+constexpr int kLongestSearchPause = 8;    // frames
+constexpr double kSuddenlyHidden = 0.15;  // of the visible surface, from one frame to the next
+constexpr int kFramesOfDoubt = 4;         // until the object is sought anywhere
 
 /// While nothing is found, the search of the whole frame pauses for longer and longer.
 bool search_is_due(int frames_searched) {
@@ -27,6 +29,7 @@ Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
       acquisition_(model, options, executor_, registration_, cloud_),
       predictor_(model.tree) {
   result_.configuration = unknown_configuration(model.tree);
+  options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
 }
 
 void Tracker::start(const Configuration& configuration) {
@@ -64,8 +67,8 @@ void Tracker::search(const DepthFrame& frame) {
     return;
   }
   const bool had_estimate = result_.status == TrackingStatus::lost || guess_;
-  if (!had_estimate && judge(found->agreement, options_) == TrackingStatus::lost) {
-    return;  // still initializing: an answer that nobody believes is no estimate
+  if (!had_estimate && judge(*found, options_) != TrackingStatus::tracking) {
+    return;  // still initializing: the first estimate must be believable
   }
   report(*found);
   if (is_known()) {
@@ -78,8 +81,9 @@ void Tracker::search(const DepthFrame& frame) {
 
 void Tracker::follow(const DepthFrame& frame) {
   const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
-  const RegistrationResult& found = registration_.align(
+  const RegistrationResult& registered = registration_.align(
       cloud_, prediction, {predictor_.spread(), options_.registration.max_iterations});
+  const RegistrationResult& found = with_leaps_followed(frame, registered);
   report(found);
   predictor_.update(frame.stamp, found.configuration, found.observable,
                     registration_.surface_distance(prediction, found.configuration));
@@ -90,18 +94,69 @@ void Tracker::follow(const DepthFrame& frame) {
   }
   if (result_.status == TrackingStatus::tracking) {
     guess_ = found.configuration;
+    frames_searched_ = 0;
+  }
+}
+
+/// What leaps farther between two frames than the gate is wide is seen through where it was: joints
+/// are sought over their ranges, then the base around where it was last believed to be.
+const RegistrationResult& Tracker::with_leaps_followed(const DepthFrame& frame,
+                                                       const RegistrationResult& registered) {
+  const bool is_hidden_at_once =
+      registered.agreement.explained < result_.explained - kSuddenlyHidden;
+  if (judge(registered, options_) == TrackingStatus::tracking && !is_hidden_at_once) {
+    return registered;
+  }
+  best_ = registered;
+  list_contradicted_joints();
+  if (!sought_joints_.empty()) {
+    keep_if_better(
+        registration_.align(cloud_, acquisition_.find_joints(best_.configuration, sought_joints_),
+                            {options_.start_joint_spread, options_.start_joint_iterations}));
+  }
+  if (is_hidden_at_once) {  // by the object itself, when the estimate lies behind it
+    keep_if_better(acquisition_.find_near(frame, *guess_));
+  }
+  if (judge(best_, options_) != TrackingStatus::tracking && search_is_due(frames_searched_++)) {
+    const bool anywhere = options_.search_anywhere && frames_searched_ > kFramesOfDoubt;
+    if (const auto found = acquisition_.find(frame, guess_, anywhere)) {
+      keep_if_better(*found);
+    }
+    result_.searches = acquisition_.searches();
+  }
+  return best_;
+}
+
+void Tracker::keep_if_better(const RegistrationResult& registered) {
+  if (is_more_convincing(registered.agreement, best_.agreement)) {
+    best_ = registered;
+  }
+}
+
+/// Those whose own body is seen through.
+void Tracker::list_contradicted_joints() {
+  sought_joints_.clear();
+  for (std::size_t b = 0; b < best_.body_agreement.size(); ++b) {
+    const int joint = model_.tree.bodies[b].parent_joint;
+    if (joint < 0 || !is_contradicted(best_.body_agreement[b], options_)) {
+      continue;
+    }
+    const int variable = model_.tree.joints[static_cast<std::size_t>(joint)].variable;
+    if (!options_.registration.locked[static_cast<std::size_t>(variable)]) {
+      sought_joints_.push_back(variable);
+    }
   }
 }
 
 /// A joint that was hidden may have moved anywhere: what is seen of it decides where it is now.
 Configuration Tracker::with_hidden_joints_sought(const Configuration& prediction) {
-  hidden_joints_.clear();
+  sought_joints_.clear();
   for (int v = 0; v < model_.tree.variables(); ++v) {
     if (frames_in_sight_[static_cast<std::size_t>(v)] < kFramesToKnowMotion) {
-      hidden_joints_.push_back(v);
+      sought_joints_.push_back(v);
     }
   }
-  return hidden_joints_.empty() ? prediction : acquisition_.find_joints(prediction, hidden_joints_);
+  return sought_joints_.empty() ? prediction : acquisition_.find_joints(prediction, sought_joints_);
 }
 
 void Tracker::report(const RegistrationResult& registered) {
@@ -113,7 +168,7 @@ void Tracker::report(const RegistrationResult& registered) {
   result_.explained = registered.agreement.explained;
   result_.contradicted = registered.agreement.contradicted;
   result_.occluded = registered.agreement.occluded;
-  result_.status = judge(registered.agreement, options_);
+  result_.status = judge(registered, options_);
 }
 
 }  // namespace lockbox

@@ -24,6 +24,18 @@ struct Agreement {
   double consent() const { return explained > 0.0 ? explained / (explained + contradicted) : 0.0; }
 };
 
+/// What the camera sees just beyond the model's outline, where something farther away, or nothing,
+/// should be. Where the surface goes on, the model may be a patch of a wall.
+struct OutlineAgreement {
+  int ends = 0;     ///< samples beyond which the scene lies farther away
+  int goes_on = 0;  ///< samples beyond which it continues the model's surface
+
+  /// Of what is known, the share that ends; 1 if nothing is.
+  double confirmed() const {
+    return ends + goes_on > 0 ? static_cast<double>(ends) / (ends + goes_on) : 1.0;
+  }
+};
+
 /// Of each body at these poses, and over all of them. The surface may show a slightly different
 /// configuration: its samples are carried along.
 class AgreementMeter {
@@ -34,10 +46,12 @@ class AgreementMeter {
 
   const Agreement& total() const { return total_; }
   const std::vector<Agreement>& bodies() const { return bodies_; }
+  const OutlineAgreement& outline() const { return outline_; }
 
  private:
   Agreement total_;
   std::vector<Agreement> bodies_;  ///< by body
+  OutlineAgreement outline_;
 };
 
 }  // namespace lockbox

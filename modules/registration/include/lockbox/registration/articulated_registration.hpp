@@ -43,7 +43,8 @@ struct RegistrationResult {
   std::vector<bool> observable;  ///< by unknown: whether the data determines it
   Agreement agreement;
   std::vector<Agreement> body_agreement;  ///< by body
-  double residual_rms = 0.0;              ///< whitened: 1 where the sensor errs as assumed
+  OutlineAgreement outline;
+  double residual_rms = 0.0;  ///< whitened: 1 where the sensor errs as assumed
   double explained_points = 0.0;
   double model_cost = 0.0;  ///< relative to explaining nothing
   double free_cost = 0.0;

@@ -22,6 +22,9 @@ class Acquisition {
   std::optional<RegistrationResult> find(const DepthFrame& frame,
                                          const std::optional<Configuration>& guess, bool anywhere);
 
+  /// Registers the base alone within a wide gate, then everything within a narrow one.
+  const RegistrationResult& find_near(const DepthFrame& frame, const Configuration& guess);
+
   /// How often find() has looked anywhere.
   int searches() const { return searches_; }
 
@@ -29,8 +32,7 @@ class Acquisition {
   Configuration find_joints(const Configuration& start, const std::vector<int>& variables);
 
  private:
-  bool try_from(const Configuration& start, const Annealing& annealing);
-  void place_base(const DepthFrame& frame, Configuration& configuration);
+  bool consider(const RegistrationResult& found);
   void keep_object(const Configuration& start);
   Initializer& initializer();
 

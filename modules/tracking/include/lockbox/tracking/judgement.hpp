@@ -14,7 +14,15 @@ enum class TrackingStatus { initializing, tracking, uncertain, lost };
 /// The word for a states file.
 std::string to_string(TrackingStatus status);
 
-/// Of a registered configuration: `tracking`, `uncertain` or `lost`.
-TrackingStatus judge(const Agreement& agreement, const TrackerOptions& options);
+/// Of a registered configuration: `tracking`, `uncertain` or `lost`. A contradicted body, however
+/// small it is beside the others, makes it `uncertain` at best, and so does a surface that goes on
+/// beyond the model's outline.
+TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// A contradiction counts more than what remains unexplained: that may be hidden.
+bool is_more_convincing(const Agreement& agreement, const Agreement& than);
+
+/// Whether the camera sees through most of what the body should hide.
+bool is_contradicted(const Agreement& body, const TrackerOptions& options);
 
 }  // namespace lockbox

@@ -54,6 +54,10 @@ class Tracker {
   void search(const DepthFrame& frame);
   void follow(const DepthFrame& frame);
   Configuration with_hidden_joints_sought(const Configuration& prediction);
+  const RegistrationResult& with_leaps_followed(const DepthFrame& frame,
+                                                const RegistrationResult& registered);
+  void keep_if_better(const RegistrationResult& registered);
+  void list_contradicted_joints();
   void report(const RegistrationResult& registered);
 
   const ArticulatedModel& model_;
@@ -64,8 +68,9 @@ class Tracker {
   Acquisition acquisition_;
   MotionPredictor predictor_;
   std::optional<Configuration> guess_;
-  int frames_searched_ = 0;           ///< since the object was last known
-  std::vector<int> hidden_joints_;    ///< variables to be sought in this frame
+  int frames_searched_ = 0;           ///< since the object was last tracked
+  std::vector<int> sought_joints_;    ///< variables to be sought over their whole range
+  RegistrationResult best_;           ///< of several tries at the same frame
   std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
   TrackingResult result_;
 };

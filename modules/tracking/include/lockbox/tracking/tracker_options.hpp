@@ -22,9 +22,13 @@ struct TrackerOptions {
   bool search_anywhere = true;  ///< where no guess helps, at the start and when lost
 
   /// `tracking` needs at least these shares of the visible surface: explained of all of it, and of
-  /// the part that is explained or contradicted.
+  /// the part that is explained or contradicted; of each body, too, that shows at least so many of
+  /// the samples taken for it (a quarter of its pixels). Right bodies reach 0.93.
   double least_explained = 0.15;
   double least_agreement = 0.85;
+  double least_body_agreement = 0.75;
+  int least_body_samples = 20;
+  double least_outline = 0.15;   ///< beyond which the scene is farther away; boxes reach 0.75
   double lost_agreement = 0.60;  ///< below it, or below half of least_explained: `lost`
 };
 
