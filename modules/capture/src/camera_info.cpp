@@ -8,7 +8,7 @@
 #include <locale>
 
 #include "lockbox/core/error.hpp"
-#include "number.hpp"
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 namespace {
@@ -49,7 +49,7 @@ class CameraInfoFile {
 
   double number(const YAML::Node& node, const std::string& name) const {
     const std::optional<double> value =
-        node.IsScalar() ? parse_number(node.Scalar()) : std::nullopt;
+        node.IsScalar() ? parse_finite_number(node.Scalar()) : std::nullopt;
     if (!value) {
       refuse(node, name + " is not a number");
     }
@@ -127,7 +127,7 @@ std::vector<double> distortion_of(const CameraInfoFile& file) {
 void write_list(std::ostream& out, const std::vector<double>& values) {
   out << "[";
   for (std::size_t i = 0; i < values.size(); ++i) {
-    out << (i == 0 ? "" : ", ") << format_number(values[i]);
+    out << (i == 0 ? "" : ", ") << fixed_number_text(values[i]);
   }
   out << "]\n";
 }
@@ -159,7 +159,7 @@ void write_camera_info(const std::filesystem::path& file, const CameraCalibratio
   out << "image_width: " << camera.width << "\nimage_height: " << camera.height
       << "\ncamera_name: depth\n";
   if (calibration.depth_scale) {
-    out << "depth_scale: " << format_number(*calibration.depth_scale) << "\n";
+    out << "depth_scale: " << fixed_number_text(*calibration.depth_scale) << "\n";
   }
   out << "camera_matrix:\n  rows: 3\n  cols: 3\n  data: ";
   write_list(out, {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1});

@@ -5,7 +5,7 @@
 
 #include "lockbox/capture/depth_folder.hpp"
 #include "lockbox/core/error.hpp"
-#include "number.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "png16.hpp"
 #include "rectification.hpp"
 
@@ -24,7 +24,7 @@ struct Entry {
 Entry parse_entry(std::string_view text, const std::filesystem::path& index, int line) {
   const std::size_t space = text.find_first_of(" \t");
   const std::size_t name = text.find_first_not_of(" \t", space);
-  const std::optional<double> stamp = parse_number(text.substr(0, space));
+  const std::optional<double> stamp = parse_finite_number(text.substr(0, space));
   if (!stamp || name == std::string_view::npos) {
     throw InputError(index.string(), line, "expected \"timestamp filename\"");
   }
@@ -108,7 +108,7 @@ struct DepthFolderSource::Impl {
     const std::optional<double> median = median_depth(frame);
     if (warn && median && (*median < kPlausibleNear || *median > kPlausibleFar)) {
       warn(folder.string() + ": half of the first image is nearer than " + std::to_string(*median) +
-           " m, which is implausible at " + format_number(units_per_metre) +
+           " m, which is implausible at " + fixed_number_text(units_per_metre) +
            " units per metre; is the depth scale right? (TUM data sets use 5000)");
     }
   }
@@ -153,7 +153,7 @@ std::optional<std::size_t> DepthFolderSource::frame_count() const {
 
 std::string DepthFolderSource::description() const {
   return "depth images in " + impl_->folder.string() + ", " +
-         format_number(impl_->units_per_metre) + " units per metre";
+         fixed_number_text(impl_->units_per_metre) + " units per metre";
 }
 
 }  // namespace lockbox

@@ -6,7 +6,7 @@
 #include "lockbox/capture/camera_info.hpp"
 #include "lockbox/capture/depth_folder.hpp"
 #include "lockbox/core/error.hpp"
-#include "number.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "png16.hpp"
 
 namespace lockbox {
@@ -55,7 +55,7 @@ void DepthFolderWriter::write(const DepthFrame& frame) {
   std::array<char, 32> name;
   std::snprintf(name.data(), name.size(), "depth/%06zu.png", count_);
   write_png16(folder_ / name.data(), frame.camera.width, frame.camera.height, frame.depth);
-  index_ << format_number(frame.stamp) << ' ' << name.data() << std::endl;
+  index_ << fixed_number_text(frame.stamp) << ' ' << name.data() << std::endl;
   if (!index_) {
     throw InputError((folder_ / "depth.txt").string(), "cannot be written; is the disk full?");
   }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lockbox/core/error.hpp"
-#include "number.hpp"
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 namespace {
@@ -76,7 +76,7 @@ class PcdHeader {
   std::size_t number(const std::string& key, std::size_t index) {
     const std::vector<std::string>& all = words(key);
     const std::optional<double> value =
-        index < all.size() ? parse_number(all[index]) : std::nullopt;
+        index < all.size() ? parse_finite_number(all[index]) : std::nullopt;
     if (!value || *value < 0.0 || *value > 1e9 ||
         *value != static_cast<double>(static_cast<std::size_t>(*value))) {
       throw InputError(name_, "the header's " + key + " is not a list of whole numbers");

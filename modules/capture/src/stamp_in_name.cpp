@@ -4,7 +4,7 @@
 #include <ctime>
 #include <regex>
 
-#include "number.hpp"
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 namespace {
@@ -21,7 +21,7 @@ std::optional<double> calendar_stamp(const std::string& stem) {
   date.tm_mday = std::stoi(match[3]);
   date.tm_hour = std::stoi(match[4]);
   date.tm_min = std::stoi(match[5]);
-  return static_cast<double>(::timegm(&date)) + *parse_number(match[6].str());
+  return static_cast<double>(::timegm(&date)) + *parse_finite_number(match[6].str());
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ std::optional<double> stamp_in_name(const std::string& stem) {
   }
   const std::size_t before = stem.find_last_not_of("0123456789.");
   const std::string number = before == std::string::npos ? stem : stem.substr(before + 1);
-  const std::optional<double> value = parse_number(number);
+  const std::optional<double> value = parse_finite_number(number);
   if (!value || number.find('.') != std::string::npos) {
     return value;
   }

@@ -9,4 +9,9 @@ InputError::InputError(const std::string& where, const std::string& problem)
 InputError::InputError(const std::string& file, int line, const std::string& problem)
     : InputError(file + ":" + std::to_string(line), problem) {}
 
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kLongest = 120;
+  return std::string("'").append(text.substr(0, kLongest)).append("'");
+}
+
 }  // namespace lockbox

@@ -7,6 +7,7 @@
 
 #include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "output_file.hpp"
 
 namespace lockbox {
@@ -31,7 +32,7 @@ FrameBound parse_row(const std::string& file, int line, const std::string& text,
   FrameBound bound;
   bound.sigma.resize(static_cast<Eigen::Index>(columns - 1));
   for (std::size_t i = 0; i < columns; ++i) {
-    const auto value = parse_field(fields[i]);
+    const auto value = parse_number(fields[i]);
     const bool valid = value && (i == 0 ? std::isfinite(*value) : *value >= 0.0);
     if (!valid) {
       throw InputError(file, line,
@@ -52,8 +53,8 @@ void write_bounds(const std::filesystem::path& file, const KinematicTree& tree,
   OutputFile out(file);
   out.stream() << header(tree) << '\n';
   for (const FrameBound& bound : bounds) {
-    out.stream() << field_text(bound.stamp);
-    for (const double sigma : bound.sigma) out.stream() << ',' << field_text(sigma);
+    out.stream() << number_text(bound.stamp);
+    for (const double sigma : bound.sigma) out.stream() << ',' << number_text(sigma);
     out.stream() << '\n';
   }
   out.close();

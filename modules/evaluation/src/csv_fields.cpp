@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "csv_fields.hpp"
 
-#include <array>
-#include <charconv>
-#include <system_error>
-
 namespace lockbox {
 
 std::string_view trimmed(std::string_view text) {
@@ -21,20 +17,6 @@ std::vector<std::string_view> split_fields(std::string_view text) {
   }
   fields.push_back(trimmed(text));
   return fields;
-}
-
-std::optional<double> parse_field(std::string_view field) {
-  double value = 0.0;
-  const char* const end = field.data() + field.size();
-  const auto [parsed_to, error] = std::from_chars(field.data(), end, value);
-  if (error != std::errc{} || parsed_to != end) return std::nullopt;
-  return value;
-}
-
-std::string field_text(double value) {
-  std::array<char, 32> text;
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), result.ptr};
 }
 
 }  // namespace lockbox

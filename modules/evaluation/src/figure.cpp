@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/evaluation/figure.hpp"
+#include "lockbox/core/number_text.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-#include "csv_fields.hpp"
 #include "output_file.hpp"
 #include "process.hpp"
 
@@ -55,7 +55,7 @@ void write_map(std::ostream& out, const HeatMap& map, std::size_t panel) {
     const auto [left, right] = cell_ends(map.x, column);
     const auto [low, high] = cell_ends(map.y, row);
     for (const double value : {map.x[column], map.y[row], left, right, low, high, map.values[i]}) {
-      out << field_text(value) << ' ';
+      out << number_text(value) << ' ';
     }
     out << '\n';
   }
@@ -70,7 +70,7 @@ void write_data(std::ostream& out, const std::vector<Panel>& panels) {
       assert(curve.x.size() == curve.y.size());
       out << data_name(p, c) << " << END\n";
       for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        out << field_text(curve.x[i]) << ' ' << field_text(curve.y[i]) << '\n';
+        out << number_text(curve.x[i]) << ' ' << number_text(curve.y[i]) << '\n';
       }
       out << "END\n";
     }

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/lie.hpp"
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 namespace {
@@ -26,7 +26,7 @@ double joint_error(const KinematicTree& tree, const State& estimate, const State
 double sigma_of(const State& estimate, int column, const std::string& joint) {
   if (column < 0) return kUnknown;
   const std::string& field = estimate.extra[static_cast<std::size_t>(column)];
-  const auto sigma = parse_field(field);
+  const auto sigma = parse_number(field);
   if (!sigma) {
     throw InputError("column '" + joint + ".sigma' of the estimate",
                      "'" + field + "' is not a number");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/evaluation/frame_outcome.hpp"
+#include "lockbox/core/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "csv_fields.hpp"
 #include "frame_errors.hpp"
 
 namespace lockbox {
@@ -61,7 +61,7 @@ StatesFile to_states(const KinematicTree& tree, const std::vector<TrackingResult
       const double sigma = observable
                                ? std::abs(joint.multiplier) * result.sigma(6 + joint.variable)
                                : std::numeric_limits<double>::infinity();
-      state.extra.push_back(field_text(sigma));
+      state.extra.push_back(number_text(sigma));
     }
   }
   return file;

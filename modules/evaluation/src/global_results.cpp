@@ -5,6 +5,7 @@
 
 #include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "lockbox/evaluation/global_experiment.hpp"
 
 namespace lockbox {
@@ -31,7 +32,7 @@ GlobalResult parse_row(const std::string& file, int line, std::string_view text)
         "has " + std::to_string(fields.size()) + " columns instead of " + std::to_string(kColumns));
   }
   const auto number = [&](std::size_t column) {
-    const auto value = parse_field(fields[column]);
+    const auto value = parse_number(fields[column]);
     if (!value) {
       throw InputError(file, line, "'" + std::string(fields[column]) + "' is no number");
     }
@@ -85,10 +86,10 @@ void write_global_results(const std::filesystem::path& file,
     for (const double value : {result.cut_off ? 1.0 : 0.0, result.visible, result.distance,
                                result.determined ? 1.0 : 0.0, result.right ? 1.0 : 0.0,
                                result.translation, result.rotation}) {
-      out << ',' << field_text(value);
+      out << ',' << number_text(value);
     }
-    out << ',' << result.wrong << ',' << field_text(result.explained) << ','
-        << field_text(result.contradicted) << ',' << field_text(result.seconds) << '\n';
+    out << ',' << result.wrong << ',' << number_text(result.explained) << ','
+        << number_text(result.contradicted) << ',' << number_text(result.seconds) << '\n';
   }
   out.close();
   if (!out) throw InputError(unfinished.string(), "cannot be written");

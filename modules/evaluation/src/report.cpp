@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/evaluation/report.hpp"
+#include "lockbox/core/number_text.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "csv_fields.hpp"
 #include "output_file.hpp"
 
 namespace lockbox {
@@ -72,9 +72,9 @@ void write_errors(const std::filesystem::path& file, const KinematicTree& tree,
   }
   out.stream() << '\n';
   for (const FrameErrors& frame : evaluation.frames) {
-    out.stream() << field_text(frame.stamp) << ',' << frame.status << ','
-                 << field_text(frame.translation) << ',' << field_text(frame.rotation);
-    for (const int joint : tree.file_order) out.stream() << ',' << field_text(frame.joints[joint]);
+    out.stream() << number_text(frame.stamp) << ',' << frame.status << ','
+                 << number_text(frame.translation) << ',' << number_text(frame.rotation);
+    for (const int joint : tree.file_order) out.stream() << ',' << number_text(frame.joints[joint]);
     out.stream() << '\n';
   }
   out.close();

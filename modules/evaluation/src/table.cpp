@@ -7,6 +7,7 @@
 
 #include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 namespace {
@@ -26,7 +27,7 @@ std::string line_of(const Row& row) {
 }  // namespace
 
 std::string Cell::number_text(double number) {
-  return field_text(number);
+  return lockbox::number_text(number);
 }
 
 Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
@@ -47,7 +48,7 @@ const std::string& Table::word(const Row& row, const std::string& column) const 
 }
 
 double Table::number(const Row& row, const std::string& column) const {
-  const auto value = parse_field(word(row, column));
+  const auto value = parse_number(word(row, column));
   if (!value)
     throw InputError("column '" + column + "'", "'" + word(row, column) + "' is no number");
   return *value;

@@ -2,8 +2,8 @@
 #include "tokens.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 
@@ -33,20 +33,8 @@ std::vector<std::string_view> words_of(std::string_view line) {
   }
 }
 
-std::string in_quotes(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  std::string result(1, '\'');
-  result.append(word.substr(0, kLongest));
-  result.push_back('\'');
-  return result;
-}
-
 bool is_finite_number(std::string_view word) {
-  // from_chars knows no leading plus.
-  word.remove_prefix(word.starts_with('+') ? 1 : 0);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
+  return parse_finite_number(word).has_value();
 }
 
 }  // namespace lockbox

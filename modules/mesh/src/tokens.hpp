@@ -30,9 +30,6 @@ class Lines {
 /// Split at blanks, tabs and carriage returns; what follows a '#' is left out.
 std::vector<std::string_view> words_of(std::string_view line);
 
-/// 'word', cut short where it would fill a screen.
-std::string in_quotes(std::string_view word);
-
 bool is_finite_number(std::string_view word);
 
 }  // namespace lockbox

@@ -7,8 +7,7 @@
 #include <system_error>
 
 #include "lockbox/core/error.hpp"
-#include "number_text.hpp"
-#include "printable_text.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "yaml_node.hpp"
 
 namespace lockbox {

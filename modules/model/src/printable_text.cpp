@@ -30,8 +30,4 @@ bool is_printable_text(std::string_view text) {
   return true;
 }
 
-std::string in_quotes(std::string_view text) {
-  return std::string{"'"}.append(text).append("'");
-}
-
 }  // namespace lockbox

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
 #include <string_view>
 
 namespace lockbox {
@@ -9,8 +8,5 @@ namespace lockbox {
 /// Whether the bytes are UTF-8 without control characters. (urdfdom's XML parser trusts the length
 /// that the first byte of a character announces.)
 bool is_printable_text(std::string_view text);
-
-/// For messages: 'text'.
-std::string in_quotes(std::string_view text);
 
 }  // namespace lockbox

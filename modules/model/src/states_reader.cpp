@@ -6,9 +6,8 @@
 #include <string_view>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "lockbox/model/states_file.hpp"
-#include "number_text.hpp"
-#include "printable_text.hpp"
 #include "states_columns.hpp"
 #include "text_file.hpp"
 

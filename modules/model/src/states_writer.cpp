@@ -2,8 +2,8 @@
 #include <fstream>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "lockbox/model/states_file.hpp"
-#include "number_text.hpp"
 #include "states_columns.hpp"
 
 namespace lockbox {

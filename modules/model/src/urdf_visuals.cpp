@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "number_text.hpp"
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "lockbox/core/error.hpp"
-#include "number_text.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "printable_text.hpp"
 
 namespace lockbox {

@@ -5,8 +5,7 @@
 #include <set>
 
 #include "lockbox/core/error.hpp"
-#include "number_text.hpp"
-#include "printable_text.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "text_file.hpp"
 
 namespace lockbox {

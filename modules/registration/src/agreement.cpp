@@ -75,10 +75,12 @@ void look_beyond(const VisibleSurface& surface, const VisibleSample& sample,
     const double expected = static_cast<double>(view.depth[index(view.width, sample.u, sample.v)]) *
                             plane.relative_depth(kBeyond * du, kBeyond * dv);
     const double gate = options.cut * sigma_z(options, expected);
-    if (measured <= 0.0 || measured < expected - gate) {
-      continue;  // not known
+    const bool is_measured = measured > 0.0;
+    if (is_measured && measured < expected - gate) {
+      continue;
     }
-    ++(measured > expected + gate ? outline.ends : outline.goes_on);
+    ++outline.samples;
+    outline.goes_on += is_measured && measured < expected + gate ? 1 : 0;
   }
 }
 

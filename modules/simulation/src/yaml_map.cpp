@@ -2,11 +2,11 @@
 #include "yaml_map.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox::simulation {
 
@@ -71,13 +71,11 @@ void YamlMap::refuse(const char* key, const std::string& problem) const {
 
 double YamlMap::number(const char* key, const YAML::Node& node) const {
   const std::string text = node.IsScalar() ? node.Scalar() : "";
-  double value = 0.0;
-  // Whatever the user's locale, numbers have a point.
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+  const auto value = parse_finite_number(text);
+  if (!value) {
     refuse(key, "needs finite numbers");
   }
-  return value;
+  return *value;
 }
 
 std::vector<double> YamlMap::read_list(const char* key, std::size_t size) const {

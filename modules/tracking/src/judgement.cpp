@@ -37,7 +37,7 @@ TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions&
   const auto& bodies = registered.body_agreement;
   const bool believable =
       whole.explained >= options.least_explained && whole.consent() >= options.least_agreement &&
-      registered.outline.confirmed() >= options.least_outline &&
+      registered.outline.continued() <= options.most_continued &&
       std::none_of(bodies.begin(), bodies.end(),
                    [&](const Agreement& body) { return is_contradicted(body, options); });
   return believable ? TrackingStatus::tracking : TrackingStatus::uncertain;

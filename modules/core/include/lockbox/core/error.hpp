@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace lockbox {
 
@@ -20,5 +21,8 @@ class DeviceError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// For messages: 'text', cut short where it would fill a screen.
+std::string in_quotes(std::string_view text);
 
 }  // namespace lockbox

@@ -27,13 +27,10 @@ struct Agreement {
 /// What the camera sees just beyond the model's outline, where something farther away, or nothing,
 /// should be. Where the surface goes on, the model may be a patch of a wall.
 struct OutlineAgreement {
-  int ends = 0;     ///< samples beyond which the scene lies farther away
-  int goes_on = 0;  ///< samples beyond which it continues the model's surface
+  int samples = 0;  ///< at the outline, where something in front does not hide what is beyond
+  int goes_on = 0;  ///< of these, where the scene continues the model's surface
 
-  /// Of what is known, the share that ends; 1 if nothing is.
-  double confirmed() const {
-    return ends + goes_on > 0 ? static_cast<double>(ends) / (ends + goes_on) : 1.0;
-  }
+  double continued() const { return samples > 0 ? static_cast<double>(goes_on) / samples : 0.0; }
 };
 
 /// Of each body at these poses, and over all of them. The surface may show a slightly different

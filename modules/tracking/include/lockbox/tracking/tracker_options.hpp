@@ -28,7 +28,7 @@ struct TrackerOptions {
   double least_agreement = 0.85;
   double least_body_agreement = 0.75;
   int least_body_samples = 20;
-  double least_outline = 0.15;   ///< beyond which the scene is farther away; boxes reach 0.75
+  double most_continued = 0.85;  ///< of the outline: there the scene goes on as the model's surface
   double lost_agreement = 0.60;  ///< below it, or below half of least_explained: `lost`
 };
 

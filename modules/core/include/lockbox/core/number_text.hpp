@@ -8,10 +8,17 @@
 
 namespace lockbox {
 
-/// The number that the whole text spells, nan and inf included; nothing if it spells none.
+/// The number that the whole text spells, nan and inf included, with or without a leading plus;
+/// nothing if it spells none.
 std::optional<double> parse_number(std::string_view text);
+
+/// The same without nan and inf.
+std::optional<double> parse_finite_number(std::string_view text);
 
 /// The shortest text that parse_number turns into the same value.
 std::string number_text(double value);
+
+/// The shortest such text without an exponent, for readers that know none.
+std::string fixed_number_text(double value);
 
 }  // namespace lockbox
