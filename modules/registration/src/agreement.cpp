@@ -10,7 +10,8 @@ namespace lockbox {
 namespace {
 
 constexpr std::size_t kStride = 4;  // of the visible samples; a share needs no more
-constexpr int kBeyond = 3;          // pixels of the view, across an outline
+constexpr std::size_t kSamplesPerChunk = 4096;
+constexpr int kBeyond = 3;  // pixels of the view, across an outline
 
 std::size_t index(int width, int u, int v) {
   return static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
@@ -26,25 +27,18 @@ void count(const ArticulatedModel& model, const VisibleSample& sample,
            const Eigen::Isometry3d& T_camera_body, const TiledCloud& cloud,
            const RegistrationOptions& options, Agreement& counts) {
   const Eigen::Vector3d p = T_camera_body * sample.p_body.cast<double>();
-  if (p.z() <= 0.0) {
-    return;
-  }
   const PinholeCamera& camera = cloud.camera();
-  const Eigen::Vector2d image = camera.project(p);
-  const auto u = std::lround(image.x());
-  const auto v = std::lround(image.y());
-  if (u < 0 || v < 0 || u >= camera.width || v >= camera.height) {
+  const auto pixel = camera.pixel_of(p);
+  if (!pixel) {
     return;
   }
   ++counts.samples;
-  const auto measured = static_cast<double>(
-      cloud.depth()[index(camera.width, static_cast<int>(u), static_cast<int>(v))]);
+  const auto measured = static_cast<double>(cloud.depth()[index(camera.width, pixel->u, pixel->v)]);
   if (measured <= 0.0) {
     ++counts.unknown;
     return;
   }
-  const Eigen::Vector3d q =
-      camera.back_project(static_cast<double>(u), static_cast<double>(v), measured);
+  const Eigen::Vector3d q = camera.back_project(pixel->u, pixel->v, measured);
   const double distance =
       static_cast<double>(model.fields[static_cast<std::size_t>(sample.body)]
                               ->sample((T_camera_body.inverse() * q).cast<float>())
@@ -106,18 +100,33 @@ void make_shares(Agreement& counts) {
 
 void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface& surface,
                              const BodyPoses& T_camera_body, const TiledCloud& cloud,
-                             const RegistrationOptions& options) {
+                             const RegistrationOptions& options, const Executor& executor) {
+  const std::size_t bodies = T_camera_body.size();
   total_ = {};
-  bodies_.assign(T_camera_body.size(), {});
+  bodies_.assign(bodies, {});
   outline_ = {};
   if (!cloud.has_image()) {
     return;
   }
   const auto& samples = surface.samples();
-  for (std::size_t i = 0; i < samples.size(); i += kStride) {
-    const auto body = static_cast<std::size_t>(samples[i].body);
-    count(model, samples[i], T_camera_body[body], cloud, options, bodies_[body]);
-    look_beyond(surface, samples[i], cloud, options, outline_);
+  const std::size_t chunks = chunk_count(samples.size(), kSamplesPerChunk);
+  chunk_bodies_.assign(chunks * bodies, {});
+  chunk_outlines_.assign(chunks, {});
+  executor.for_each_chunk(
+      samples.size(), kSamplesPerChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        for (std::size_t i = begin; i < end; i += kStride) {
+          const auto body = static_cast<std::size_t>(samples[i].body);
+          count(model, samples[i], T_camera_body[body], cloud, options,
+                chunk_bodies_[chunk * bodies + body]);
+          look_beyond(surface, samples[i], cloud, options, chunk_outlines_[chunk]);
+        }
+      });
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+    for (std::size_t b = 0; b < bodies; ++b) {
+      add(chunk_bodies_[chunk * bodies + b], bodies_[b]);
+    }
+    outline_.samples += chunk_outlines_[chunk].samples;
+    outline_.goes_on += chunk_outlines_[chunk].goes_on;
   }
   for (Agreement& body : bodies_) {
     add(body, total_);

@@ -18,6 +18,7 @@ constexpr float kObjectGain = 1.0F;   // of the outlier cost: within the cut, as
 constexpr double kStaleView = 0.002;  // metres that surfaces may move before they are drawn again
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
+constexpr std::size_t kTilesPerChunk = 64;
 constexpr int kMaxDampings = 5;
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
@@ -77,7 +78,7 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
     : model_(model),
       options_(options),
       executor_(executor),
-      collision_(model, options),
+      collision_(model, options, executor),
       scale_(step_scale(model.tree)),
       levers_(surface_levers(model)) {
   options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
@@ -120,7 +121,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.covariance = covariance_.covariance();
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();
-  agreement_.measure(model_, surface_, poses_, cloud, options_);
+  agreement_.measure(model_, surface_, poses_, cloud, options_, executor_);
   result_.agreement = agreement_.total();
   result_.body_agreement = agreement_.bodies();
   result_.outline = agreement_.outline();
@@ -140,7 +141,7 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
   }
   forward_kinematics(model_.tree, configuration, poses_);
   surface_.render(model_, poses_, cloud.camera(), executor_);
-  surface_.label(cloud, visible_);
+  surface_.label(cloud, executor_, visible_);
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
@@ -241,11 +242,15 @@ double ArticulatedRegistration::largest_move(const Eigen::VectorXd& step) const 
 void ArticulatedRegistration::mark_object_pixels(const TiledCloud& cloud) {
   object_.assign(cloud.depth().size(), 0);
   const std::vector<float>& explained = model_term_.explained();
-  for (const Tile& tile : cloud.tiles()) {
-    for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-      object_[cloud.pixel()[i]] = explained[i] > kObjectGain ? 1 : 0;
-    }
-  }
+  const auto& tiles = cloud.tiles();
+  executor_.for_each_chunk(
+      tiles.size(), kTilesPerChunk, [&](std::size_t begin, std::size_t end, auto) {
+        for (std::size_t t = begin; t < end; ++t) {
+          for (std::size_t i = tiles[t].first; i < tiles[t].first + tiles[t].count; ++i) {
+            object_[cloud.pixel()[i]] = explained[i] > kObjectGain ? 1 : 0;
+          }
+        }
+      });
 }
 
 }  // namespace lockbox

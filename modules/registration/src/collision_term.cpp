@@ -95,8 +95,10 @@ void check_erosion(const ArticulatedModel& model, double erosion, double largest
 
 }  // namespace
 
-CollisionTerm::CollisionTerm(const ArticulatedModel& model, const RegistrationOptions& options)
-    : weight_(options.lambda_collision / (options.collision_sigma * options.collision_sigma)) {
+CollisionTerm::CollisionTerm(const ArticulatedModel& model, const RegistrationOptions& options,
+                             const Executor& executor)
+    : executor_(executor),
+      weight_(options.lambda_collision / (options.collision_sigma * options.collision_sigma)) {
   if (options.collision == CollisionMode::off) {
     return;
   }
@@ -212,33 +214,44 @@ double CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedS
 
 double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                                NormalEquations* equations) {
+  halves_.resize(2 * pairs_.size());
+  executor_.for_each(pairs_.size(), [&](std::size_t i) {
+    evaluate_pair(model, T_camera_body, i, equations != nullptr);
+  });
   double cost = 0.0;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const CollisionPair& pair = pairs_[i];
-    const auto a = static_cast<std::size_t>(pair.a);
-    const auto b = static_cast<std::size_t>(pair.b);
-    const Eigen::Isometry3d T_b_a = T_camera_body[b].inverse() * T_camera_body[a];
-    const Eigen::AlignedBox3d box_a = model.fields[a]->bounds().transformed(T_b_a);
-    if (!box_a.intersects(model.fields[b]->bounds())) {
-      continue;
-    }
-    // a moves against b, in b's frame; and b against a, in a's.
-    for (const bool exchanged : {false, true}) {
-      BodySystem system;
-      const double half =
-          exchanged ? evaluate_half(model, surfaces_[pair_surfaces_[i].second], pair.a,
-                                    pair.erosion, T_b_a.inverse(), equations ? &system : nullptr)
-                    : evaluate_half(model, surfaces_[pair_surfaces_[i].first], pair.b, pair.erosion,
-                                    T_b_a, equations ? &system : nullptr);
-      cost += half;
-      if (equations != nullptr && half > 0.0) {
-        relative_jacobian(model.tree, T_camera_body, exchanged ? pair.b : pair.a,
-                          exchanged ? pair.a : pair.b, jacobian_);
-        equations->add(system, jacobian_);
-      }
+  for (std::size_t i = 0; i < halves_.size(); ++i) {
+    const Half& half = halves_[i];
+    cost += half.cost;
+    if (equations != nullptr && half.cost > 0.0) {
+      const CollisionPair& pair = pairs_[i / 2];
+      const bool exchanged = i % 2 == 1;
+      relative_jacobian(model.tree, T_camera_body, exchanged ? pair.b : pair.a,
+                        exchanged ? pair.a : pair.b, jacobian_);
+      equations->add(half.system, jacobian_);
     }
   }
   return cost;
+}
+
+/// a moves against b, in b's frame; and b against a, in a's.
+void CollisionTerm::evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                                  std::size_t i, bool with_systems) {
+  const CollisionPair& pair = pairs_[i];
+  const auto a = static_cast<std::size_t>(pair.a);
+  const auto b = static_cast<std::size_t>(pair.b);
+  Half& first = halves_[2 * i];
+  Half& second = halves_[2 * i + 1];
+  first = {};
+  second = {};
+  const Eigen::Isometry3d T_b_a = T_camera_body[b].inverse() * T_camera_body[a];
+  const Eigen::AlignedBox3d box_a = model.fields[a]->bounds().transformed(T_b_a);
+  if (!box_a.intersects(model.fields[b]->bounds())) {
+    return;
+  }
+  first.cost = evaluate_half(model, surfaces_[pair_surfaces_[i].first], pair.b, pair.erosion, T_b_a,
+                             with_systems ? &first.system : nullptr);
+  second.cost = evaluate_half(model, surfaces_[pair_surfaces_[i].second], pair.a, pair.erosion,
+                              T_b_a.inverse(), with_systems ? &second.system : nullptr);
 }
 
 }  // namespace lockbox

@@ -55,28 +55,23 @@ class PullFinder {
                                     const Eigen::Isometry3d& T_camera_body) const {
     const Eigen::Vector3d p_body = sample.p_body.cast<double>();
     const Eigen::Vector3d p = T_camera_body * p_body;
-    if (p.z() <= 0.0) {
-      return std::nullopt;
-    }
-    const Eigen::Vector2d image = camera_.project(p);
-    const auto u = static_cast<int>(std::lround(image.x()));
-    const auto v = static_cast<int>(std::lround(image.y()));
-    if (u < 0 || v < 0 || u >= camera_.width || v >= camera_.height ||
-        !observed_.sees_through(u, v, p.z(), 0.0)) {
+    const auto pixel = camera_.pixel_of(p);
+    if (!pixel || !observed_.sees_through(*pixel, p.z(), 0.0)) {
       return std::nullopt;
     }
     const TangentPlane plane(surface_.view(), sample.u, sample.v);
-    if (!observed_.sees_through(u, v, p.z(), plane.steepness() / surface_.reduction())) {
+    if (!observed_.sees_through(*pixel, p.z(), plane.steepness() / surface_.reduction())) {
       return std::nullopt;
     }
     return aim(sample, plane, T_camera_body,
-               {p_body, p, Eigen::Vector3d::Zero(), 0.0, 0.0, sample.body, tile_of(u, v)}, u, v);
+               {p_body, p, Eigen::Vector3d::Zero(), 0.0, 0.0, sample.body, tile_of(*pixel)},
+               *pixel);
   }
 
  private:
-  std::size_t tile_of(int u, int v) const {
+  std::size_t tile_of(const Pixel& pixel) const {
     const int columns = (camera_.width + kTileSize - 1) / kTileSize;
-    return static_cast<std::size_t>(v / kTileSize * columns + u / kTileSize);
+    return static_cast<std::size_t>(pixel.v / kTileSize * columns + pixel.u / kTileSize);
   }
 
   /// Near an outline the evidence is that the outline passes farther in than this pixel, and the
@@ -85,7 +80,7 @@ class PullFinder {
   /// pull goes to the nearest observed point.
   std::optional<FreeSpacePull> aim(const VisibleSample& sample, const TangentPlane& plane,
                                    const Eigen::Isometry3d& T_camera_body, FreeSpacePull pull,
-                                   int u, int v) const {
+                                   const Pixel& pixel) const {
     const Eigen::Vector3d p = pull.target;
     const Eigen::Vector2d normal =
         outline_normal(surface_.view(), plane, sample.u, sample.v,
@@ -93,10 +88,10 @@ class PullFinder {
     if (!normal.isZero()) {
       return aim_beyond_outline(T_camera_body, pull, across_ray(p, camera_, normal));
     }
-    if (observed_.shows_object(u, v)) {
+    if (observed_.shows_object(pixel)) {
       return std::nullopt;  // the tail of the noise: this point has its say in the model term
     }
-    const auto nearest = observed_.nearest(p, u, v);
+    const auto nearest = observed_.nearest(p, pixel);
     if (!nearest || (p - *nearest).norm() < 1e-9) {
       return std::nullopt;
     }

@@ -16,20 +16,21 @@ constexpr std::array<std::array<int, 2>, 8> kProbeDirections{
 
 }  // namespace
 
-bool ObservedSurface::sees_through(int u, int v, double expected, double steepness) const {
-  const auto measured = static_cast<double>(cloud_.depth()[index(u, v)]);
-  const double sigma =
-      std::hypot(sigma_z(expected), options_.noise.lateral_pixels * steepness * expected);
-  return measured > expected + options_.free_space_dead_zone * sigma;
+bool ObservedSurface::sees_through(const Pixel& pixel, double expected, double steepness) const {
+  const double behind = static_cast<double>(cloud_.depth()[index(pixel.u, pixel.v)]) - expected;
+  const double lateral = options_.noise.lateral_pixels * steepness * expected;
+  const double zone = options_.free_space_dead_zone;
+  const double sigma = sigma_z(expected);
+  return behind > 0.0 && behind * behind > zone * zone * (sigma * sigma + lateral * lateral);
 }
 
-std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p_camera, int u,
-                                                        int v) const {
+std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p_camera,
+                                                        const Pixel& pixel) const {
   double least = std::numeric_limits<double>::infinity();
   Eigen::Vector3d best;
   const double inverse_lateral2 = 1.0 / std::pow(sigma_lateral(p_camera.z()), 2);
   const double inverse_depth2 = 1.0 / std::pow(sigma_z(p_camera.z()), 2);
-  const double pixel = p_camera.z() / cloud_.camera().fx;
+  const double pixel_size = p_camera.z() / cloud_.camera().fx;
   const Eigen::Vector3d ray = p_camera / p_camera.z();
   const auto probe = [&](int pu, int pv) {
     if (!inside(pu, pv) || object_[index(pu, pv)] == 0) {
@@ -45,13 +46,13 @@ std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p
       best = q;
     }
   };
-  probe(u, v);
+  probe(pixel.u, pixel.v);
   for (const int radius : kProbeRadii) {
-    if (std::pow(radius * pixel, 2) * inverse_lateral2 > least) {
+    if (std::pow(radius * pixel_size, 2) * inverse_lateral2 > least) {
       break;  // whatever lies farther out in the image is farther away
     }
     for (const auto& direction : kProbeDirections) {
-      probe(u + radius * direction[0], v + radius * direction[1]);
+      probe(pixel.u + radius * direction[0], pixel.v + radius * direction[1]);
     }
   }
   return std::isfinite(least) ? std::optional(best) : std::nullopt;

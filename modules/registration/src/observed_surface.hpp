@@ -29,12 +29,12 @@ class ObservedSurface {
   /// Whether the measurement lies more than the dead zone behind the expected depth. steepness:
   /// change of the expected depth a pixel, as a share of it; on steep surfaces the lateral noise
   /// reads as depth.
-  bool sees_through(int u, int v, double expected, double steepness) const;
+  bool sees_through(const Pixel& pixel, double expected, double steepness) const;
 
-  bool shows_object(int u, int v) const { return object_[index(u, v)] != 0; }
+  bool shows_object(const Pixel& pixel) const { return object_[index(pixel.u, pixel.v)] != 0; }
 
   /// The object's observed point nearest to p_camera, in units of the noise, around its pixel.
-  std::optional<Eigen::Vector3d> nearest(const Eigen::Vector3d& p_camera, int u, int v) const;
+  std::optional<Eigen::Vector3d> nearest(const Eigen::Vector3d& p_camera, const Pixel& pixel) const;
 
  private:
   bool inside(int u, int v) const {

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace lockbox {
 namespace {
 
 // One sample a pixel for common sensors: outlines are decided by few samples, so none is spared.
 constexpr int kSampleColumns = 640;
+constexpr std::size_t kRowsPerChunk = 16;
+constexpr std::size_t kPointsPerChunk = 16384;
 
 }  // namespace
 
@@ -28,38 +31,69 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
     }
   }
   renderer_->render(items_, image_);
-
-  samples_.clear();
-  const PinholeCamera& view = renderer_->camera();
-  for (int v = 0; v < image_.height; ++v) {
-    for (int u = 0; u < image_.width; ++u) {
-      const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(image_.width) +
-                         static_cast<std::size_t>(u);
-      const int body = image_.id[pixel];
-      if (body != kNothing) {
-        const Eigen::Vector3d p_camera =
-            view.back_project(u, v, static_cast<double>(image_.depth[pixel]));
-        const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(body)];
-        samples_.push_back({(T.inverse() * p_camera).cast<float>(), body, u, v});
-      }
-    }
+  T_body_camera_.resize(T_camera_body.size());
+  for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
+    T_body_camera_[b] = T_camera_body[b].inverse();
   }
+  sample(executor);
 }
 
-void VisibleSurface::label(const TiledCloud& cloud, std::vector<float>& visible) const {
+/// Rows are counted first, so that each knows where its samples belong.
+void VisibleSurface::sample(const Executor& executor) {
+  const auto width = static_cast<std::size_t>(image_.width);
+  const auto rows = static_cast<std::size_t>(image_.height);
+  row_begins_.assign(rows + 1, 0);
+  executor.for_each_chunk(rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const auto row = image_.id.begin() + static_cast<std::ptrdiff_t>(v * width);
+      row_begins_[v + 1] =
+          width - static_cast<std::size_t>(std::count(row, row + image_.width, kNothing));
+    }
+  });
+  std::partial_sum(row_begins_.begin(), row_begins_.end(), row_begins_.begin());
+  samples_.resize(row_begins_.back());
+  const PinholeCamera& view = renderer_->camera();
+  executor.for_each_chunk(rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::size_t next = row_begins_[v];
+      for (std::size_t u = 0; u < width; ++u) {
+        const int body = image_.id[v * width + u];
+        if (body == kNothing) {
+          continue;
+        }
+        const auto column = static_cast<int>(u);
+        const auto row = static_cast<int>(v);
+        const Eigen::Vector3d p_camera =
+            view.back_project(column, row, static_cast<double>(image_.depth[v * width + u]));
+        samples_[next++] = {
+            (T_body_camera_[static_cast<std::size_t>(body)] * p_camera).cast<float>(), body, column,
+            row};
+      }
+    }
+  });
+}
+
+void VisibleSurface::label(const TiledCloud& cloud, const Executor& executor,
+                           std::vector<float>& visible) const {
   visible.resize(cloud.x().size());
   const auto width = static_cast<std::size_t>(cloud.camera().width);
   const auto reduction = static_cast<std::size_t>(reduction_);
   const auto columns = static_cast<std::size_t>(image_.width);
   const auto rows = static_cast<std::size_t>(image_.height);
-  for (const Tile& tile : cloud.tiles()) {
-    for (std::size_t i = tile.first; i < tile.first + tile.padded; ++i) {
-      const std::size_t u = cloud.pixel()[i] % width / reduction;
-      const std::size_t v = cloud.pixel()[i] / width / reduction;
-      visible[i] = u < columns && v < rows ? static_cast<float>(image_.id[v * columns + u])
-                                           : static_cast<float>(kNothing);
-    }
-  }
+  executor.for_each_chunk(
+      visible.size(), kPointsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::size_t pixel = cloud.pixel()[i];
+          if (reduction == 1) {
+            visible[i] = static_cast<float>(image_.id[pixel]);
+            continue;
+          }
+          const std::size_t u = pixel % width / reduction;
+          const std::size_t v = pixel / width / reduction;
+          visible[i] = u < columns && v < rows ? static_cast<float>(image_.id[v * columns + u])
+                                               : static_cast<float>(kNothing);
+        }
+      });
 }
 
 }  // namespace lockbox

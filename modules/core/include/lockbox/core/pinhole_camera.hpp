@@ -3,8 +3,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 namespace lockbox {
+
+struct Pixel {
+  int u = 0;  ///< column
+  int v = 0;  ///< row
+};
 
 /// Pixel centres lie at integer coordinates: the image spans [-0.5, width - 0.5].
 struct PinholeCamera {
@@ -23,6 +29,19 @@ struct PinholeCamera {
   /// The pixel (u, v) that sees p_camera; p_camera.z() must be positive.
   Eigen::Vector2d project(const Eigen::Vector3d& p_camera) const {
     return {fx * p_camera.x() / p_camera.z() + cx, fy * p_camera.y() / p_camera.z() + cy};
+  }
+
+  /// The pixel that p_camera falls into; none outside the image, or behind the camera.
+  std::optional<Pixel> pixel_of(const Eigen::Vector3d& p_camera) const {
+    if (p_camera.z() <= 0.0) {
+      return std::nullopt;
+    }
+    const Eigen::Vector2d shifted = project(p_camera) + Eigen::Vector2d(0.5, 0.5);
+    const bool inside =
+        shifted.x() >= 0.0 && shifted.y() >= 0.0 && shifted.x() < width && shifted.y() < height;
+    return inside
+               ? std::optional(Pixel{static_cast<int>(shifted.x()), static_cast<int>(shifted.y())})
+               : std::nullopt;
   }
 
   bool operator==(const PinholeCamera&) const = default;

@@ -39,7 +39,7 @@ class AgreementMeter {
  public:
   void measure(const ArticulatedModel& model, const VisibleSurface& surface,
                const BodyPoses& T_camera_body, const TiledCloud& cloud,
-               const RegistrationOptions& options);
+               const RegistrationOptions& options, const Executor& executor);
 
   const Agreement& total() const { return total_; }
   const std::vector<Agreement>& bodies() const { return bodies_; }
@@ -47,7 +47,9 @@ class AgreementMeter {
 
  private:
   Agreement total_;
-  std::vector<Agreement> bodies_;  ///< by body
+  std::vector<Agreement> bodies_;        ///< by body
+  std::vector<Agreement> chunk_bodies_;  ///< by chunk of samples and body
+  std::vector<OutlineAgreement> chunk_outlines_;
   OutlineAgreement outline_;
 };
 

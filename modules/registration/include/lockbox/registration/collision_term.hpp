@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/model_term.hpp"
 
@@ -33,7 +34,8 @@ class CollisionTerm {
   /// Measures the overlaps of the rest configuration and samples the eroded surfaces. Throws
   /// InputError naming the links if an erosion of the model's file exceeds an eighth of the thinner
   /// body's thickness: its eroded surface would vanish.
-  CollisionTerm(const ArticulatedModel& model, const RegistrationOptions& options);
+  CollisionTerm(const ArticulatedModel& model, const RegistrationOptions& options,
+                const Executor& executor = Executor(1));
 
   const std::vector<CollisionPair>& pairs() const { return pairs_; }
 
@@ -53,14 +55,24 @@ class CollisionTerm {
     std::vector<Sample> samples;
   };
 
+  /// Of a pair, one body's samples in the other's field.
+  struct Half {
+    double cost = 0.0;
+    BodySystem system;
+  };
+
   std::size_t surface_index(const ArticulatedModel& model, int body, double erosion);
+  void evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i,
+                     bool with_systems);
   double evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface, int other,
                        double erosion, const Eigen::Isometry3d& T_other_body, BodySystem* system);
 
+  Executor executor_;
   double weight_ = 0.0;  ///< lambda / sigma_c^2
   std::vector<CollisionPair> pairs_;
   std::vector<std::pair<std::size_t, std::size_t>> pair_surfaces_;  ///< of a and of b
   std::vector<ErodedSurface> surfaces_;
+  std::vector<Half> halves_;  ///< two a pair
   BodyJacobian jacobian_;
 };
 

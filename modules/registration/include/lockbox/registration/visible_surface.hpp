@@ -28,7 +28,7 @@ class VisibleSurface {
               const PinholeCamera& camera, const Executor& executor);
 
   /// visible[i]: number of the body in the pixel of the cloud's point i, -1 where there is none.
-  void label(const TiledCloud& cloud, std::vector<float>& visible) const;
+  void label(const TiledCloud& cloud, const Executor& executor, std::vector<float>& visible) const;
 
   const std::vector<VisibleSample>& samples() const { return samples_; }
   double pixels_per_sample() const { return static_cast<double>(reduction_) * reduction_; }
@@ -38,10 +38,14 @@ class VisibleSurface {
   int reduction() const { return reduction_; }
 
  private:
+  void sample(const Executor& executor);
+
   PinholeCamera full_camera_;
   std::unique_ptr<DepthRenderer> renderer_;
   std::vector<RenderItem> items_;
   RenderedDepth image_;
+  BodyPoses T_body_camera_;
+  std::vector<std::size_t> row_begins_;  ///< index of each row's first sample; the number of all
   std::vector<VisibleSample> samples_;
   int reduction_ = 1;
 };
