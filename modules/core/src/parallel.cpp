@@ -27,7 +27,7 @@ std::size_t Executor::worker() {
   return index == tbb::task_arena::not_initialized ? 0 : static_cast<std::size_t>(index);
 }
 
-void Executor::for_each(std::size_t count, const std::function<void(std::size_t)>& body) const {
+void Executor::for_each(std::size_t count, FunctionRef<void(std::size_t)> body) const {
   const HandOver to_bodies;
   const HandOver to_caller;
   const auto observed_body = [&](std::size_t i) {
@@ -41,9 +41,8 @@ void Executor::for_each(std::size_t count, const std::function<void(std::size_t)
   to_caller.receive();
 }
 
-void Executor::for_each_chunk(
-    std::size_t count, std::size_t chunk_size,
-    const std::function<void(std::size_t, std::size_t, std::size_t)>& body) const {
+void Executor::for_each_chunk(std::size_t count, std::size_t chunk_size,
+                              FunctionRef<void(std::size_t, std::size_t, std::size_t)> body) const {
   for_each(chunk_count(count, chunk_size), [&](std::size_t chunk) {
     const std::size_t begin = chunk * chunk_size;
     body(begin, std::min(begin + chunk_size, count), chunk);

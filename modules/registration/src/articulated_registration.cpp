@@ -227,16 +227,24 @@ void ArticulatedRegistration::set_step_limits(bool hold_joints) {
 
 double ArticulatedRegistration::surface_distance(const Configuration& a,
                                                  const Configuration& b) const {
-  Eigen::VectorXd step(scale_.unit.size());
-  step.head<6>() = log_se3(a.T_camera_base.inverse() * b.T_camera_base);
-  step.tail(model_.tree.variables()) = b.q - a.q;
-  return largest_move(step);
+  double farthest = base_move(log_se3(a.T_camera_base.inverse() * b.T_camera_base));
+  for (Index v = 0; v < a.q.size(); ++v) {
+    farthest = std::max(farthest, std::abs(b.q[v] - a.q[v]) * levers_[6 + v]);
+  }
+  return farthest;
 }
 
 double ArticulatedRegistration::largest_move(const Eigen::VectorXd& step) const {
-  const Eigen::VectorXd moves = step.cwiseProduct(levers_).cwiseAbs();
-  const double base = moves.head<3>().norm() + moves.segment<3>(3).norm();
-  return moves.size() > 6 ? std::max(base, moves.tail(moves.size() - 6).maxCoeff()) : base;
+  double farthest = base_move(step.head<6>());
+  for (Index i = 6; i < step.size(); ++i) {
+    farthest = std::max(farthest, std::abs(step[i]) * levers_[i]);
+  }
+  return farthest;
+}
+
+double ArticulatedRegistration::base_move(const Twist& twist) const {
+  const Twist moves = twist.cwiseProduct(levers_.head<6>());
+  return moves.head<3>().norm() + moves.tail<3>().norm();
 }
 
 void ArticulatedRegistration::mark_object_pixels(const TiledCloud& cloud) {

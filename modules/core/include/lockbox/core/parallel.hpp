@@ -4,8 +4,9 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
+
+#include "lockbox/core/function_ref.hpp"
 
 namespace lockbox {
 
@@ -22,12 +23,12 @@ class Executor {
 
   /// Calls body(i) once for each i in [0, count), in any order, and returns when all are done.
   /// An exception of a body reaches the caller.
-  void for_each(std::size_t count, const std::function<void(std::size_t)>& body) const;
+  void for_each(std::size_t count, FunctionRef<void(std::size_t)> body) const;
 
   /// Calls body(begin, end, chunk) for the consecutive ranges of chunk_size that cover [0, count).
   void for_each_chunk(
       std::size_t count, std::size_t chunk_size,
-      const std::function<void(std::size_t begin, std::size_t end, std::size_t chunk)>& body) const;
+      FunctionRef<void(std::size_t begin, std::size_t end, std::size_t chunk)> body) const;
 
  private:
   struct Impl;

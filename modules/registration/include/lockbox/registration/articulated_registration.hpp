@@ -80,6 +80,7 @@ class ArticulatedRegistration {
   void mark_object_pixels(const TiledCloud& cloud);
   void select_free_space(const TiledCloud& cloud, double spread);
   double largest_move(const Eigen::VectorXd& step) const;
+  double base_move(const Twist& twist) const;
 
   const ArticulatedModel& model_;
   RegistrationOptions options_;

@@ -5,10 +5,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <vector>
 
 #include "lockbox/registration/normal_equations.hpp"
+#include "lockbox/registration/symmetric_modes.hpp"
 
 namespace lockbox {
 
@@ -61,7 +61,7 @@ class BoundedStepSolver {
   // Of a matrix: without one Eigen leaves members unset, and moving them is undefined.
   Eigen::LLT<Eigen::MatrixXd> definite_{Eigen::MatrixXd(0, 0)};
   Eigen::LDLT<Eigen::MatrixXd> factors_;
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes_;
+  SymmetricModes modes_;
   Eigen::MatrixXd strong_;
   Eigen::MatrixXd product_;
 };

@@ -9,11 +9,11 @@
 // that a single tile sees, it is all there is.
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <vector>
 
 #include "lockbox/registration/bounded_step.hpp"
 #include "lockbox/registration/normal_equations.hpp"
+#include "lockbox/registration/symmetric_modes.hpp"
 
 namespace lockbox {
 
@@ -58,7 +58,7 @@ class CovarianceEstimator {
   Eigen::VectorXd unknown_modes_;
   std::vector<Matrix6> body_covariances_;
   std::vector<Matrix6> followed_;  ///< by body
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes_;
+  SymmetricModes modes_;
 };
 
 }  // namespace lockbox
