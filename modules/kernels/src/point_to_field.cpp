@@ -10,169 +10,15 @@
 // After foreach_target, which includes this file once for each instruction set.
 #include "hwy/contrib/math/math-inl.h"
 #include "hwy/highway.h"
+#include "normal_sums-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-// At most kLanes lanes, also where vectors are longer.
-using FloatTag = hn::CappedTag<float, kLanes>;
-using IntTag = hn::RebindToSigned<FloatTag>;
-using Float = hn::Vec<FloatTag>;
-using Int = hn::Vec<IntTag>;
 
 /// A nearest surface whose outward normal makes less than this angle's cosine with the viewing ray
 /// is the far side of the body: what the camera sees there cannot be it. Outlines (cosine near 0)
 /// must stay, for points beyond them pull the body sideways.
 constexpr float kFarSideCosine = 0.6F;
-
-/// Position of points on the field's grids, chosen lane by lane between fine and coarse.
-struct GridPosition {
-  Int byte_offset;  // of the cell's first sample
-  Int stride_y;     // bytes
-  Int stride_z;
-  Float fraction[3];
-  Float scale;          // metres per unit
-  Float inverse_voxel;  // 1 / metres
-  hn::Mask<FloatTag> inside;
-};
-
-HWY_INLINE GridPosition locate(const FieldView& field, const Float p[3]) {
-  const FloatTag df;
-  const IntTag di;
-  GridPosition at;
-  const Int zero = hn::Zero(di);
-  Int block[3];
-  Int cell[3];
-  Float g[3];
-  auto fine = hn::Eq(zero, zero);
-  for (int axis = 0; axis < 3; ++axis) {
-    g[axis] = hn::Mul(hn::Sub(p[axis], hn::Set(df, field.fine_origin[axis])),
-                      hn::Set(df, 1.0F / field.fine_voxel));
-    const Float lowest = hn::Zero(df);
-    const Float highest = hn::Set(df, static_cast<float>(field.blocks[axis] * kBlockCells) - 1e-3F);
-    fine = hn::And(fine,
-                   hn::RebindMask(di, hn::And(hn::Ge(g[axis], lowest), hn::Le(g[axis], highest))));
-    // Clamped so that lanes off the grid still read inside the table.
-    cell[axis] = hn::ConvertTo(di, hn::Min(hn::Max(g[axis], lowest), highest));
-    block[axis] = hn::ShiftRight<3>(cell[axis]);
-  }
-  const Int block_index = hn::Add(
-      block[0], hn::Mul(hn::Set(di, field.blocks[0]),
-                        hn::Add(block[1], hn::Mul(hn::Set(di, field.blocks[1]), block[2]))));
-  const Int first = hn::GatherIndex(di, field.block_first, block_index);
-  fine = hn::And(fine, hn::Gt(first, hn::Set(di, -1)));
-
-  const Int mask7 = hn::Set(di, kBlockCells - 1);
-  const Int fine_offset =
-      hn::Add(first, hn::Add(hn::And(cell[0], mask7),
-                             hn::Add(hn::Mul(hn::And(cell[1], mask7), hn::Set(di, kBlockSamples)),
-                                     hn::Mul(hn::And(cell[2], mask7),
-                                             hn::Set(di, kBlockSamples * kBlockSamples)))));
-  const auto fine_f = hn::RebindMask(df, fine);
-  if (hn::AllTrue(di, fine)) {
-    at.byte_offset = hn::ShiftLeft<1>(fine_offset);
-    at.stride_y = hn::Set(di, 2 * kBlockSamples);
-    at.stride_z = hn::Set(di, 2 * kBlockSamples * kBlockSamples);
-    at.scale = hn::Set(df, field.fine_scale);
-    at.inverse_voxel = hn::Set(df, 1.0F / field.fine_voxel);
-    at.inside = fine_f;
-    for (int axis = 0; axis < 3; ++axis) {
-      at.fraction[axis] = hn::Sub(g[axis], hn::ConvertTo(df, cell[axis]));
-    }
-    return at;
-  }
-
-  auto inside = hn::Eq(zero, zero);
-  Int coarse_offset = zero;
-  std::int32_t stride = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Float c = hn::Mul(hn::Sub(p[axis], hn::Set(df, field.coarse_origin[axis])),
-                            hn::Set(df, 1.0F / field.coarse_voxel));
-    const Float lowest = hn::Zero(df);
-    const Float highest = hn::Set(df, static_cast<float>(field.coarse_size[axis] - 1) - 1e-3F);
-    inside = hn::And(inside, hn::RebindMask(di, hn::And(hn::Ge(c, lowest), hn::Le(c, highest))));
-    const Int coarse_cell = hn::ConvertTo(di, hn::Min(hn::Max(c, lowest), highest));
-    coarse_offset = hn::Add(coarse_offset, hn::Mul(coarse_cell, hn::Set(di, stride)));
-    stride *= field.coarse_size[axis];
-    at.fraction[axis] = hn::IfThenElse(fine_f, hn::Sub(g[axis], hn::ConvertTo(df, cell[axis])),
-                                       hn::Sub(c, hn::ConvertTo(df, coarse_cell)));
-  }
-  const std::int32_t row = field.coarse_size[0];
-  at.byte_offset = hn::ShiftLeft<1>(hn::IfThenElse(fine, fine_offset, coarse_offset));
-  at.stride_y = hn::IfThenElse(fine, hn::Set(di, 2 * kBlockSamples), hn::Set(di, 2 * row));
-  at.stride_z = hn::IfThenElse(fine, hn::Set(di, 2 * kBlockSamples * kBlockSamples),
-                               hn::Set(di, 2 * row * field.coarse_size[1]));
-  at.scale = hn::IfThenElse(fine_f, hn::Set(df, field.fine_scale), hn::Set(df, field.coarse_scale));
-  at.inverse_voxel = hn::IfThenElse(fine_f, hn::Set(df, 1.0F / field.fine_voxel),
-                                    hn::Set(df, 1.0F / field.coarse_voxel));
-  at.inside = hn::RebindMask(df, hn::Or(fine, inside));
-  return at;
-}
-
-/// Two neighbours in x from one 32-bit load.
-HWY_INLINE void load_pair(const FieldView& field, const Int byte_offset, Float& at0, Float& at1) {
-  const FloatTag df;
-  const IntTag di;
-  const Int pair =
-      hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(field.samples), byte_offset);
-  at0 = hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(pair)));
-  at1 = hn::ConvertTo(df, hn::ShiftRight<16>(pair));
-}
-
-HWY_INLINE Float lerp(const Float a, const Float b, const Float t) {
-  return hn::MulAdd(t, hn::Sub(b, a), a);
-}
-
-/// Tri-linear value and, if wanted, its exact gradient.
-template <bool WithGradient>
-HWY_INLINE Float interpolate(const FieldView& field, const GridPosition& at, Float gradient[3]) {
-  Float c000;
-  Float c100;
-  Float c010;
-  Float c110;
-  Float c001;
-  Float c101;
-  Float c011;
-  Float c111;
-  load_pair(field, at.byte_offset, c000, c100);
-  load_pair(field, hn::Add(at.byte_offset, at.stride_y), c010, c110);
-  const Int upper = hn::Add(at.byte_offset, at.stride_z);
-  load_pair(field, upper, c001, c101);
-  load_pair(field, hn::Add(upper, at.stride_y), c011, c111);
-
-  const Float* t = at.fraction;
-  const Float x00 = lerp(c000, c100, t[0]);
-  const Float x10 = lerp(c010, c110, t[0]);
-  const Float x01 = lerp(c001, c101, t[0]);
-  const Float x11 = lerp(c011, c111, t[0]);
-  const Float y0 = lerp(x00, x10, t[1]);
-  const Float y1 = lerp(x01, x11, t[1]);
-  if constexpr (WithGradient) {
-    const Float unit = hn::Mul(at.scale, at.inverse_voxel);
-    const Float dx0 = lerp(hn::Sub(c100, c000), hn::Sub(c110, c010), t[1]);
-    const Float dx1 = lerp(hn::Sub(c101, c001), hn::Sub(c111, c011), t[1]);
-    gradient[0] = hn::Mul(unit, lerp(dx0, dx1, t[2]));
-    gradient[1] = hn::Mul(unit, lerp(hn::Sub(x10, x00), hn::Sub(x11, x01), t[2]));
-    gradient[2] = hn::Mul(unit, hn::Sub(y1, y0));
-  }
-  return hn::Mul(at.scale, lerp(y0, y1, t[2]));
-}
-
-HWY_INLINE void transform(const RigidMotion& motion, const Float p[3], Float result[3]) {
-  const FloatTag df;
-  for (int row = 0; row < 3; ++row) {
-    const float* r = motion.rotation + static_cast<std::ptrdiff_t>(3) * row;
-    result[row] = hn::MulAdd(
-        hn::Set(df, r[0]), p[0],
-        hn::MulAdd(hn::Set(df, r[1]), p[1],
-                   hn::MulAdd(hn::Set(df, r[2]), p[2], hn::Set(df, motion.translation[row]))));
-  }
-}
-
-HWY_INLINE Float dot(const Float a[3], const Float b[3]) {
-  return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
-}
 
 void look_up_points(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
                     const PointSpan& points, const FieldHits& hits) {
@@ -278,7 +124,7 @@ double associate_points_with(const Candidates& candidates, std::span<float* cons
       hn::StoreU(gain, df, explained + i);
     }
   }
-  return static_cast<double>(hn::GetLane(hn::SumOfLanes(df, total)));
+  return sum_of_lanes(total);
 }
 
 double associate_points(const Candidates& candidates, std::span<float* const> weight,
@@ -292,51 +138,29 @@ double total_association_cost(const Candidates& candidates) {
 
 NormalSums accumulate_points(std::size_t size, const FieldHits& hits, const float* weight) {
   const FloatTag df;
-  Float hessian[21];
-  Float gradient[6];
-  for (Float& h : hessian) {
-    h = hn::Zero(df);
-  }
-  for (Float& g : gradient) {
-    g = hn::Zero(df);
-  }
+  NormalSumLanes lanes;
+  lanes.set_zero();
   Float squares = hn::Zero(df);
   Float count = hn::Zero(df);
   for (std::size_t i = 0; i < size; i += hn::Lanes(df)) {
     const Float w = hn::LoadU(df, weight + i);
     const Float d = hn::LoadU(df, hits.distance + i);
     Float p[3];
-    Float a[6];
+    Float n[3];
     for (int axis = 0; axis < 3; ++axis) {
       p[axis] = hn::LoadU(df, hits.position[axis] + i);
-      a[axis] = hn::LoadU(df, hits.normal[axis] + i);
+      n[axis] = hn::LoadU(df, hits.normal[axis] + i);
     }
-    a[3] = hn::MulSub(p[1], a[2], hn::Mul(p[2], a[1]));
-    a[4] = hn::MulSub(p[2], a[0], hn::Mul(p[0], a[2]));
-    a[5] = hn::MulSub(p[0], a[1], hn::Mul(p[1], a[0]));
     const Float wd = hn::IfThenElseZero(hn::Gt(w, hn::Zero(df)), hn::Mul(w, d));
-    int k = 0;
-    for (int row = 0; row < 6; ++row) {
-      const Float wa = hn::Mul(w, a[row]);
-      for (int column = row; column < 6; ++column) {
-        hessian[k] = hn::MulAdd(wa, a[column], hessian[k]);
-        ++k;
-      }
-      gradient[row] = hn::NegMulAdd(wd, a[row], gradient[row]);
-    }
+    lanes.add(p, n, w, wd);
     squares = hn::MulAdd(wd, d, squares);
     const Float iv = hn::LoadU(df, hits.inverse_variance + i);
     count = hn::Add(count, hn::IfThenElseZero(hn::Gt(iv, hn::Zero(df)), hn::Div(w, iv)));
   }
   NormalSums sums{};
-  for (int k = 0; k < 21; ++k) {
-    sums.hessian[k] = static_cast<double>(hn::GetLane(hn::SumOfLanes(df, hessian[k])));
-  }
-  for (int k = 0; k < 6; ++k) {
-    sums.gradient[k] = static_cast<double>(hn::GetLane(hn::SumOfLanes(df, gradient[k])));
-  }
-  sums.weighted_squares = static_cast<double>(hn::GetLane(hn::SumOfLanes(df, squares)));
-  sums.weight = static_cast<double>(hn::GetLane(hn::SumOfLanes(df, count)));
+  lanes.write(sums);
+  sums.weighted_squares = sum_of_lanes(squares);
+  sums.weight = sum_of_lanes(count);
   return sums;
 }
 

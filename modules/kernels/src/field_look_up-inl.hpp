@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tri-linear look-up in a field, lane by lane. To be included within Highway's foreach_target:
+// once for each instruction set.
+#if defined(LOCKBOX_KERNELS_FIELD_LOOK_UP_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOCKBOX_KERNELS_FIELD_LOOK_UP_INL
+#undef LOCKBOX_KERNELS_FIELD_LOOK_UP_INL
+#else
+#define LOCKBOX_KERNELS_FIELD_LOOK_UP_INL
+#endif
+
+#include "hwy/highway.h"
+#include "lockbox/kernels/point_to_field.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace lockbox::kernels::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// At most kLanes lanes, also where vectors are longer.
+using FloatTag = hn::CappedTag<float, kLanes>;
+using IntTag = hn::RebindToSigned<FloatTag>;
+using Float = hn::Vec<FloatTag>;
+using Int = hn::Vec<IntTag>;
+
+/// Position of points on the field's grids, chosen lane by lane between fine and coarse.
+struct GridPosition {
+  Int byte_offset;  // of the cell's first sample
+  Int stride_y;     // bytes
+  Int stride_z;
+  Float fraction[3];
+  Float scale;          // metres per unit
+  Float inverse_voxel;  // 1 / metres
+  hn::Mask<FloatTag> inside;
+};
+
+HWY_INLINE GridPosition locate(const FieldView& field, const Float p[3]) {
+  const FloatTag df;
+  const IntTag di;
+  GridPosition at;
+  const Int zero = hn::Zero(di);
+  Int block[3];
+  Int cell[3];
+  Float g[3];
+  auto fine = hn::Eq(zero, zero);
+  for (int axis = 0; axis < 3; ++axis) {
+    g[axis] = hn::Mul(hn::Sub(p[axis], hn::Set(df, field.fine_origin[axis])),
+                      hn::Set(df, 1.0F / field.fine_voxel));
+    const Float lowest = hn::Zero(df);
+    const Float highest = hn::Set(df, static_cast<float>(field.blocks[axis] * kBlockCells) - 1e-3F);
+    fine = hn::And(fine,
+                   hn::RebindMask(di, hn::And(hn::Ge(g[axis], lowest), hn::Le(g[axis], highest))));
+    // Clamped so that lanes off the grid still read inside the table.
+    cell[axis] = hn::ConvertTo(di, hn::Min(hn::Max(g[axis], lowest), highest));
+    block[axis] = hn::ShiftRight<3>(cell[axis]);
+  }
+  const Int block_index = hn::Add(
+      block[0], hn::Mul(hn::Set(di, field.blocks[0]),
+                        hn::Add(block[1], hn::Mul(hn::Set(di, field.blocks[1]), block[2]))));
+  const Int first = hn::GatherIndex(di, field.block_first, block_index);
+  fine = hn::And(fine, hn::Gt(first, hn::Set(di, -1)));
+
+  const Int mask7 = hn::Set(di, kBlockCells - 1);
+  const Int fine_offset =
+      hn::Add(first, hn::Add(hn::And(cell[0], mask7),
+                             hn::Add(hn::Mul(hn::And(cell[1], mask7), hn::Set(di, kBlockSamples)),
+                                     hn::Mul(hn::And(cell[2], mask7),
+                                             hn::Set(di, kBlockSamples * kBlockSamples)))));
+  const auto fine_f = hn::RebindMask(df, fine);
+  if (hn::AllTrue(di, fine)) {
+    at.byte_offset = hn::ShiftLeft<1>(fine_offset);
+    at.stride_y = hn::Set(di, 2 * kBlockSamples);
+    at.stride_z = hn::Set(di, 2 * kBlockSamples * kBlockSamples);
+    at.scale = hn::Set(df, field.fine_scale);
+    at.inverse_voxel = hn::Set(df, 1.0F / field.fine_voxel);
+    at.inside = fine_f;
+    for (int axis = 0; axis < 3; ++axis) {
+      at.fraction[axis] = hn::Sub(g[axis], hn::ConvertTo(df, cell[axis]));
+    }
+    return at;
+  }
+
+  auto inside = hn::Eq(zero, zero);
+  Int coarse_offset = zero;
+  std::int32_t stride = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Float c = hn::Mul(hn::Sub(p[axis], hn::Set(df, field.coarse_origin[axis])),
+                            hn::Set(df, 1.0F / field.coarse_voxel));
+    const Float lowest = hn::Zero(df);
+    const Float highest = hn::Set(df, static_cast<float>(field.coarse_size[axis] - 1) - 1e-3F);
+    inside = hn::And(inside, hn::RebindMask(di, hn::And(hn::Ge(c, lowest), hn::Le(c, highest))));
+    const Int coarse_cell = hn::ConvertTo(di, hn::Min(hn::Max(c, lowest), highest));
+    coarse_offset = hn::Add(coarse_offset, hn::Mul(coarse_cell, hn::Set(di, stride)));
+    stride *= field.coarse_size[axis];
+    at.fraction[axis] = hn::IfThenElse(fine_f, hn::Sub(g[axis], hn::ConvertTo(df, cell[axis])),
+                                       hn::Sub(c, hn::ConvertTo(df, coarse_cell)));
+  }
+  const std::int32_t row = field.coarse_size[0];
+  at.byte_offset = hn::ShiftLeft<1>(hn::IfThenElse(fine, fine_offset, coarse_offset));
+  at.stride_y = hn::IfThenElse(fine, hn::Set(di, 2 * kBlockSamples), hn::Set(di, 2 * row));
+  at.stride_z = hn::IfThenElse(fine, hn::Set(di, 2 * kBlockSamples * kBlockSamples),
+                               hn::Set(di, 2 * row * field.coarse_size[1]));
+  at.scale = hn::IfThenElse(fine_f, hn::Set(df, field.fine_scale), hn::Set(df, field.coarse_scale));
+  at.inverse_voxel = hn::IfThenElse(fine_f, hn::Set(df, 1.0F / field.fine_voxel),
+                                    hn::Set(df, 1.0F / field.coarse_voxel));
+  at.inside = hn::RebindMask(df, hn::Or(fine, inside));
+  return at;
+}
+
+/// Two neighbours in x from one 32-bit load.
+HWY_INLINE void load_pair(const FieldView& field, const Int byte_offset, Float& at0, Float& at1) {
+  const FloatTag df;
+  const IntTag di;
+  const Int pair =
+      hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(field.samples), byte_offset);
+  at0 = hn::ConvertTo(df, hn::ShiftRight<16>(hn::ShiftLeft<16>(pair)));
+  at1 = hn::ConvertTo(df, hn::ShiftRight<16>(pair));
+}
+
+HWY_INLINE Float lerp(const Float a, const Float b, const Float t) {
+  return hn::MulAdd(t, hn::Sub(b, a), a);
+}
+
+/// Tri-linear value and, if wanted, its exact gradient.
+template <bool WithGradient>
+HWY_INLINE Float interpolate(const FieldView& field, const GridPosition& at, Float gradient[3]) {
+  Float c000;
+  Float c100;
+  Float c010;
+  Float c110;
+  Float c001;
+  Float c101;
+  Float c011;
+  Float c111;
+  load_pair(field, at.byte_offset, c000, c100);
+  load_pair(field, hn::Add(at.byte_offset, at.stride_y), c010, c110);
+  const Int upper = hn::Add(at.byte_offset, at.stride_z);
+  load_pair(field, upper, c001, c101);
+  load_pair(field, hn::Add(upper, at.stride_y), c011, c111);
+
+  const Float* t = at.fraction;
+  const Float x00 = lerp(c000, c100, t[0]);
+  const Float x10 = lerp(c010, c110, t[0]);
+  const Float x01 = lerp(c001, c101, t[0]);
+  const Float x11 = lerp(c011, c111, t[0]);
+  const Float y0 = lerp(x00, x10, t[1]);
+  const Float y1 = lerp(x01, x11, t[1]);
+  if constexpr (WithGradient) {
+    const Float unit = hn::Mul(at.scale, at.inverse_voxel);
+    const Float dx0 = lerp(hn::Sub(c100, c000), hn::Sub(c110, c010), t[1]);
+    const Float dx1 = lerp(hn::Sub(c101, c001), hn::Sub(c111, c011), t[1]);
+    gradient[0] = hn::Mul(unit, lerp(dx0, dx1, t[2]));
+    gradient[1] = hn::Mul(unit, lerp(hn::Sub(x10, x00), hn::Sub(x11, x01), t[2]));
+    gradient[2] = hn::Mul(unit, hn::Sub(y1, y0));
+  }
+  return hn::Mul(at.scale, lerp(y0, y1, t[2]));
+}
+
+HWY_INLINE void transform(const RigidMotion& motion, const Float p[3], Float result[3]) {
+  const FloatTag df;
+  for (int row = 0; row < 3; ++row) {
+    const float* r = motion.rotation + static_cast<std::ptrdiff_t>(3) * row;
+    result[row] = hn::MulAdd(
+        hn::Set(df, r[0]), p[0],
+        hn::MulAdd(hn::Set(df, r[1]), p[1],
+                   hn::MulAdd(hn::Set(df, r[2]), p[2], hn::Set(df, motion.translation[row]))));
+  }
+}
+
+HWY_INLINE Float dot(const Float a[3], const Float b[3]) {
+  return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
+}
+
+}  // namespace lockbox::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per-target include guard

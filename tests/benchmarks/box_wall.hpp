@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models with any number of links and joints that look alike.
+#pragma once
+
+#include "registration_scene.hpp"
+
+namespace lockbox {
+
+/// A wall of 0.64 x 0.64 m of equal boxes, each with a step in its front, hairline gaps between
+/// them. All but the first slide towards the camera, by joints of their own up to that number of
+/// variables; the rest mimic the last of these. links: 1, 8 or 64.
+ArticulatedModel box_wall(int links, int variables);
+
+/// The wall seen by a PrimeSense from 0.9 m, some boxes drawn out.
+RegistrationScene box_wall_scene(int links, int variables);
+
+}  // namespace lockbox

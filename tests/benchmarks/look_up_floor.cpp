@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "look_up_floor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bare_sums.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kNear = 0.015;  // metres from the surface: four deviations of the sensor
+constexpr std::size_t kChunkPoints = 4096;
+
+kernels::RigidMotion to_motion(const Eigen::Isometry3d& T) {
+  kernels::RigidMotion motion{};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      motion.rotation[3 * row + column] = static_cast<float>(T.linear()(row, column));
+    }
+    motion.translation[row] = static_cast<float>(T.translation()[row]);
+  }
+  return motion;
+}
+
+}  // namespace
+
+LookUpFloor::LookUpFloor(const RegistrationScene& scene) : scene_(scene) {
+  const auto& fields = scene.model.fields;
+  const View& view = scene.views.front();
+  BodyPoses poses;
+  forward_kinematics(scene.model.tree, view.truth, poses);
+  std::vector<std::vector<Eigen::Vector3f>> by_body(fields.size());
+  for (const Tile& tile : view.cloud.tiles()) {
+    for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
+      const Eigen::Vector3f p(view.cloud.x()[i], view.cloud.y()[i], view.cloud.z()[i]);
+      std::size_t nearest = fields.size();
+      double least = kNear;
+      for (std::size_t b = 0; b < fields.size(); ++b) {
+        const Eigen::Vector3d p_body = poses[b].inverse() * p.cast<double>();
+        const double distance =
+            fields[b]
+                ? std::abs(static_cast<double>(fields[b]->sample(p_body.cast<float>()).distance))
+                : least;
+        if (distance < least) {
+          least = distance;
+          nearest = b;
+        }
+      }
+      if (nearest < fields.size()) {
+        by_body[nearest].push_back(p);
+      }
+    }
+  }
+  for (std::size_t b = 0; b < by_body.size(); ++b) {
+    body_from_camera_.push_back(to_motion(poses[b].inverse()));
+    points_ += by_body[b].size();
+    const std::size_t first = x_.size();
+    for (const Eigen::Vector3f& p : by_body[b]) {
+      x_.push_back(p.x());
+      y_.push_back(p.y());
+      z_.push_back(p.z());
+    }
+    const std::size_t end = first + kernels::padded(by_body[b].size());
+    for (std::vector<float>* axis : {&x_, &y_, &z_}) {
+      axis->resize(end, kernels::kPadding);
+    }
+    for (std::size_t begin = first; begin < end; begin += kChunkPoints) {
+      chunks_.push_back({b, begin, std::min(kChunkPoints, end - begin)});
+    }
+  }
+  sums_.resize(chunks_.size());
+}
+
+double LookUpFloor::pass(const Executor& executor) {
+  executor.for_each(chunks_.size(), [&](std::size_t i) {
+    const Chunk& chunk = chunks_[i];
+    sums_[i] = kernels::bare_sums(
+        scene_.model.fields[chunk.body]->view(), body_from_camera_[chunk.body],
+        {x_.data() + chunk.first, y_.data() + chunk.first, z_.data() + chunk.first, chunk.size});
+  });
+  double squares = 0.0;
+  for (const kernels::NormalSums& sums : sums_) {
+    squares += sums.weighted_squares;
+  }
+  return squares;
+}
+
+}  // namespace lockbox

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One registration step of the shipped lockbox, prediction and cloud in, configuration and
+// covariance out, visibility included; and the floor: the bare look-ups of its iterations.
+#include "look_up_floor.hpp"
+#include "registration_scene.hpp"
+
+namespace lockbox {
+namespace {
+
+void registration_step(benchmark::State& state) {
+  time_registration(state, shipped_lockbox(), static_cast<int>(state.range(0)));
+}
+
+void look_up_floor(benchmark::State& state) {
+  const auto threads = static_cast<int>(state.range(0));
+  const Executor executor(threads);
+  static LookUpFloor floor(shipped_lockbox());
+  for (auto _ : state) {
+    for (int pass = 0; pass < kIterations; ++pass) {
+      benchmark::DoNotOptimize(floor.pass(executor));
+    }
+  }
+  const auto points = static_cast<double>(floor.points());
+  state.counters["points"] = points;
+  state.counters["point_core"] = benchmark::Counter(
+      points * kIterations / threads,
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+BENCHMARK(look_up_floor)->Apply(on_one_and_two_threads);
+BENCHMARK(registration_step)->Apply(on_one_and_two_threads);
+
+}  // namespace
+}  // namespace lockbox
