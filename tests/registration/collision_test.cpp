@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "lockbox/core/error.hpp"
 #include "mechanism.hpp"
 
@@ -24,6 +27,31 @@ TEST_F(CollisionTest, OffCostsNothingAnywhere) {
   BodyPoses poses;
   forward_kinematics(model.tree, at, poses);
   EXPECT_EQ(off.evaluate(model, poses, nullptr), 0.0);
+}
+
+/// What a term keeps of earlier calls spares it looking, and changes nothing.
+TEST_F(CollisionTest, CostDoesNotDependOnWhatWasAskedBefore) {
+  CollisionTerm used(model, RegistrationOptions{});
+  const CollisionTerm fresh(model, RegistrationOptions{});
+  std::mt19937 random(3);
+  std::normal_distribution<double> step(0.0, 0.0015);
+  Configuration at = mechanism_start(model);
+  at.q[0] = 0.13;  // the block reaches into the follower
+  BodyPoses poses;
+  int penetrated = 0;
+  for (int k = 0; k < 60; ++k) {
+    for (double& q : at.q) {
+      q += step(random);
+    }
+    at.q[0] = std::clamp(at.q[0], 0.11, 0.15);
+    forward_kinematics(model.tree, at, poses);
+    CollisionTerm other = fresh;
+    const double expected = other.evaluate(model, poses, nullptr);
+    EXPECT_EQ(used.evaluate(model, poses, nullptr), expected);
+    penetrated += expected > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(penetrated, 5);
+  EXPECT_LT(penetrated, 55);
 }
 
 TEST_F(CollisionTest, ErosionThatWouldMakeABodyVanishIsRefusedByName) {

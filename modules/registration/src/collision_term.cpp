@@ -55,9 +55,10 @@ std::optional<Penetration> trace_back(const SignedDistanceField& field, const Ei
   return std::nullopt;
 }
 
-std::optional<Penetration> penetration(const SignedDistanceField& field, const Eigen::Vector3f& p,
-                                       const Eigen::Vector3f& outward, float erosion) {
-  const DistanceSample at = field.sample(p);
+/// at: the field's value at p.
+std::optional<Penetration> penetration(const SignedDistanceField& field, const DistanceSample& at,
+                                       const Eigen::Vector3f& p, const Eigen::Vector3f& outward,
+                                       float erosion) {
   const float f = at.distance + erosion;
   if (f >= 0.0F) {
     return std::nullopt;
@@ -183,33 +184,43 @@ std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body
   return surfaces_.size() - 1;
 }
 
-double CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface,
-                                    int other, double erosion,
-                                    const Eigen::Isometry3d& T_other_body, BodySystem* system) {
+void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface,
+                                  int other, double erosion, const Eigen::Isometry3d& T_other_body,
+                                  bool with_system, Half& half) {
   const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(other)];
+  half.cost = 0.0;
+  half.system = {};
+  if (half.clear_way.covers(T_other_body,
+                            model.fields[static_cast<std::size_t>(surface.body)]->bounds())) {
+    return;
+  }
+  half.clear_way = ClearWay(T_other_body, field);
   const Eigen::AlignedBox3f box = field.bounds().cast<float>();
   const Eigen::Isometry3f T = T_other_body.cast<float>();
-  double cost = 0.0;
+  const auto eroded = static_cast<float>(erosion);
   for (const Sample& sample : surface.samples) {
     const Eigen::Vector3f p = T * sample.p_body;
+    if (!half.clear_way.near_box().contains(p)) {
+      continue;
+    }
+    const DistanceSample at = field.sample(p);
+    half.clear_way.note(at.distance + eroded);
     if (!box.contains(p)) {
       continue;
     }
-    const auto inside =
-        penetration(field, p, T.linear() * sample.normal, static_cast<float>(erosion));
+    const auto inside = penetration(field, at, p, T.linear() * sample.normal, eroded);
     if (!inside) {
       continue;
     }
     const double w = weight_ * sample.share;
-    cost += 0.5 * w * inside->depth * inside->depth;
-    if (system != nullptr) {
+    half.cost += 0.5 * w * inside->depth * inside->depth;
+    if (with_system) {
       Twist row;
       row << inside->normal, inside->point.cross(inside->normal);
-      system->hessian.noalias() += w * row * row.transpose();
-      system->gradient += w * inside->depth * row;
+      half.system.hessian.noalias() += w * row * row.transpose();
+      half.system.gradient += w * inside->depth * row;
     }
   }
-  return cost;
 }
 
 double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
@@ -241,17 +252,16 @@ void CollisionTerm::evaluate_pair(const ArticulatedModel& model, const BodyPoses
   const auto b = static_cast<std::size_t>(pair.b);
   Half& first = halves_[2 * i];
   Half& second = halves_[2 * i + 1];
-  first = {};
-  second = {};
+  first.cost = second.cost = 0.0;
   const Eigen::Isometry3d T_b_a = T_camera_body[b].inverse() * T_camera_body[a];
   const Eigen::AlignedBox3d box_a = model.fields[a]->bounds().transformed(T_b_a);
   if (!box_a.intersects(model.fields[b]->bounds())) {
     return;
   }
-  first.cost = evaluate_half(model, surfaces_[pair_surfaces_[i].first], pair.b, pair.erosion, T_b_a,
-                             with_systems ? &first.system : nullptr);
-  second.cost = evaluate_half(model, surfaces_[pair_surfaces_[i].second], pair.a, pair.erosion,
-                              T_b_a.inverse(), with_systems ? &second.system : nullptr);
+  evaluate_half(model, surfaces_[pair_surfaces_[i].first], pair.b, pair.erosion, T_b_a,
+                with_systems, first);
+  evaluate_half(model, surfaces_[pair_surfaces_[i].second], pair.a, pair.erosion, T_b_a.inverse(),
+                with_systems, second);
 }
 
 }  // namespace lockbox

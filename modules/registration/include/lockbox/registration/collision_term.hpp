@@ -16,6 +16,7 @@
 
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/clear_way.hpp"
 #include "lockbox/registration/model_term.hpp"
 
 namespace lockbox {
@@ -28,7 +29,8 @@ struct CollisionPair {
   double rest_overlap = 0.0;  ///< metres, deepest penetration in the rest configuration
 };
 
-/// Constant data: pairs and the samples of eroded surfaces.
+/// Constant data: pairs and the samples of eroded surfaces. Between calls it remembers how far
+/// bodies may move before they can touch, which changes no result.
 class CollisionTerm {
  public:
   /// Measures the overlaps of the rest configuration and samples the eroded surfaces. Throws
@@ -59,13 +61,15 @@ class CollisionTerm {
   struct Half {
     double cost = 0.0;
     BodySystem system;
+    ClearWay clear_way;
   };
 
   std::size_t surface_index(const ArticulatedModel& model, int body, double erosion);
   void evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i,
                      bool with_systems);
-  double evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface, int other,
-                       double erosion, const Eigen::Isometry3d& T_other_body, BodySystem* system);
+  void evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface, int other,
+                     double erosion, const Eigen::Isometry3d& T_other_body, bool with_system,
+                     Half& half);
 
   Executor executor_;
   double weight_ = 0.0;  ///< lambda / sigma_c^2

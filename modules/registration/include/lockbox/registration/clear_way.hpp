@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far a body may move before it can touch another: until then nothing need be looked up.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "lockbox/sdf/signed_distance_field.hpp"
+
+namespace lockbox {
+
+/// Samples of one body in the field of another, at one relative pose. Within the fine grid a
+/// tri-linear interpolant of distances changes by at most sqrt(3) times the way, and the fine grid
+/// covers the neighbourhood of the surface: what is shown to be clear is so exactly.
+class ClearWay {
+ public:
+  /// Nothing is known.
+  ClearWay() = default;
+
+  /// T_other_body: where the samples are looked at. body: bounds of the samples, in their frame.
+  ClearWay(const Eigen::Isometry3d& T_other_body, const SignedDistanceField& other)
+      : T_other_body_(T_other_body.matrix()),
+        reach_(kReach * other.voxel()),
+        near_(other.bounds().cast<float>()),
+        way_(0.5 * reach_) {
+    const auto margin = static_cast<float>(reach_);
+    near_.min().array() -= margin;
+    near_.max().array() += margin;
+  }
+
+  /// Where samples must be noted; elsewhere they are clear by more than the way can be.
+  const Eigen::AlignedBox3f& near_box() const { return near_; }
+
+  /// A sample that is this far from touching, metres; negative: it penetrates.
+  void note(float clearance) {
+    way_ = std::min(way_, static_cast<double>(clearance) / kSteepest - kRounding);
+  }
+
+  /// Whether no sample can touch at another relative pose either.
+  bool covers(const Eigen::Isometry3d& T_other_body, const Eigen::AlignedBox3d& body) const {
+    if (way_ <= 0.0) {
+      return false;
+    }
+    const Eigen::Matrix4d change = T_other_body.matrix() - T_other_body_;
+    double farthest2 = 0.0;  // an affine map moves no point of a box farther than its corners
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector3d corner = body.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+      const Eigen::Vector3d move =
+          change.topLeftCorner<3, 3>() * corner + change.topRightCorner<3, 1>();
+      farthest2 = std::max(farthest2, move.squaredNorm());
+    }
+    return farthest2 < way_ * way_;
+  }
+
+ private:
+  static constexpr double kReach = 4.0;      // voxels: the fine grid covers at least these
+  static constexpr double kSteepest = 1.8;   // sqrt(3), and how exact stored distances are
+  static constexpr double kRounding = 2e-6;  // metres, of points in single precision
+
+  Eigen::Matrix4d T_other_body_ = Eigen::Matrix4d::Zero();
+  double reach_ = 0.0;  ///< metres
+  Eigen::AlignedBox3f near_;
+  double way_ = 0.0;  ///< metres; 0: not clear
+};
+
+}  // namespace lockbox
