@@ -10,8 +10,10 @@
 namespace lockbox {
 namespace {
 
-constexpr std::size_t kSamplesPerChunk = 2048;
+constexpr std::size_t kRowsPerChunk = 8;
 constexpr double kLeastWeight = 1e-3;  // below it a sample is not worth keeping
+constexpr double kSurely = 0.999;      // of the dead zone
+constexpr double kRounding = 1e-5;     // metres
 
 /// The mixture of kernels::associate for a single body: what is explained, and the weight.
 struct Loss {
@@ -49,7 +51,18 @@ class PullFinder {
         camera_(cloud.camera()),
         observed_(cloud, object, options),
         cut_(options.cut),
+        dead_zone_(options.free_space_dead_zone),
         spread_(spread) {}
+
+  /// Whether find() need not be asked: single precision errs by less than what is left over.
+  bool is_surely_nothing(std::int32_t pixel, float expected, float measured) const {
+    if (pixel < 0) {
+      return pixel == kernels::kOutside;
+    }
+    const auto z = static_cast<double>(expected);
+    return static_cast<double>(measured) - z <
+           kSurely * dead_zone_ * observed_.sigma_z(z) - kRounding;
+  }
 
   std::optional<FreeSpacePull> find(const VisibleSample& sample,
                                     const Eigen::Isometry3d& T_camera_body) const {
@@ -151,6 +164,7 @@ class PullFinder {
   const PinholeCamera& camera_;
   const ObservedSurface observed_;
   double cut_;
+  double dead_zone_;
   double spread_;
 };
 
@@ -164,19 +178,27 @@ void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& 
   weight_ = options.lambda_free * surface.pixels_per_sample();
   cut_ = options.cut;
   const PullFinder finder(model, surface, cloud, object, options, spread);
-  const auto& samples = surface.samples();
-  const std::size_t chunks = chunk_count(samples.size(), kSamplesPerChunk);
+  const ReprojectedView reprojected(surface, T_camera_body, cloud, executor, scratch_);
+  const auto rows = static_cast<std::size_t>(surface.view().height);
+  const std::size_t chunks = chunk_count(rows, kRowsPerChunk);
   chunk_pulls_.resize(std::max(chunk_pulls_.size(), chunks));
-  executor.for_each_chunk(samples.size(), kSamplesPerChunk,
-                          [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                            chunk_pulls_[chunk].clear();
-                            for (std::size_t i = begin; i < end; ++i) {
-                              const auto body = static_cast<std::size_t>(samples[i].body);
-                              if (const auto pull = finder.find(samples[i], T_camera_body[body])) {
-                                chunk_pulls_[chunk].push_back(*pull);
-                              }
-                            }
-                          });
+  executor.for_each_chunk(
+      rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        chunk_pulls_[chunk].clear();
+        for (auto v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
+          const kernels::Reprojected row = reprojected.row(v);
+          for (int u = 0; u < surface.view().width; ++u) {
+            if (finder.is_surely_nothing(row.pixel[u], row.expected[u], row.measured[u])) {
+              continue;
+            }
+            const VisibleSample sample = surface.sample(u, v);
+            const auto body = static_cast<std::size_t>(sample.body);
+            if (const auto pull = finder.find(sample, T_camera_body[body])) {
+              chunk_pulls_[chunk].push_back(*pull);
+            }
+          }
+        }
+      });
   pulls_.clear();
   for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
     pulls_.insert(pulls_.end(), chunk_pulls_[chunk].begin(), chunk_pulls_[chunk].end());

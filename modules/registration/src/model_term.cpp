@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "lockbox/kernels/point_to_field.hpp"
+#include "rigid_motion.hpp"
 
 namespace lockbox {
 namespace {
@@ -16,15 +17,7 @@ constexpr std::size_t kMaxCandidates = 16;  // bodies that may compete for the p
 constexpr std::size_t kArraysPerCandidate = 8;
 
 kernels::RigidMotion body_from_camera(const Eigen::Isometry3d& T_camera_body) {
-  const Eigen::Isometry3d T = T_camera_body.inverse();
-  kernels::RigidMotion motion{};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      motion.rotation[3 * row + column] = static_cast<float>(T.linear()(row, column));
-    }
-    motion.translation[row] = static_cast<float>(T.translation()[row]);
-  }
-  return motion;
+  return to_rigid_motion(T_camera_body.inverse());
 }
 
 kernels::PointSpan points_of(const TiledCloud& cloud, const Tile& tile) {

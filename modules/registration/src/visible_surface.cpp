@@ -35,11 +35,10 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
   for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
     T_body_camera_[b] = T_camera_body[b].inverse();
   }
-  sample(executor);
+  count_samples(executor);
 }
 
-/// Rows are counted first, so that each knows where its samples belong.
-void VisibleSurface::sample(const Executor& executor) {
+void VisibleSurface::count_samples(const Executor& executor) {
   const auto width = static_cast<std::size_t>(image_.width);
   const auto rows = static_cast<std::size_t>(image_.height);
   row_begins_.assign(rows + 1, 0);
@@ -51,26 +50,15 @@ void VisibleSurface::sample(const Executor& executor) {
     }
   });
   std::partial_sum(row_begins_.begin(), row_begins_.end(), row_begins_.begin());
-  samples_.resize(row_begins_.back());
-  const PinholeCamera& view = renderer_->camera();
-  executor.for_each_chunk(rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
-    for (std::size_t v = begin; v < end; ++v) {
-      std::size_t next = row_begins_[v];
-      for (std::size_t u = 0; u < width; ++u) {
-        const int body = image_.id[v * width + u];
-        if (body == kNothing) {
-          continue;
-        }
-        const auto column = static_cast<int>(u);
-        const auto row = static_cast<int>(v);
-        const Eigen::Vector3d p_camera =
-            view.back_project(column, row, static_cast<double>(image_.depth[v * width + u]));
-        samples_[next++] = {
-            (T_body_camera_[static_cast<std::size_t>(body)] * p_camera).cast<float>(), body, column,
-            row};
-      }
-    }
-  });
+}
+
+VisibleSample VisibleSurface::sample(int u, int v) const {
+  const std::size_t pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(image_.width) +
+                            static_cast<std::size_t>(u);
+  const int body = image_.id[pixel];
+  const Eigen::Vector3d p_camera =
+      view_camera().back_project(u, v, static_cast<double>(image_.depth[pixel]));
+  return {(T_body_camera_[static_cast<std::size_t>(body)] * p_camera).cast<float>(), body, u, v};
 }
 
 void VisibleSurface::label(const TiledCloud& cloud, const Executor& executor,

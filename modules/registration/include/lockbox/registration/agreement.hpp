@@ -2,11 +2,14 @@
 // How the visible surface of a registered model compares with the image.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/reprojected_view.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
@@ -46,11 +49,35 @@ class AgreementMeter {
   const OutlineAgreement& outline() const { return outline_; }
 
  private:
+  /// What was measured where samples of a body are, camera's frame.
+  struct MeasuredPoints {
+    std::size_t size = 0;
+    std::vector<float> x;
+    std::vector<float> y;
+    std::vector<float> z;
+    std::vector<float> expected;            ///< depth of the sample
+    std::vector<float> distance;            ///< of the point from the body
+    std::vector<std::uint32_t> view_pixel;  ///< of the sample
+  };
+
+  void reserve(const Executor& executor, std::size_t bodies, std::size_t points);
+  static void look_at_row(const ArticulatedModel& model, const VisibleSurface& surface,
+                          const BodyPoses& T_camera_body, const TiledCloud& cloud,
+                          const RegistrationOptions& options, const ReprojectedView& reprojected,
+                          int v, std::span<MeasuredPoints> points, std::span<Agreement> counts,
+                          OutlineAgreement& outline);
+  static void count_points(const ArticulatedModel& model, const VisibleSurface& surface,
+                           std::size_t body, const Eigen::Isometry3d& T_camera_body,
+                           const TiledCloud& cloud, const RegistrationOptions& options,
+                           MeasuredPoints& points, Agreement& counts);
+
   Agreement total_;
   std::vector<Agreement> bodies_;        ///< by body
   std::vector<Agreement> chunk_bodies_;  ///< by chunk of samples and body
   std::vector<OutlineAgreement> chunk_outlines_;
   OutlineAgreement outline_;
+  ReprojectedView::Scratch scratch_;
+  std::vector<MeasuredPoints> points_;  ///< by worker and body
 };
 
 }  // namespace lockbox

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "lockbox/registration/reprojected_view.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
@@ -56,6 +57,7 @@ class FreeSpaceTerm {
   double spread2_ = 0.0;  ///< m^2, of the last linearisation
   std::vector<std::vector<FreeSpacePull>> chunk_pulls_;
   std::vector<FreeSpacePull> pulls_;
+  ReprojectedView::Scratch scratch_;
 };
 
 }  // namespace lockbox

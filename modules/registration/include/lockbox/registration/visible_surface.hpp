@@ -21,32 +21,40 @@ struct VisibleSample {
   int v;
 };
 
-/// Reuses its buffers; one sample for each block of pixels_per_sample pixels.
+/// Reuses its buffers; one sample for each pixel of the view that shows a body, that is for each
+/// block of pixels_per_sample pixels of the camera.
 class VisibleSurface {
  public:
   void render(const ArticulatedModel& model, const BodyPoses& T_camera_body,
               const PinholeCamera& camera, const Executor& executor);
 
+  /// The point of a body that pixel (u, v) of the view shows; not for kNothing.
+  VisibleSample sample(int u, int v) const;
+
   /// visible[i]: number of the body in the pixel of the cloud's point i, -1 where there is none.
   void label(const TiledCloud& cloud, const Executor& executor, std::vector<float>& visible) const;
 
-  const std::vector<VisibleSample>& samples() const { return samples_; }
+  /// Samples in the rows of the view before row v; v = height: all.
+  std::size_t samples_before(int v) const { return row_begins_[static_cast<std::size_t>(v)]; }
   double pixels_per_sample() const { return static_cast<double>(reduction_) * reduction_; }
 
   /// The z-buffer, and how many pixels of the camera lie along each side of one of its own.
   const RenderedDepth& view() const { return image_; }
+  const PinholeCamera& view_camera() const { return renderer_->camera(); }
   int reduction() const { return reduction_; }
 
+  /// Where the bodies were when they were drawn.
+  const BodyPoses& T_body_camera() const { return T_body_camera_; }
+
  private:
-  void sample(const Executor& executor);
+  void count_samples(const Executor& executor);
 
   PinholeCamera full_camera_;
   std::unique_ptr<DepthRenderer> renderer_;
   std::vector<RenderItem> items_;
   RenderedDepth image_;
   BodyPoses T_body_camera_;
-  std::vector<std::size_t> row_begins_;  ///< index of each row's first sample; the number of all
-  std::vector<VisibleSample> samples_;
+  std::vector<std::size_t> row_begins_;  ///< samples before each row; the number of all
   int reduction_ = 1;
 };
 
