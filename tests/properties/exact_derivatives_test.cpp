@@ -77,15 +77,14 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
     surface.label(cloud, Executor(1), visible);
     ModelTerm term;
     std::vector<BodySystem> systems(model.tree.bodies.size());
-    const double cost =
-        term.linearize(model, poses(at), cloud, visible, options, spread, executor, systems);
-    EXPECT_NEAR(term.cost(model, poses(at), cloud, visible, executor), cost, 1e-5 * std::abs(cost));
+    const ModelTerm::Scene scene{model, cloud, visible, options, executor};
+    const double cost = term.linearize(scene, poses(at), spread, systems);
+    EXPECT_NEAR(term.cost(scene, poses(at)), cost, 1e-5 * std::abs(cost));
     const NormalEquations analytic = mapped(systems, at);
     // Interpolation makes the cost piecewise smooth: a step well below a voxel, well above
     // rounding.
-    const Eigen::VectorXd numeric = numeric_gradient(at, 1e-5, [&](const Configuration& x) {
-      return term.cost(model, poses(x), cloud, visible, executor);
-    });
+    const Eigen::VectorXd numeric = numeric_gradient(
+        at, 1e-5, [&](const Configuration& x) { return term.cost(scene, poses(x)); });
     for (Eigen::Index i = 0; i < unknowns; ++i) {
       EXPECT_NEAR(analytic.gradient[i], numeric[i], 0.01 * numeric.cwiseAbs().maxCoeff() + 1.0)
           << "unknown " << i << ", spread " << spread;

@@ -54,7 +54,7 @@ void look_up_points(const FieldView& field, const RigidMotion& motion, const Poi
                 hn::Gt(along2, hn::Mul(hn::Set(df, kFarSideCosine * kFarSideCosine), p2)));
     const auto explains = hn::AndNot(far_side, at.inside);
 
-    hn::StoreU(distance, df, hits.distance + i);
+    hn::StoreU(hn::IfThenElse(at.inside, distance, hn::Set(df, kPadding)), df, hits.distance + i);
     for (int axis = 0; axis < 3; ++axis) {
       hn::StoreU(n[axis], df, hits.normal[axis] + i);
       hn::StoreU(q[axis], df, hits.position[axis] + i);
@@ -74,7 +74,6 @@ void look_up_point_distances(const FieldView& field, const RigidMotion& motion,
     transform(motion, p, q);
     const GridPosition at = locate(field, q);
     const Float d = interpolate<false>(field, at, nullptr);
-    // Off the field: far beyond any cut.
     hn::StoreU(hn::IfThenElse(at.inside, d, hn::Set(df, kPadding)), df, distance + i);
   }
 }

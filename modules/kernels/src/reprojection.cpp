@@ -114,6 +114,33 @@ void reproject_columns(const DrawnRow& row, const Intrinsics& drawn,
   }
 }
 
+std::size_t columns_seen_through(const Reprojected& row, std::size_t columns,
+                                 const PointNoise& noise, float zone, std::uint32_t* result) {
+  const FloatTag df;
+  const IntTag di;
+  std::size_t count = 0;
+  for (std::size_t u = 0; u < columns; u += hn::Lanes(df)) {
+    const Float z = hn::LoadU(df, row.expected + u);
+    const Int pixel = hn::LoadU(di, row.pixel + u);
+    const Float sigma = hn::MulAdd(hn::Set(df, noise.depth_quadratic), hn::Mul(z, z),
+                                   hn::Set(df, noise.depth_floor));
+    const Float behind = hn::Sub(hn::LoadU(df, row.measured + u), z);
+    const auto deeper =
+        hn::And(hn::RebindMask(di, hn::Gt(behind, hn::Mul(hn::Set(df, zone), sigma))),
+                hn::Gt(pixel, hn::Set(di, -1)));
+    auto wanted = hn::Or(deeper, hn::Eq(pixel, hn::Set(di, kUndecided)));
+    while (!hn::AllFalse(di, wanted)) {  // few are
+      const std::size_t lane = static_cast<std::size_t>(hn::FindFirstTrue(di, wanted));
+      if (u + lane < columns) {
+        result[count++] = static_cast<std::uint32_t>(u + lane);
+      }
+      wanted =
+          hn::AndNot(hn::Eq(hn::Iota(di, 0), hn::Set(di, static_cast<std::int32_t>(lane))), wanted);
+    }
+  }
+  return count;
+}
+
 }  // namespace lockbox::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -121,10 +148,16 @@ HWY_AFTER_NAMESPACE();
 namespace lockbox::kernels {
 
 HWY_EXPORT(reproject_columns);
+HWY_EXPORT(columns_seen_through);
 
 void reproject(const DrawnRow& row, const Intrinsics& drawn, std::span<const RigidMotion> motion,
                const MeasuredDepth& image, const Reprojected& result) {
   HWY_DYNAMIC_DISPATCH(reproject_columns)(row, drawn, motion, image, result);
+}
+
+std::size_t seen_through(const Reprojected& row, std::size_t columns, const PointNoise& noise,
+                         float zone, std::uint32_t* result) {
+  return HWY_DYNAMIC_DISPATCH(columns_seen_through)(row, columns, noise, zone, result);
 }
 
 }  // namespace lockbox::kernels

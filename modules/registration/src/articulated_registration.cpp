@@ -95,15 +95,19 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.converged = false;
   result_.iterations = 0;
   selected_spread_ = kNeverSelected;
+  linearized_spread_.reset();
+  ahead_spread_.reset();
   look_at(cloud, start);
   const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
   bool go_on = true;
+  const auto spread_of = [&](int k) {
+    return k < annealing.iterations ? annealing.spread * spread_share(k, narrowing) : 0.0;
+  };
   for (int k = 0; k < annealing.iterations && go_on; ++k) {
-    const double iteration_spread = annealing.spread * spread_share(k, narrowing);
-    const double cost = linearize(cloud, iteration_spread);
+    const double cost = linearize(cloud, spread_of(k));
     ++result_.iterations;
-    const bool moved = improve(cloud, cost, annealing.hold_joints);
-    const bool is_narrow = iteration_spread == 0.0;
+    const bool moved = improve(cloud, cost, annealing.hold_joints, spread_of(k + 1));
+    const bool is_narrow = spread_of(k) == 0.0;
     result_.converged = !moved && is_narrow;
     go_on = !result_.converged;
     if (annealing.on_iteration) {
@@ -112,7 +116,8 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   }
   // The covariance, and what the model explains, belong to the solution.
   linearize(cloud, 0.0);
-  tile_systems_ = model_term_.tile_systems();
+  tile_systems_.clear();
+  model_term_.append_tile_systems(tile_systems_);
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
     free_term_.append_tile_systems(poses_, tile_systems_);
   }
@@ -145,14 +150,20 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
+  if (linearized_spread_ == spread) {
+    return cost_;  // the last step was not taken
+  }
   if (surface_distance(rendered_, result_.configuration) > kStaleView) {
     look_at(cloud, result_.configuration);
   }
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
   std::fill(systems_.begin(), systems_.end(), BodySystem{});
-  result_.model_cost =
-      model_term_.linearize(model_, poses_, cloud, visible_, options_, spread, executor_, systems_);
+  result_.model_cost = ahead_spread_ == spread
+                           ? model_term_.take_ahead(systems_)
+                           : model_term_.linearize({model_, cloud, visible_, options_, executor_},
+                                                   poses_, spread, systems_);
+  ahead_spread_.reset();
   result_.free_cost = 0.0;
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
     select_free_space(cloud, spread);
@@ -164,8 +175,10 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
   }
   equations_ = data_equations_;
   result_.collision_cost = collision_.evaluate(model_, poses_, &equations_);
-  return (result_.model_cost + result_.free_cost) / options_.noise_correlation +
-         result_.collision_cost;
+  linearized_spread_ = spread;
+  cost_ = (result_.model_cost + result_.free_cost) / options_.noise_correlation +
+          result_.collision_cost;
+  return cost_;
 }
 
 /// A selection lasts while the configuration stays where it was made: selecting anew at each
@@ -181,18 +194,24 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
   selected_spread_ = spread;
 }
 
-double ArticulatedRegistration::cost_at(const TiledCloud& cloud,
-                                        const Configuration& configuration) {
+/// With next_spread, the model term is linearised there on the way.
+double ArticulatedRegistration::cost_at(const TiledCloud& cloud, const Configuration& configuration,
+                                        std::optional<double> next_spread) {
+  const ModelTerm::Scene scene{model_, cloud, visible_, options_, executor_};
   forward_kinematics(model_.tree, configuration, trial_poses_);
-  double cost = model_term_.cost(model_, trial_poses_, cloud, visible_, executor_);
+  double cost = next_spread ? model_term_.cost_ahead(scene, trial_poses_, *next_spread)
+                            : model_term_.cost(scene, trial_poses_);
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
     cost += free_term_.cost(trial_poses_);
   }
   return cost / options_.noise_correlation + collision_.evaluate(model_, trial_poses_, nullptr);
 }
 
-/// Takes the best acceptable step; false if there was none, or none worth taking.
-bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool hold_joints) {
+/// Takes the best acceptable step; false if there was none, or none worth taking. Mostly the first
+/// trial is taken: unless the model has to be drawn anew then, the next linearisation is made along
+/// with its cost.
+bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool hold_joints,
+                                      double next_spread) {
   set_step_limits(hold_joints);
   double damping = 0.0;
   for (int trial = 0; trial <= kMaxDampings; ++trial) {
@@ -202,8 +221,12 @@ bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool
     }
     candidate_ = result_.configuration;
     apply_step(step, candidate_);
-    if (cost_at(cloud, candidate_) < cost) {
+    const bool looks_ahead = trial == 0 && surface_distance(rendered_, candidate_) <= kStaleView;
+    const auto spread_ahead = looks_ahead ? std::optional(next_spread) : std::nullopt;
+    if (cost_at(cloud, candidate_, spread_ahead) < cost) {
       result_.configuration = candidate_;
+      linearized_spread_.reset();
+      ahead_spread_ = spread_ahead;
       return true;
     }
     damping = damping == 0.0 ? kFirstDamping : damping * kDampingGrowth;

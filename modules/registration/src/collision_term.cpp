@@ -2,11 +2,14 @@
 #include "lockbox/registration/collision_term.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/mesh/surface_sampling.hpp"
+#include "rigid_motion.hpp"
 
 namespace lockbox {
 namespace {
@@ -19,6 +22,8 @@ constexpr double kThicknessShare = 0.125;   // of the thinner body: the largest 
 constexpr float kFarSideCosine = 0.2F;
 constexpr int kMaxTraceSteps = 200;
 constexpr float kSurfaceTolerance = 2e-6F;  // metres
+constexpr std::size_t kSamplesAtOnce = 256;
+constexpr float kRounding = 1e-5F;  // metres: more than single precision errs
 
 /// Where and how deep a sample sits in the other body, and which way is out.
 struct Penetration {
@@ -55,10 +60,9 @@ std::optional<Penetration> trace_back(const SignedDistanceField& field, const Ei
   return std::nullopt;
 }
 
-/// at: the field's value at p.
-std::optional<Penetration> penetration(const SignedDistanceField& field, const DistanceSample& at,
-                                       const Eigen::Vector3f& p, const Eigen::Vector3f& outward,
-                                       float erosion) {
+std::optional<Penetration> penetration(const SignedDistanceField& field, const Eigen::Vector3f& p,
+                                       const Eigen::Vector3f& outward, float erosion) {
+  const DistanceSample at = field.sample(p);
   const float f = at.distance + erosion;
   if (f >= 0.0F) {
     return std::nullopt;
@@ -160,7 +164,7 @@ std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body
   const double area = surface_area(mesh);
   const double spacing =
       std::clamp(std::sqrt(area / kSamplesPerBody), kFinestSpacing, kCoarsestSpacing);
-  ErodedSurface surface{body, erosion, {}};
+  ErodedSurface surface{body, erosion, {}, {}, {}, {}};
   double total = 0.0;
   for (const SurfaceSample& point : sample_surface(mesh, spacing)) {
     Eigen::Vector3f p = point.position.cast<float>();
@@ -179,6 +183,12 @@ std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body
   }
   for (Sample& sample : surface.samples) {
     sample.share /= total;
+    surface.x.push_back(sample.p_body.x());
+    surface.y.push_back(sample.p_body.y());
+    surface.z.push_back(sample.p_body.z());
+  }
+  for (auto* axis : {&surface.x, &surface.y, &surface.z}) {
+    axis->resize(kernels::padded(surface.samples.size()), kernels::kPadding);
   }
   surfaces_.push_back(std::move(surface));
   return surfaces_.size() - 1;
@@ -198,28 +208,42 @@ void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSur
   const Eigen::AlignedBox3f box = field.bounds().cast<float>();
   const Eigen::Isometry3f T = T_other_body.cast<float>();
   const auto eroded = static_cast<float>(erosion);
-  for (const Sample& sample : surface.samples) {
-    const Eigen::Vector3f p = T * sample.p_body;
-    if (!half.clear_way.near_box().contains(p)) {
-      continue;
+  const kernels::RigidMotion motion = to_rigid_motion(T_other_body);
+  std::array<float, kSamplesAtOnce> distance;
+  for (std::size_t first = 0; first < surface.x.size(); first += kSamplesAtOnce) {
+    const std::size_t size = std::min(kSamplesAtOnce, surface.x.size() - first);
+    kernels::look_up_distance(
+        field.view(), motion,
+        {surface.x.data() + first, surface.y.data() + first, surface.z.data() + first, size},
+        distance.data());
+    half.clear_way.note(*std::min_element(distance.begin(), distance.begin() + size) + eroded);
+    for (std::size_t i = 0; i < size; ++i) {
+      if (distance[i] + eroded < kRounding) {
+        add_sample(field, box, T, surface.samples[first + i], eroded, with_system, half);
+      }
     }
-    const DistanceSample at = field.sample(p);
-    half.clear_way.note(at.distance + eroded);
-    if (!box.contains(p)) {
-      continue;
-    }
-    const auto inside = penetration(field, at, p, T.linear() * sample.normal, eroded);
-    if (!inside) {
-      continue;
-    }
-    const double w = weight_ * sample.share;
-    half.cost += 0.5 * w * inside->depth * inside->depth;
-    if (with_system) {
-      Twist row;
-      row << inside->normal, inside->point.cross(inside->normal);
-      half.system.hessian.noalias() += w * row * row.transpose();
-      half.system.gradient += w * inside->depth * row;
-    }
+  }
+}
+
+/// What may penetrate, if it does. box: the field's bounds.
+void CollisionTerm::add_sample(const SignedDistanceField& field, const Eigen::AlignedBox3f& box,
+                               const Eigen::Isometry3f& T_other_body, const Sample& sample,
+                               float erosion, bool with_system, Half& half) const {
+  const Eigen::Vector3f p = T_other_body * sample.p_body;
+  if (!box.contains(p)) {
+    return;
+  }
+  const auto inside = penetration(field, p, T_other_body.linear() * sample.normal, erosion);
+  if (!inside) {
+    return;
+  }
+  const double w = weight_ * sample.share;
+  half.cost += 0.5 * w * inside->depth * inside->depth;
+  if (with_system) {
+    Twist row;
+    row << inside->normal, inside->point.cross(inside->normal);
+    half.system.hessian.noalias() += w * row * row.transpose();
+    half.system.gradient += w * inside->depth * row;
   }
 }
 

@@ -2,7 +2,6 @@
 #include "lockbox/registration/model_term.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -12,33 +11,28 @@
 namespace lockbox {
 namespace {
 
-constexpr std::size_t kTilesPerChunk = 16;  // fixed, so that sums do not depend on threads
 constexpr std::size_t kMaxCandidates = 16;  // bodies that may compete for the points of a tile
-constexpr std::size_t kArraysPerCandidate = 8;
-
-kernels::RigidMotion body_from_camera(const Eigen::Isometry3d& T_camera_body) {
-  return to_rigid_motion(T_camera_body.inverse());
-}
+constexpr std::size_t kArraysPerCandidate = 9;
 
 kernels::PointSpan points_of(const TiledCloud& cloud, const Tile& tile) {
   return {cloud.x().data() + tile.first, cloud.y().data() + tile.first,
           cloud.z().data() + tile.first, tile.padded};
 }
 
-/// Whether a box in the camera's frame comes within gate of a box in the body's frame: separating
-/// axes of both boxes' faces, so it may say yes too often but never no wrongly.
-bool may_touch(const Eigen::AlignedBox3f& tile, const Eigen::AlignedBox3d& body,
-               const Eigen::Isometry3d& T_camera_body, double gate) {
-  const Eigen::Vector3d tile_center = tile.center().cast<double>();
-  const Eigen::Vector3d tile_half = 0.5 * tile.sizes().cast<double>();
-  const Eigen::Vector3d body_half = (0.5 * body.sizes()).array() + gate;
-  const Eigen::Matrix3d& R = T_camera_body.linear();
-  const Eigen::Matrix3d R_abs = R.cwiseAbs();
-  const Eigen::Vector3d offset_camera = tile_center - T_camera_body * body.center();
-  const Eigen::Vector3d offset_body = R.transpose() * offset_camera;
-  return (offset_camera.cwiseAbs().array() <= (tile_half + R_abs * body_half).array()).all() &&
-         (offset_body.cwiseAbs().array() <= (body_half + R_abs.transpose() * tile_half).array())
-             .all();
+kernels::PointNoise point_noise(const SensorNoise& noise, const PinholeCamera& camera,
+                                double spread) {
+  return {static_cast<float>(noise.depth_floor), static_cast<float>(noise.depth_quadratic),
+          static_cast<float>(noise.lateral_pixels / camera.fx), static_cast<float>(spread)};
+}
+
+/// How far from a body, metres, the points of a tile may lie to be its own.
+double gate_of(const Tile& tile, const PinholeCamera& camera, const RegistrationOptions& options,
+               double spread) {
+  const double depth = static_cast<double>(tile.bounds.max().z());
+  const double sigma =
+      std::max(options.noise.depth_floor + options.noise.depth_quadratic * depth * depth,
+               options.noise.lateral_pixels / camera.fx * depth);
+  return options.cut * std::hypot(sigma, spread);
 }
 
 BodySystem to_system(const kernels::NormalSums& sums) {
@@ -51,6 +45,17 @@ BodySystem to_system(const kernels::NormalSums& sums) {
     system.gradient[row] = sums.gradient[row];
   }
   return system;
+}
+
+/// The sum of that body, zero at first.
+BodySystem& sum_of(std::vector<std::pair<int, BodySystem>>& sums, int body) {
+  const auto found =
+      std::find_if(sums.begin(), sums.end(), [body](const auto& sum) { return sum.first == body; });
+  return found != sums.end() ? found->second : sums.emplace_back(body, BodySystem{}).second;
+}
+
+std::size_t tiles_in_chunk(const TiledCloud& cloud, std::size_t first, std::size_t most) {
+  return std::min(most, cloud.tiles().size() - first);
 }
 
 }  // namespace
@@ -67,152 +72,250 @@ struct ModelTerm::Scratch {
     };
     for (std::size_t l = 0; l < kMaxCandidates; ++l) {
       hits[l] = {take(), {take(), take(), take()}, {take(), take(), take()}, nullptr};
-      distance[l] = hits[l].distance;
       weight[l] = take();
+      frozen_distance[l] = take();
     }
   }
 
-  std::array<kernels::FieldHits, kMaxCandidates> hits;
-  std::array<const float*, kMaxCandidates> distance;
-  std::array<const float*, kMaxCandidates> inverse_variance;
+  std::array<kernels::FieldHits, kMaxCandidates> hits;  ///< by candidate
   std::array<float*, kMaxCandidates> weight;
+  std::array<float*, kMaxCandidates> frozen_distance;
+
+  /// What the candidates of a chunk, from `first` on, have found of a tile.
+  kernels::Candidates candidates(const Scene& scene, const Chunk& chunk, std::size_t first,
+                                 std::size_t count, const Tile& tile) {
+    for (std::size_t l = 0; l < count; ++l) {
+      inverse_variance_[l] = chunk.inverse_variance.data() + (first + l) * kTilePoints;
+    }
+    return {tile.padded,
+            {distance.data(), count},
+            {inverse_variance_.data(), count},
+            {chunk.body_numbers.data() + first, count},
+            scene.visible.data() + tile.first,
+            static_cast<float>(scene.options.cut),
+            static_cast<float>(scene.options.visible_odds)};
+  }
+  std::array<const float*, kMaxCandidates> distance;  ///< to be set before candidates()
+
+ private:
+  std::array<const float*, kMaxCandidates> inverse_variance_;
 };
 
-void ModelTerm::select_candidates(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                                  const TiledCloud& cloud, const RegistrationOptions& options,
-                                  double spread) {
-  tiles_.clear();
-  candidates_.clear();
-  for (std::size_t t = 0; t < cloud.tiles().size(); ++t) {
-    const Tile& tile = cloud.tiles()[t];
-    if (tile.count == 0) {
-      continue;
-    }
-    const double depth = static_cast<double>(tile.bounds.max().z());
-    const double sigma =
-        std::max(options.noise.depth_floor + options.noise.depth_quadratic * depth * depth,
-                 options.noise.lateral_pixels / cloud.camera().fx * depth);
-    const double gate = options.cut * std::hypot(sigma, spread);
-    const std::size_t first = candidates_.size();
-    for (std::size_t b = 0; b < model.fields.size(); ++b) {
-      if (model.fields[b] && candidates_.size() - first < kMaxCandidates &&
-          may_touch(tile.bounds, model.fields[b]->bounds(), T_camera_body[b], gate)) {
-        candidates_.push_back(static_cast<int>(b));
-      }
-    }
-    if (candidates_.size() > first) {
-      tiles_.push_back({t, first, candidates_.size() - first});
+void ModelTerm::begin(const Scene& scene, const BodyPoses& T_camera_body) {
+  bodies_.resize(T_camera_body.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    PosedBody& body = bodies_[b];
+    const auto& field = scene.model.fields[b];
+    body.has_field = field.has_value();
+    body.T_body_camera = T_camera_body[b].inverse();
+    body.from_camera = to_rigid_motion(body.T_body_camera);
+    body.box = OrientedBox(field ? field->bounds() : Eigen::AlignedBox3d(), T_camera_body[b]);
+  }
+  const std::size_t chunks = chunk_count(scene.cloud.tiles().size(), kTilesPerChunk);
+  chunk_costs_.assign(chunks, 0.0);
+  scratch_.resize(static_cast<std::size_t>(scene.executor.threads()) + 1);
+}
+
+/// Makes room for whatever may be selected, so that nothing is allocated later.
+void ModelTerm::prepare(const Scene& scene, Linearization& linearization) const {
+  linearization.chunks.resize(chunk_count(scene.cloud.tiles().size(), kTilesPerChunk));
+  linearization.explained.resize(scene.cloud.x().size());
+  const std::size_t most = kTilesPerChunk * std::min(kMaxCandidates, bodies_.size());
+  for (Chunk& chunk : linearization.chunks) {
+    chunk.bodies.reserve(most);
+    chunk.body_numbers.reserve(most);
+    chunk.inverse_variance.reserve(most * kTilePoints);
+    chunk.tile_systems.reserve(most);
+    chunk.sums.reserve(bodies_.size());
+  }
+}
+
+void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index, double spread,
+                                  Chunk& chunk) const {
+  const TiledCloud& cloud = scene.cloud;
+  const std::size_t first = chunk_index * kTilesPerChunk;
+  const std::size_t tiles = tiles_in_chunk(cloud, first, kTilesPerChunk);
+  Eigen::AlignedBox3f bounds;
+  std::array<double, kTilesPerChunk> gates{};
+  for (std::size_t k = 0; k < tiles; ++k) {
+    const Tile& tile = cloud.tiles()[first + k];
+    if (tile.count > 0) {
+      bounds.extend(tile.bounds);
+      gates[k] = gate_of(tile, cloud.camera(), scene.options, spread);
     }
   }
-  body_numbers_.assign(candidates_.begin(), candidates_.end());
-  inverse_variance_.resize(candidates_.size() * kTilePoints);
-  tile_systems_.resize(candidates_.size());
-}
-
-kernels::Candidates ModelTerm::candidates_of(const TileCandidates& tile, const TiledCloud& cloud,
-                                             const std::vector<float>& visible,
-                                             const Scratch& scratch) const {
-  const Tile& points = cloud.tiles()[tile.tile];
-  return {points.padded,
-          {scratch.distance.data(), tile.count},
-          {scratch.inverse_variance.data(), tile.count},
-          {body_numbers_.data() + tile.first, tile.count},
-          visible.data() + points.first,
-          cut_,
-          visible_odds_};
-}
-
-double ModelTerm::linearize(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                            const TiledCloud& cloud, const std::vector<float>& visible,
-                            const RegistrationOptions& options, double spread,
-                            const Executor& executor, std::vector<BodySystem>& systems) {
-  cut_ = static_cast<float>(options.cut);
-  visible_odds_ = static_cast<float>(options.visible_odds);
-  select_candidates(model, T_camera_body, cloud, options, spread);
-  explained_.assign(cloud.x().size(), 0.0F);
-  const kernels::PointNoise noise{
-      static_cast<float>(options.noise.depth_floor),
-      static_cast<float>(options.noise.depth_quadratic),
-      static_cast<float>(options.noise.lateral_pixels / cloud.camera().fx),
-      static_cast<float>(spread)};
-  const std::size_t chunks = chunk_count(tiles_.size(), kTilesPerChunk);
-  chunk_costs_.assign(chunks, 0.0);
-  chunk_totals_.assign(chunks, {});
-  chunk_systems_.resize(std::max(chunk_systems_.size(), chunks));
-  scratch_.resize(static_cast<std::size_t>(executor.threads()) + 1);
-
-  const auto linearize_chunk = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-    Scratch scratch(scratch_[Executor::worker()]);
-    std::vector<BodySystem>& sums = chunk_systems_[chunk];
-    sums.assign(model.fields.size(), BodySystem{});
-    for (std::size_t k = begin; k < end; ++k) {
-      const TileCandidates& candidates = tiles_[k];
-      const Tile& tile = cloud.tiles()[candidates.tile];
-      for (std::size_t l = 0; l < candidates.count; ++l) {
-        const auto body = static_cast<std::size_t>(candidates_[candidates.first + l]);
-        scratch.hits[l].inverse_variance =
-            inverse_variance_.data() + (candidates.first + l) * kTilePoints;
-        scratch.inverse_variance[l] = scratch.hits[l].inverse_variance;
-        kernels::look_up(model.fields[body]->view(), body_from_camera(T_camera_body[body]), noise,
-                         points_of(cloud, tile), scratch.hits[l]);
-      }
-      chunk_costs_[chunk] += kernels::associate(candidates_of(candidates, cloud, visible, scratch),
-                                                {scratch.weight.data(), candidates.count},
-                                                explained_.data() + tile.first);
-      for (std::size_t l = 0; l < candidates.count; ++l) {
-        const int body = candidates_[candidates.first + l];
-        const kernels::NormalSums tile_sums =
-            kernels::accumulate(tile.padded, scratch.hits[l], scratch.weight[l]);
-        BodySystem system = to_system(tile_sums);
-        system.add_feigned(T_camera_body[static_cast<std::size_t>(body)].inverse() *
-                               tile.bounds.center().cast<double>(),
-                           system.hessian.topLeftCorner<3, 3>().trace(), kNormalVariance);
-        sums[static_cast<std::size_t>(body)] += system;
-        tile_systems_[candidates.first + l] = {candidates.tile, body, system.hessian,
-                                               system.gradient};
-        chunk_totals_[chunk].weighted_squares += tile_sums.weighted_squares;
-        chunk_totals_[chunk].points += tile_sums.weight;
+  const double widest = *std::max_element(gates.begin(), gates.end());
+  chunk.sums.clear();  // the bodies that any of the tiles may see
+  for (std::size_t b = 0; b < bodies_.size() && !bounds.isEmpty(); ++b) {
+    if (bodies_[b].has_field && bodies_[b].box.may_touch(bounds, widest)) {
+      chunk.sums.emplace_back(static_cast<int>(b), BodySystem{});
+    }
+  }
+  chunk.bodies.clear();
+  for (std::size_t k = 0; k < tiles; ++k) {
+    chunk.first[k] = chunk.bodies.size();
+    const Tile& tile = cloud.tiles()[first + k];
+    for (const auto& [body, sum] : chunk.sums) {
+      if (tile.count > 0 && chunk.bodies.size() - chunk.first[k] < kMaxCandidates &&
+          bodies_[static_cast<std::size_t>(body)].box.may_touch(tile.bounds, gates[k])) {
+        chunk.bodies.push_back(body);
       }
     }
-  };
-  executor.for_each_chunk(tiles_.size(), kTilesPerChunk, linearize_chunk);
+  }
+  std::fill(chunk.first.begin() + static_cast<std::ptrdiff_t>(tiles), chunk.first.end(),
+            chunk.bodies.size());
+  chunk.body_numbers.assign(chunk.bodies.begin(), chunk.bodies.end());
+  chunk.inverse_variance.resize(
+      std::max(chunk.inverse_variance.size(), chunk.bodies.size() * kTilePoints));
+  chunk.tile_systems.resize(chunk.bodies.size());
+}
 
+double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index, double spread,
+                                  const Chunk* frozen, Linearization& linearization) {
+  const TiledCloud& cloud = scene.cloud;
+  Scratch scratch(scratch_[Executor::worker()]);
+  Chunk& chunk = linearization.chunks[chunk_index];
+  select_candidates(scene, chunk_index, spread, chunk);
+  chunk.cost = 0.0;
+  chunk.totals = {};
+  const kernels::PointNoise noise = point_noise(scene.options.noise, cloud.camera(), spread);
+  const std::size_t first_tile = chunk_index * kTilesPerChunk;
+  double cost = 0.0;
+  for (std::size_t k = 0; k < tiles_in_chunk(cloud, first_tile, kTilesPerChunk); ++k) {
+    const Tile& tile = cloud.tiles()[first_tile + k];
+    for (std::size_t c = chunk.first[k]; c < chunk.first[k + 1]; ++c) {
+      const auto body = static_cast<std::size_t>(chunk.bodies[c]);
+      kernels::FieldHits& hits = scratch.hits[c - chunk.first[k]];
+      hits.inverse_variance = chunk.inverse_variance.data() + c * kTilePoints;
+      kernels::look_up(scene.model.fields[body]->view(), bodies_[body].from_camera, noise,
+                       points_of(cloud, tile), hits);
+    }
+    if (frozen != nullptr) {
+      cost += frozen_cost(scene, first_tile + k, k, *frozen, &chunk, scratch);
+    }
+    linearize_tile(scene, first_tile + k, k, scratch, chunk,
+                   linearization.explained.data() + tile.first);
+  }
+  return cost;
+}
+
+/// What the candidates' look-ups, in the scratch memory, say of the tile.
+void ModelTerm::linearize_tile(const Scene& scene, std::size_t tile_index,
+                               std::size_t tile_of_chunk, Scratch& scratch, Chunk& chunk,
+                               float* explained) const {
+  const Tile& tile = scene.cloud.tiles()[tile_index];
+  const std::size_t first = chunk.first[tile_of_chunk];
+  const std::size_t count = chunk.first[tile_of_chunk + 1] - first;
+  if (count == 0) {
+    std::fill_n(explained, tile.padded, 0.0F);
+    return;
+  }
+  for (std::size_t l = 0; l < count; ++l) {
+    scratch.distance[l] = scratch.hits[l].distance;
+  }
+  chunk.cost += kernels::associate(scratch.candidates(scene, chunk, first, count, tile),
+                                   {scratch.weight.data(), count}, explained);
+  for (std::size_t l = 0; l < count; ++l) {
+    const int body = chunk.bodies[first + l];
+    const kernels::NormalSums tile_sums =
+        kernels::accumulate(tile.padded, scratch.hits[l], scratch.weight[l]);
+    BodySystem system = to_system(tile_sums);
+    system.add_feigned(
+        bodies_[static_cast<std::size_t>(body)].T_body_camera * tile.bounds.center().cast<double>(),
+        system.hessian.topLeftCorner<3, 3>().trace(), kNormalVariance);
+    sum_of(chunk.sums, body) += system;
+    chunk.tile_systems[first + l] = {tile_index, body, system.hessian, system.gradient};
+    chunk.totals.weighted_squares += tile_sums.weighted_squares;
+    chunk.totals.points += tile_sums.weight;
+  }
+}
+
+double ModelTerm::frozen_cost(const Scene& scene, std::size_t tile_index, std::size_t tile_of_chunk,
+                              const Chunk& frozen, const Chunk* current, Scratch& scratch) const {
+  const std::size_t first = frozen.first[tile_of_chunk];
+  const std::size_t count = frozen.first[tile_of_chunk + 1] - first;
+  if (count == 0) {
+    return 0.0;
+  }
+  const Tile& tile = scene.cloud.tiles()[tile_index];
+  for (std::size_t l = 0; l < count; ++l) {
+    const int body = frozen.bodies[first + l];
+    scratch.distance[l] = nullptr;
+    if (current != nullptr) {
+      const auto begin = current->bodies.begin();
+      const auto from = begin + static_cast<std::ptrdiff_t>(current->first[tile_of_chunk]);
+      const auto to = begin + static_cast<std::ptrdiff_t>(current->first[tile_of_chunk + 1]);
+      const auto found = std::find(from, to, body);
+      if (found != to) {
+        scratch.distance[l] = scratch.hits[static_cast<std::size_t>(found - from)].distance;
+      }
+    }
+    if (scratch.distance[l] == nullptr) {
+      const auto b = static_cast<std::size_t>(body);
+      kernels::look_up_distance(scene.model.fields[b]->view(), bodies_[b].from_camera,
+                                points_of(scene.cloud, tile), scratch.frozen_distance[l]);
+      scratch.distance[l] = scratch.frozen_distance[l];
+    }
+  }
+  return kernels::association_cost(scratch.candidates(scene, frozen, first, count, tile));
+}
+
+double ModelTerm::linearize(const Scene& scene, const BodyPoses& T_camera_body, double spread,
+                            std::vector<BodySystem>& systems) {
+  begin(scene, T_camera_body);
+  prepare(scene, last_);
+  scene.executor.for_each(last_.chunks.size(), [&](std::size_t chunk) {
+    linearize_chunk(scene, chunk, spread, nullptr, last_);
+  });
+  return sum_up(systems);
+}
+
+double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body) {
+  begin(scene, T_camera_body);
+  scene.executor.for_each(last_.chunks.size(), [&](std::size_t chunk) {
+    Scratch scratch(scratch_[Executor::worker()]);
+    const std::size_t first = chunk * kTilesPerChunk;
+    for (std::size_t k = 0; k < tiles_in_chunk(scene.cloud, first, kTilesPerChunk); ++k) {
+      chunk_costs_[chunk] +=
+          frozen_cost(scene, first + k, k, last_.chunks[chunk], nullptr, scratch);
+    }
+  });
+  return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
+}
+
+double ModelTerm::cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double spread) {
+  begin(scene, T_camera_body);
+  prepare(scene, ahead_);
+  scene.executor.for_each(last_.chunks.size(), [&](std::size_t chunk) {
+    chunk_costs_[chunk] = linearize_chunk(scene, chunk, spread, &last_.chunks[chunk], ahead_);
+  });
+  return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
+}
+
+double ModelTerm::take_ahead(std::vector<BodySystem>& systems) {
+  std::swap(last_, ahead_);
+  return sum_up(systems);
+}
+
+/// In the order of the chunks.
+double ModelTerm::sum_up(std::vector<BodySystem>& systems) {
   totals_ = {};
   double cost = 0.0;
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-    cost += chunk_costs_[chunk];
-    totals_.weighted_squares += chunk_totals_[chunk].weighted_squares;
-    totals_.points += chunk_totals_[chunk].points;
-    for (std::size_t b = 0; b < systems.size(); ++b) {
-      systems[b] += chunk_systems_[chunk][b];
+  for (const Chunk& chunk : last_.chunks) {
+    cost += chunk.cost;
+    totals_.weighted_squares += chunk.totals.weighted_squares;
+    totals_.points += chunk.totals.points;
+    for (const auto& [body, sum] : chunk.sums) {
+      systems[static_cast<std::size_t>(body)] += sum;
     }
   }
   return cost;
 }
 
-double ModelTerm::cost(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                       const TiledCloud& cloud, const std::vector<float>& visible,
-                       const Executor& executor) {
-  std::fill(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
-  executor.for_each_chunk(
-      tiles_.size(), kTilesPerChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        Scratch scratch(scratch_[Executor::worker()]);
-        for (std::size_t k = begin; k < end; ++k) {
-          const TileCandidates& candidates = tiles_[k];
-          const Tile& tile = cloud.tiles()[candidates.tile];
-          for (std::size_t l = 0; l < candidates.count; ++l) {
-            const auto body = static_cast<std::size_t>(candidates_[candidates.first + l]);
-            scratch.inverse_variance[l] =
-                inverse_variance_.data() + (candidates.first + l) * kTilePoints;
-            kernels::look_up_distance(model.fields[body]->view(),
-                                      body_from_camera(T_camera_body[body]), points_of(cloud, tile),
-                                      scratch.hits[l].distance);
-          }
-          chunk_costs_[chunk] +=
-              kernels::association_cost(candidates_of(candidates, cloud, visible, scratch));
-        }
-      });
-  return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
+void ModelTerm::append_tile_systems(std::vector<TileSystem>& systems) const {
+  for (const Chunk& chunk : last_.chunks) {
+    systems.insert(systems.end(), chunk.tile_systems.begin(), chunk.tile_systems.end());
+  }
 }
 
 }  // namespace lockbox

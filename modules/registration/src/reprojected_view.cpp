@@ -36,6 +36,10 @@ ReprojectedView::ReprojectedView(const VisibleSurface& surface, const BodyPoses&
       array.resize(columns);
     }
   }
+  scratch.columns.resize(workers);
+  for (auto& array : scratch.columns) {
+    array.resize(columns);
+  }
   scratch.pixel.resize(workers);
   for (auto& array : scratch.pixel) {
     array.resize(columns);
@@ -53,6 +57,18 @@ kernels::Reprojected ReprojectedView::row(int v) const {
   kernels::reproject({view.depth.data() + first, view.id.data() + first, width, v}, drawn_,
                      scratch_.motion, measured_, result);
   return result;
+}
+
+std::span<const std::uint32_t> ReprojectedView::seen_through(int v, const SensorNoise& noise,
+                                                             double zone) const {
+  const kernels::Reprojected reprojected = row(v);
+  std::uint32_t* columns = scratch_.columns[Executor::worker()].data();
+  const kernels::PointNoise along_ray{static_cast<float>(noise.depth_floor),
+                                      static_cast<float>(noise.depth_quadratic), 0.0F, 0.0F};
+  const std::size_t count =
+      kernels::seen_through(reprojected, static_cast<std::size_t>(surface_.view().width), along_ray,
+                            static_cast<float>(zone), columns);
+  return {columns, count};
 }
 
 }  // namespace lockbox

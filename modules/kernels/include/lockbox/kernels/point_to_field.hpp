@@ -47,7 +47,7 @@ struct PointNoise {
 
 /// What the points of a tile see in one body's field. Arrays of PointSpan::size.
 struct FieldHits {
-  float* distance;          ///< metres
+  float* distance;          ///< metres; kPadding off the field, which is beyond any cut
   float* normal[3];         ///< gradient of the distance, body frame
   float* position[3];       ///< the point, body frame
   float* inverse_variance;  ///< of the distance, 1 / m^2; 0 where the body cannot explain the point
@@ -60,7 +60,7 @@ struct FieldHits {
 void look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
              const PointSpan& points, const FieldHits& hits);
 
-/// Only the distances, for comparing costs under a frozen selection.
+/// Only the distances, the very same, for comparing costs under a frozen selection.
 void look_up_distance(const FieldView& field, const RigidMotion& body_from_camera,
                       const PointSpan& points, float* distance);
 

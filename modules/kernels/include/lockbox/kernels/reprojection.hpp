@@ -53,4 +53,10 @@ struct Reprojected {
 void reproject(const DrawnRow& row, const Intrinsics& drawn, std::span<const RigidMotion> motion,
                const MeasuredDepth& image, const Reprojected& result);
 
+/// Writes the columns, in order, of which the measured depth exceeds the expected one by more than
+/// zone standard deviations, and those that are undecided; returns how many. columns: of the row,
+/// and the least size of the array.
+std::size_t seen_through(const Reprojected& row, std::size_t columns, const PointNoise& noise,
+                         float zone, std::uint32_t* result);
+
 }  // namespace lockbox::kernels

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
@@ -74,8 +75,9 @@ class ArticulatedRegistration {
  private:
   void look_at(const TiledCloud& cloud, const Configuration& configuration);
   double linearize(const TiledCloud& cloud, double spread);
-  double cost_at(const TiledCloud& cloud, const Configuration& configuration);
-  bool improve(const TiledCloud& cloud, double cost, bool hold_joints);
+  double cost_at(const TiledCloud& cloud, const Configuration& configuration,
+                 std::optional<double> next_spread);
+  bool improve(const TiledCloud& cloud, double cost, bool hold_joints, double next_spread);
   void set_step_limits(bool hold_joints);
   void mark_object_pixels(const TiledCloud& cloud);
   void select_free_space(const TiledCloud& cloud, double spread);
@@ -96,6 +98,9 @@ class ArticulatedRegistration {
   Configuration rendered_;  ///< what surface_ shows
   Configuration selected_;  ///< where the free-space term made its selection
   double selected_spread_ = 0.0;
+  std::optional<double> linearized_spread_;  ///< if all terms stand at result_.configuration
+  std::optional<double> ahead_spread_;       ///< if the model term was linearised there already
+  double cost_ = 0.0;                        ///< of the last linearisation
   std::vector<float> visible_;
   BodyPoses poses_;
   BodyPoses trial_poses_;

@@ -17,26 +17,17 @@ class ClearWay {
   /// Nothing is known.
   ClearWay() = default;
 
-  /// T_other_body: where the samples are looked at. body: bounds of the samples, in their frame.
+  /// T_other_body: where the samples are looked at.
   ClearWay(const Eigen::Isometry3d& T_other_body, const SignedDistanceField& other)
-      : T_other_body_(T_other_body.matrix()),
-        reach_(kReach * other.voxel()),
-        near_(other.bounds().cast<float>()),
-        way_(0.5 * reach_) {
-    const auto margin = static_cast<float>(reach_);
-    near_.min().array() -= margin;
-    near_.max().array() += margin;
-  }
-
-  /// Where samples must be noted; elsewhere they are clear by more than the way can be.
-  const Eigen::AlignedBox3f& near_box() const { return near_; }
+      : T_other_body_(T_other_body.matrix()), way_(kReach * other.voxel()) {}
 
   /// A sample that is this far from touching, metres; negative: it penetrates.
   void note(float clearance) {
     way_ = std::min(way_, static_cast<double>(clearance) / kSteepest - kRounding);
   }
 
-  /// Whether no sample can touch at another relative pose either.
+  /// Whether no sample can touch at another relative pose either. body: bounds of the samples, in
+  /// their frame.
   bool covers(const Eigen::Isometry3d& T_other_body, const Eigen::AlignedBox3d& body) const {
     if (way_ <= 0.0) {
       return false;
@@ -53,13 +44,11 @@ class ClearWay {
   }
 
  private:
-  static constexpr double kReach = 4.0;      // voxels: the fine grid covers at least these
+  static constexpr double kReach = 2.0;      // voxels: the fine grid covers twice as many
   static constexpr double kSteepest = 1.8;   // sqrt(3), and how exact stored distances are
   static constexpr double kRounding = 2e-6;  // metres, of points in single precision
 
   Eigen::Matrix4d T_other_body_ = Eigen::Matrix4d::Zero();
-  double reach_ = 0.0;  ///< metres
-  Eigen::AlignedBox3f near_;
   double way_ = 0.0;  ///< metres; 0: not clear
 };
 

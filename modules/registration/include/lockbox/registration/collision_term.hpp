@@ -55,6 +55,9 @@ class CollisionTerm {
     int body;
     double erosion;
     std::vector<Sample> samples;
+    std::vector<float> x;  ///< their p_body, padded, as the kernels read them
+    std::vector<float> y;
+    std::vector<float> z;
   };
 
   /// Of a pair, one body's samples in the other's field.
@@ -70,6 +73,9 @@ class CollisionTerm {
   void evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface, int other,
                      double erosion, const Eigen::Isometry3d& T_other_body, bool with_system,
                      Half& half);
+  void add_sample(const SignedDistanceField& field, const Eigen::AlignedBox3f& box,
+                  const Eigen::Isometry3f& T_other_body, const Sample& sample, float erosion,
+                  bool with_system, Half& half) const;
 
   Executor executor_;
   double weight_ = 0.0;  ///< lambda / sigma_c^2

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
@@ -16,6 +18,7 @@
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/normal_equations.hpp"
+#include "lockbox/registration/oriented_box.hpp"
 #include "lockbox/registration/registration_options.hpp"
 
 namespace lockbox {
@@ -25,25 +28,37 @@ using BodyPoses = std::vector<Eigen::Isometry3d>;  ///< T_camera_body by body
 /// Owns the frozen selection of the last linearisation and all scratch memory.
 class ModelTerm {
  public:
+  /// What a linearisation is made from, by reference.
+  struct Scene {
+    const ArticulatedModel& model;
+    const TiledCloud& cloud;
+    const std::vector<float>& visible;  ///< by point of the cloud: the number of the body predicted
+                                        ///< in its pixel, -1 for none
+    const RegistrationOptions& options;
+    const Executor& executor;
+  };
+
   /// Selects candidates and variances at these poses, and adds each body's system to systems.
-  /// visible: by point of the cloud, the number of the body predicted in its pixel, -1 for none.
   /// spread: how far off the poses may still be, metres. Returns the cost relative to that of
   /// explaining nothing (so it is negative).
-  double linearize(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                   const TiledCloud& cloud, const std::vector<float>& visible,
-                   const RegistrationOptions& options, double spread, const Executor& executor,
+  double linearize(const Scene& scene, const BodyPoses& T_camera_body, double spread,
                    std::vector<BodySystem>& systems);
 
   /// The cost at other poses under the selection of the last linearisation.
-  double cost(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-              const TiledCloud& cloud, const std::vector<float>& visible, const Executor& executor);
+  double cost(const Scene& scene, const BodyPoses& T_camera_body);
+
+  /// The same, and on the way the linearisation there: what it takes is looked up already.
+  double cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double spread);
+
+  /// Makes the linearisation of cost_ahead the last one, as linearize would have done.
+  double take_ahead(std::vector<BodySystem>& systems);
 
   /// What the last linearisation found of each point of the cloud (its arrays' indices): how much
   /// of the outlier cost c it is spared, 0 .. c.
-  const std::vector<float>& explained() const { return explained_; }
+  const std::vector<float>& explained() const { return last_.explained; }
 
   /// How each tile pulls at each body: clusters of residuals for the covariance.
-  const std::vector<TileSystem>& tile_systems() const { return tile_systems_; }
+  void append_tile_systems(std::vector<TileSystem>& systems) const;
 
   struct Totals {
     double weighted_squares = 0.0;  ///< sum of weight * whitened residual^2
@@ -52,32 +67,52 @@ class ModelTerm {
   const Totals& totals() const { return totals_; }
 
  private:
-  struct TileCandidates {
-    std::size_t tile;
-    std::size_t first;  ///< into candidates_ (and slots of kTilePoints in inverse_variance_)
-    std::size_t count;
-  };
+  static constexpr std::size_t kTilesPerChunk = 16;  // fixed, so that sums do not depend on threads
+
   struct Scratch;
 
-  void select_candidates(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                         const TiledCloud& cloud, const RegistrationOptions& options,
-                         double spread);
+  /// A body at a pose, as candidates are sought and points looked up.
+  struct PosedBody {
+    bool has_field;
+    kernels::RigidMotion from_camera;
+    Eigen::Isometry3d T_body_camera;
+    OrientedBox box;
+  };
 
-  kernels::Candidates candidates_of(const TileCandidates& tile, const TiledCloud& cloud,
-                                    const std::vector<float>& visible,
-                                    const Scratch& scratch) const;
+  /// Consecutive tiles of the cloud, and the bodies that compete for their points.
+  struct Chunk {
+    std::array<std::size_t, kTilesPerChunk + 1> first{};  ///< candidate of each tile
+    std::vector<int> bodies;                              ///< by candidate, tile by tile
+    std::vector<float> body_numbers;                      ///< the same, as the kernels compare them
+    std::vector<float> inverse_variance;                  ///< kTilePoints a candidate
+    std::vector<TileSystem> tile_systems;                 ///< by candidate
+    std::vector<std::pair<int, BodySystem>> sums;         ///< of the bodies that occur
+    double cost = 0.0;
+    Totals totals;
+  };
+  struct Linearization {
+    std::vector<Chunk> chunks;
+    std::vector<float> explained;
+  };
 
-  float cut_ = 0.0F;
-  float visible_odds_ = 1.0F;
-  std::vector<TileCandidates> tiles_;
-  std::vector<int> candidates_;      ///< bodies, tile by tile
-  std::vector<float> body_numbers_;  ///< the same, as the kernels compare them
-  std::vector<float> inverse_variance_;
-  std::vector<float> explained_;
-  std::vector<TileSystem> tile_systems_;
-  std::vector<double> chunk_costs_;
-  std::vector<std::vector<BodySystem>> chunk_systems_;
-  std::vector<Totals> chunk_totals_;
+  void begin(const Scene& scene, const BodyPoses& T_camera_body);
+  void prepare(const Scene& scene, Linearization& linearization) const;
+  void select_candidates(const Scene& scene, std::size_t chunk_index, double spread,
+                         Chunk& chunk) const;
+  /// Of one chunk; returns its cost under a frozen selection, if there is one.
+  double linearize_chunk(const Scene& scene, std::size_t chunk_index, double spread,
+                         const Chunk* frozen, Linearization& linearization);
+  void linearize_tile(const Scene& scene, std::size_t tile, std::size_t tile_of_chunk,
+                      Scratch& scratch, Chunk& chunk, float* explained) const;
+  /// current: whose look-ups the scratch memory holds, if any.
+  double frozen_cost(const Scene& scene, std::size_t tile, std::size_t tile_of_chunk,
+                     const Chunk& frozen, const Chunk* current, Scratch& scratch) const;
+  double sum_up(std::vector<BodySystem>& systems);
+
+  std::vector<PosedBody> bodies_;  ///< at the poses in hand
+  Linearization last_;
+  Linearization ahead_;
+  std::vector<double> chunk_costs_;          ///< under the frozen selection
   std::vector<std::vector<float>> scratch_;  ///< one block of memory a worker
   Totals totals_;
 };

@@ -2,9 +2,12 @@
 // What the camera measured where the visible surface of the model is now.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lockbox/kernels/reprojection.hpp"
+#include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
@@ -19,12 +22,17 @@ class ReprojectedView {
     std::vector<std::vector<float>> expected;  ///< by worker
     std::vector<std::vector<float>> measured;
     std::vector<std::vector<std::int32_t>> pixel;
+    std::vector<std::vector<std::uint32_t>> columns;
   };
   ReprojectedView(const VisibleSurface& surface, const BodyPoses& T_camera_body,
                   const TiledCloud& cloud, const Executor& executor, Scratch& scratch);
 
   /// Row v, in the memory of the worker that calls.
   kernels::Reprojected row(int v) const;
+
+  /// The columns of row v behind which something was measured, by more than zone standard
+  /// deviations, and those of which single precision cannot tell where they belong.
+  std::span<const std::uint32_t> seen_through(int v, const SensorNoise& noise, double zone) const;
 
  private:
   const VisibleSurface& surface_;
