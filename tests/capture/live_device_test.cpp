@@ -186,6 +186,7 @@ TEST(Record, WrongSourcesAreRefused) {
   EXPECT_THROW(record("a.oni", folder / "b.oni", never), InputError);
   EXPECT_THAT([&] { record("openni2:no/such@device", folder / "b.oni", never); },
               ThrowsMessage<DeviceError>(HasSubstr("no such OpenNI2 device")));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

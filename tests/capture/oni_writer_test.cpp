@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
+#include <csignal>
 #include <fstream>
 
 #include "lockbox/capture/oni_player.hpp"
@@ -29,6 +32,35 @@ std::size_t write_frames(const std::filesystem::path& file, std::size_t count,
     return true;
   });
 }
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// As long as it lives, files that are written grow no further than this, as on a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
 
 void replace_by_edge_cases(DepthFrame& frame) {
   frame.depth[0] = 65534;  // the greatest that is kept
@@ -127,6 +159,48 @@ TEST(OniWriter, AnAbandonedRecordingIsStillComplete) {
     }
   }
   EXPECT_EQ(validate_oni(folder / "a.oni").frame_count, 5U);
+}
+
+TEST(OniWriter, AFullDiskEndsTheRecordingButDoesNotSpoilIt) {
+  const TemporaryFolder folder;
+  {
+    const FileSizeLimit limit(3'000'000);
+    EXPECT_THAT([&] { write_frames(folder / "a.oni", 1000); },
+                ThrowsMessage<DeviceError>(HasSubstr("the disk is full")));
+  }
+  const std::size_t frames = *OniPlayer(folder / "a.oni").frame_count();
+  EXPECT_GT(frames, 5U);
+  EXPECT_LT(frames, 1000U);
+}
+
+TEST(OniWriter, ADiskThatIsFullFromTheStartIsSaid) {
+  const TemporaryFolder folder;
+  const FileSizeLimit limit(2000);
+  EXPECT_THAT([&] { write_frames(folder / "a.oni", 1000); },
+              ThrowsMessage<DeviceError>(HasSubstr("the disk is full")));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(OniWriter, WhatHadTheNameIsReplacedOnlyByACompleteRecording) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.oni", "precious");
+  {
+    OniWriter writer(folder / "a.oni", small_camera(), 30);
+    EXPECT_EQ(read_text(folder / "a.oni"), "precious");
+    EXPECT_THROW(writer.finish(), InputError);
+  }
+  EXPECT_EQ(read_text(folder / "a.oni"), "precious");
+  write_frames(folder / "a.oni", 2);
+  EXPECT_EQ(validate_oni(folder / "a.oni").frame_count, 2U);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(OniWriter, WhatIsNotARegularFileIsLeftAlone) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "a.oni").c_str(), 0600), 0);
+  EXPECT_THAT([&] { OniWriter(folder / "a.oni", small_camera(), 30); },
+              ThrowsMessage<InputError>(HasSubstr("a.oni: is not a regular file")));
+  EXPECT_TRUE(std::filesystem::is_fifo(folder / "a.oni"));
 }
 
 TEST(OniWriter, PathsLongerThanOpenNisLimitAndWithSpacesWork) {

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // lockbox-oni-recorder URI FILE: records the depth of an OpenNI2 device until the device is
-// unplugged or standard input is closed. Started by the capture library.
+// unplugged, standard input is closed, or the disk is full. The recording grows in FILE.part and
+// takes the place of FILE when it is complete. Started by the capture library.
 #include <OpenNI.h>
 #include <PS1080.h>
 #include <poll.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
+#include "growing_recording.hpp"
 #include "lockbox/capture/virtual_depth_protocol.hpp"
 #include "lockbox/core/error.hpp"
 #include "openni_device.hpp"
@@ -29,50 +28,7 @@ bool stop_is_asked_within(int milliseconds) {
   return ::poll(&input, 1, milliseconds) > 0;
 }
 
-constexpr std::uint32_t kIntegerProperty = 3;
-constexpr std::uint32_t kDataBegin = 8;
-constexpr std::uint32_t kNewData = 10;
-constexpr int kQueuedFrames = 64;  // that the recorder may fall behind: it would queue all memory
-
-/// Follows the records of a recording that is being written.
-class GrowingFile {
- public:
-  explicit GrowingFile(const std::filesystem::path& file) : file_(file) {}
-
-  /// Type of the last complete record.
-  std::uint32_t last_type() const { return last_type_; }
-  int frame_count() const { return frame_count_; }
-
-  void update() {
-    std::ifstream in(file_, std::ios::binary | std::ios::ate);
-    const std::streamoff end = in.tellg();
-    std::array<std::uint32_t, 5> header{};  // magic, type, node, size of fields, size of payload
-    while (in.seekg(next_) && in.read(reinterpret_cast<char*>(header.data()), sizeof(header)) &&
-           next_ + std::streamoff{header[3]} + std::streamoff{header[4]} <= end) {
-      next_ += std::streamoff{header[3]} + std::streamoff{header[4]};
-      last_type_ = header[1];
-      frame_count_ += header[1] == kNewData ? 1 : 0;
-    }
-  }
-
-  /// Waits until the last record is of this type.
-  void wait_for(std::uint32_t type) {
-    for (int i = 0; i < 5000; ++i) {
-      update();
-      if (last_type_ == type) {
-        return;
-      }
-      std::this_thread::sleep_for(2ms);
-    }
-    throw lockbox::DeviceError(file_.string() + ": OpenNI2 does not record; is the disk full?");
-  }
-
- private:
-  std::filesystem::path file_;
-  std::streamoff next_ = 24;  // behind the header of the file
-  std::uint32_t last_type_ = 0;
-  int frame_count_ = 0;
-};
+constexpr int kQueuedFrames = 16;  // that the recorder may fall behind: it would queue all memory
 
 /// An OpenNI2 recorder of one stream, ready when it is constructed.
 class StreamRecorder {
@@ -111,23 +67,37 @@ class StreamRecorder {
   /// "data begin" and has reached the file is the proof. Real devices are spared that: the frames
   /// that they deliver meanwhile are not missed.
   void wait_until_started() {
-    file_.wait_for(kDataBegin);
+    file_.wait_for(lockbox::OniRecordType::data_begin);
     if (is_virtual_) {
       stream_.setProperty(XN_STREAM_PROPERTY_HOLE_FILTER, 0);
-      file_.wait_for(kIntegerProperty);
+      file_.wait_for(lockbox::OniRecordType::int_property);
     }
   }
 
   openni::VideoStream& stream_;
-  GrowingFile file_;
+  lockbox::GrowingRecording file_;
   bool is_virtual_;
   openni::Recorder recorder_;
 };
 
-void record(const std::string& uri, const std::string& file) {
+/// What must stay free for the frames under way and the tables at the end, bytes.
+std::uintmax_t reserve(const openni::VideoStream& depth) {
+  constexpr std::uintmax_t kTables = 1U << 20U;
+  const openni::VideoMode mode = depth.getVideoMode();
+  return kTables + std::uintmax_t{kQueuedFrames} * sizeof(std::uint16_t) *
+                       static_cast<std::uintmax_t>(mode.getResolutionX() * mode.getResolutionY());
+}
+
+/// Returns false if the disk was full before the device was unplugged or a stop asked for.
+bool record_until_stopped(const std::string& uri, const std::filesystem::path& file) {
   openni::Device device;
   openni::VideoStream depth;
   lockbox::open_depth(uri, device, depth);
+  const std::uintmax_t least_room = reserve(depth);
+  bool has_room = true;
+  if (lockbox::room_for(file) < least_room) {
+    throw lockbox::DeviceError(file.string() + ": the disk is full");
+  }
   {
     const lockbox::UnplugWatch watch(device);
     StreamRecorder recorder(depth, file, uri.rfind(lockbox::kVirtualDepthPrefix, 0) == 0);
@@ -136,11 +106,35 @@ void record(const std::string& uri, const std::string& file) {
     }
     do {
       recorder.allow_frames();
-    } while (!watch.unplugged() && !stop_is_asked_within(5));
+      has_room = lockbox::room_for(file) > least_room;
+    } while (has_room && !watch.unplugged() && !stop_is_asked_within(5));
     depth.stop();
   }
   depth.destroy();
   device.close();
+  return has_room;
+}
+
+void record(const std::string& uri, const std::filesystem::path& file) {
+  const std::filesystem::path unfinished = file.string() + ".part";
+  try {
+    const bool has_room = record_until_stopped(uri, unfinished);
+    const int frames = lockbox::complete_frames(unfinished);
+    if (frames > 0) {
+      std::filesystem::rename(unfinished, file);
+    }
+    if (!has_room) {
+      throw lockbox::DeviceError(file.string() + ": the disk is full; " + std::to_string(frames) +
+                                 " frames were recorded");
+    }
+    if (frames == 0) {
+      throw lockbox::DeviceError(uri + ": the device has delivered no frame");
+    }
+  } catch (...) {
+    std::error_code is_gone;
+    std::filesystem::remove(unfinished, is_gone);
+    throw;
+  }
 }
 
 }  // namespace
@@ -150,9 +144,11 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: lockbox-oni-recorder URI FILE\n");
     return 2;
   }
-  // An interrupt reaches the whole process group; the recording ends when the caller says so.
-  std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGHUP, SIG_IGN);
+  // Signals reach the whole process group; the recording ends when the caller says so, or ends. A
+  // file that may not grow further is like a full disk.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
+    std::signal(signal, SIG_IGN);
+  }
   try {
     record(argv[1], argv[2]);
   } catch (const std::exception& error) {

@@ -41,9 +41,17 @@ std::size_t digest(const std::vector<std::uint16_t>& depth) {
                                                         depth.size() * sizeof(std::uint16_t)));
 }
 
-void require_writable(const std::filesystem::path& file) {
-  if (!std::ofstream(file, std::ios::binary)) {
+/// The recording will take the place of what has this name.
+void require_replaceable(const std::filesystem::path& file) {
+  const bool is_new = !std::filesystem::exists(file);
+  if (!is_new && !std::filesystem::is_regular_file(file)) {
+    throw InputError(file.string(), "is not a regular file; a recording becomes one");
+  }
+  if (!std::ofstream(file, std::ios::binary | std::ios::app)) {
     throw InputError(file.string(), "cannot be written; does its folder exist, is it writable?");
+  }
+  if (is_new) {
+    std::filesystem::remove(file);
   }
 }
 
@@ -79,7 +87,7 @@ struct OniWriter::Impl {
         camera(pinhole),
         unit(metres_per_unit),
         sender(std::in_place, ends[0], pinhole, frames_per_second, metres_per_unit, true) {
-    require_writable(path);
+    require_replaceable(path);
     recorder.emplace(
         std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(RecorderProcess::kSocket), path,
         ends[1]);
@@ -154,11 +162,10 @@ void OniWriter::write(const DepthFrame& frame) {
 
 void OniWriter::finish() {
   impl_->close();
-  impl_->recorder->finish();
   if (impl_->written.empty()) {
-    std::filesystem::remove(impl_->file);
     throw InputError(impl_->file.string(), "there were no frames to write");
   }
+  impl_->recorder->finish();
   cut_tail(impl_->file);
   impl_->verify();
 }
@@ -186,7 +193,7 @@ std::size_t record(const std::string& source, const std::filesystem::path& file,
   if (source.compare(0, kPrefix.size(), kPrefix) != 0) {
     throw InputError(source, "only live devices are recorded: openni2: or openni2:<uri>");
   }
-  require_writable(file);
+  require_replaceable(file);
   RecorderProcess recorder(source.substr(kPrefix.size()), file);
   while (recorder.is_running() && !stop()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

@@ -15,7 +15,8 @@ namespace lockbox {
 /// OpenNI2 records in a helper process (lockbox-oni-recorder), because its recorder keeps state in
 /// static variables and a core busy, and because the calling program may have loaded an OpenNI2
 /// that does not know the virtual driver. If the calling program dies, the helper still finishes
-/// the recording of all frames written until then.
+/// the recording of all frames written until then. A recording grows in a file of its own, the
+/// name with `.part` behind it, and replaces what had the name when it is complete.
 ///
 /// Depths come back bit for bit, but for what OpenNI2's encoder cannot hold: 65535 becomes 0 ("no
 /// measurement"), and where the last row ends with three equal pixels and a different one, that
@@ -23,15 +24,17 @@ namespace lockbox {
 /// come back exactly if they have at most four decimals, else to 1e-4 pixels.
 class OniWriter {
  public:
-  /// Throws InputError if the file cannot be written or OpenNI2 cannot describe the camera (the
-  /// principal point must be the middle of the image, the unit 1 mm or 0.1 mm).
+  /// Throws InputError if the file cannot be written, or is not a regular one, or if OpenNI2 cannot
+  /// describe the camera (the principal point must be the middle of the image, the unit 1 mm or
+  /// 0.1 mm).
   OniWriter(const std::filesystem::path& file, const PinholeCamera& camera, int frames_per_second,
             float metres_per_unit = 0.001F);
 
   /// Without finish(), the file is completed but not verified.
   ~OniWriter();
 
-  /// Stamps must increase.
+  /// Stamps must increase. Throws DeviceError if the disk is full: the recording is then complete,
+  /// but for the latest frames.
   void write(const DepthFrame& frame);
 
   /// Completes the file, replays it, and compares every frame with what was written. Throws
@@ -49,7 +52,7 @@ std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& ca
 
 /// Records the depth of a live device (`openni2:` or `openni2:<uri>`) until stop returns true,
 /// asked every 50 ms, or the device is unplugged; returns the number of frames. Throws InputError
-/// or DeviceError.
+/// or DeviceError; the latter, with the recording complete, if the disk is full.
 std::size_t record(const std::string& source, const std::filesystem::path& file,
                    const std::function<bool()>& stop);
 
