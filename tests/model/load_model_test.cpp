@@ -97,6 +97,30 @@ TEST_F(LoadModelTest, RefusesOpenMeshesByLink) {
   EXPECT_THAT(message_of<InputError>([&] { load_model(urdf); }), HasSubstr("link 'shell'"));
 }
 
+TEST_F(LoadModelTest, RefusesRobotsOfWhichNothingCanBeSeen) {
+  const auto urdf =
+      write("frames.urdf", "<robot name=\"r\">" + link("frame") + link("tip") +
+                               joint("slide", "prismatic", "frame", "tip", kLimit) + "</robot>");
+  EXPECT_THAT(message_of<InputError>([&] { load_model(urdf); }),
+              AllOf(HasSubstr("frames.urdf"), HasSubstr("<visual>")));
+}
+
+TEST_F(LoadModelTest, WarnsOfSizesThatAreProbablyInAnotherUnit) {
+  const auto warnings_of = [&](const std::string& size) {
+    std::string warnings;
+    LoadOptions options;
+    options.cache_directory = folder_ / "cache";
+    options.on_warning = [&](const std::string& text) { warnings += text; };
+    load_model(write("a.urdf", "<robot name=\"r\">" + link("crate", box(size)) + "</robot>"),
+               options);
+    return warnings;
+  };
+  EXPECT_THAT(warnings_of("300 200 100"),
+              AllOf(HasSubstr("a.urdf"), HasSubstr("'crate' is 300000 mm large")));
+  EXPECT_THAT(warnings_of("0.0003 0.0002 0.0001"), HasSubstr("is 0.3 mm large"));
+  EXPECT_EQ(warnings_of("0.3 0.2 0.1"), "");
+}
+
 TEST_F(LoadModelTest, RefusesUnknownKeysAndBadValuesWithTheLine) {
   EXPECT_THAT(refusal("voxel: 0.004\nvoxels: 1\n"), HasSubstr("door.yaml:2: unknown key 'voxels'"));
   EXPECT_THAT(refusal("voxel: 0.004\nvoxel: 0.002\n"), HasSubstr("door.yaml:2: the key 'voxel'"));

@@ -124,7 +124,7 @@ KinematicTree load_kinematic_tree(const std::filesystem::path& file, const LoadO
   const std::string extension = lower_case_extension(file);
   if (extension == ".xacro") {
     throw InputError(file.string(), "is not expanded; run: xacro " + file.filename().string() +
-                                        " > " + file.stem().string() + ".urdf");
+                                        " > " + file.stem().stem().string() + ".urdf");
   }
   const bool is_mesh = extension == ".obj" || extension == ".stl" || extension == ".ply";
   return is_mesh ? read_mesh_tree(file) : read_urdf_tree(file, options);

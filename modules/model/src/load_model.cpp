@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
 #include "cache_folder.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/sdf/field_cache.hpp"
@@ -29,6 +34,29 @@ std::optional<SignedDistanceField> body_field(const Body& body, const FieldOptio
   }
 }
 
+void require_geometry(const ArticulatedModel& model) {
+  const bool has_geometry = std::any_of(model.fields.begin(), model.fields.end(),
+                                        [](const auto& field) { return field.has_value(); });
+  if (!has_geometry) {
+    throw InputError(model.file.string(), "no link has <visual> geometry: there is nothing to see");
+  }
+}
+
+/// Says of which bodies the geometry seems to be in another unit: depth cameras see neither what is
+/// smaller nor what is larger.
+void warn_of_units(const ArticulatedModel& model,
+                   const std::function<void(const std::string&)>& warn) {
+  for (const Body& body : model.tree.bodies) {
+    if (body.mesh.triangles.empty()) continue;
+    const double millimetres = 1000.0 * bounds(body.mesh).sizes().maxCoeff();
+    if (millimetres > 5.0 && millimetres < 10000.0) continue;
+    warn(model.file.string() + ": link '" + body.name + "' is " +
+         fixed_number_text(std::round(100.0 * millimetres) / 100.0) +
+         " mm large; lengths are in metres (a mesh in millimetres needs scale=\"0.001 0.001 "
+         "0.001\")");
+  }
+}
+
 }  // namespace
 
 ArticulatedModel load_model(const std::filesystem::path& file, const LoadOptions& options) {
@@ -37,12 +65,14 @@ ArticulatedModel load_model(const std::filesystem::path& file, const LoadOptions
   model.tree = load_kinematic_tree(file, options);
   model.parameters =
       read_model_parameters(std::filesystem::path(file).replace_extension(".yaml"), model.tree);
+  if (options.on_warning) warn_of_units(model, options.on_warning);
   const auto cache = options.cache_directory.value_or(default_cache_folder());
   const Executor executor;
   for (const Body& body : model.tree.bodies) {
     model.fields.push_back(
         body_field(body, field_options(body, model.parameters), cache, file, executor));
   }
+  require_geometry(model);
   return model;
 }
 
