@@ -12,6 +12,7 @@
 #include "interruption.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/random_draws.hpp"
+#include "option_checks.hpp"
 #include "progress.hpp"
 #include "shard.hpp"
 #include "shipped_files.hpp"
@@ -65,7 +66,7 @@ class Convergence : public Experiment {
     options.add_option("--step", step_, "From one cell to the next, cm and degrees")
         ->check(CLI::Range(1, 45));
     options.add_option("--frames", frames_, "Of each run, at most; it ends when it rests")
-        ->check(CLI::PositiveNumber);
+        ->check(positive());
     options.add_option("--tracker", trackers_, "whole, registration (alone), or both")
         ->check(CLI::IsMember({"whole", "registration"}));
     options.add_option("--joints", joints_, "held, free, or both")

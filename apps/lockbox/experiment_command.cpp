@@ -3,6 +3,8 @@
 
 #include "commands.hpp"
 #include "experiments.hpp"
+#include "option_checks.hpp"
+#include "output_paths.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -23,7 +25,7 @@ class ExperimentCommand : public Command {
   }
 
   ExitStatus run() override {
-    std::filesystem::create_directories(settings_.output);
+    make_folder(settings_.output);
     for (const Choice& choice : choices_) {
       if (!choice.options->parsed()) continue;
       const bool finished = choice.experiment->run(settings_);
@@ -44,13 +46,15 @@ class ExperimentCommand : public Command {
         .add_option("-m,--model", settings_.models,
                     "Models to run (repeatable): files, or shipped names; if none is given, those "
                     "that the experiment is about")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->default_str("");
     options.add_option("-o,--output", settings_.output, "Folder for raw results and figures")
         ->required()
         ->type_name("DIR");
     options.add_option("--sensor", settings_.sensor,
                        "primesense, primesense-quiet, white or ideal");
-    options.add_option("--seed", settings_.seed, "Of all that is random, the sensor's noise too");
+    options.add_option("--seed", settings_.seed, "Of all that is random, the sensor's noise too")
+        ->check(not_negative());
     options.add_flag("-q,--quiet", settings_.quiet, "No progress");
   }
 

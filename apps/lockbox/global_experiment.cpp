@@ -9,6 +9,7 @@
 #include "interruption.hpp"
 #include "lockbox/evaluation/global_experiment.hpp"
 #include "lockbox/evaluation/statistics.hpp"
+#include "option_checks.hpp"
 #include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shard.hpp"
@@ -80,7 +81,7 @@ Figure global_figure(const std::string& name, const std::vector<GlobalResult>& r
 class GlobalSearch : public Experiment {
  public:
   void add_options(CLI::App& options) override {
-    options.add_option("--scenes", scenes_, "Number of random scenes")->check(CLI::PositiveNumber);
+    options.add_option("--scenes", scenes_, "Number of random scenes")->check(positive());
     shard_.add_to(options);
   }
 

@@ -9,6 +9,7 @@
 #include "lockbox/visualization/model_painter.hpp"
 #include "lockbox/visualization/viewpoint.hpp"
 #include "model_options.hpp"
+#include "output_paths.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -139,6 +140,7 @@ class InspectCommand : public Command {
     configuration.T_camera_base = view.T_camera_base;
     RgbImage image(kWidth, kHeight);
     ModelPainter(tree, view.camera, Executor()).paint(configuration, 1.0F, image);
+    make_folder_of(picture_);
     write_png(picture_, image);
     std::cout << "\nPicture: " << picture_ << '\n';
   }

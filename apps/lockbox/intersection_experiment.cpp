@@ -11,6 +11,7 @@
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/table.hpp"
+#include "option_checks.hpp"
 #include "parameters.hpp"
 #include "possible_motion.hpp"
 #include "progress.hpp"
@@ -143,7 +144,7 @@ class Intersection : public Experiment {
  public:
   void add_options(CLI::App& options) override {
     options.alias("collision");
-    options.add_option("--frames", frames_, "Of each run")->check(CLI::PositiveNumber);
+    options.add_option("--frames", frames_, "Of each run")->check(positive());
     options.add_option("--scene", scene_, "Scene file, or the name of a shipped scene")
         ->type_name("FILE");
   }

@@ -11,6 +11,7 @@
 #include "lockbox/evaluation/random_draws.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "lockbox/evaluation/table.hpp"
+#include "option_checks.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
 
@@ -177,7 +178,7 @@ Panel error_panel(const std::string& kind, const std::vector<KidnapRun>& runs) {
 class Kidnap : public Experiment {
  public:
   void add_options(CLI::App& options) override {
-    options.add_option("--runs", runs_, "Of each kind")->check(CLI::PositiveNumber);
+    options.add_option("--runs", runs_, "Of each kind")->check(positive());
   }
 
  private:

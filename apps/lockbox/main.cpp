@@ -66,12 +66,18 @@ ExitStatus run(const CommandEntry& entry, std::span<char*> arguments) {
   } catch (const DeviceError& error) {
     return fail(ExitStatus::device_failed, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
-    return fail(ExitStatus::invalid_input, error.what());
+    return fail(ExitStatus::invalid_input, error.path1().string() + ": " + error.code().message());
   } catch (const std::bad_alloc&) {
     return fail(ExitStatus::internal_error, "not enough memory");
   } catch (const std::exception& error) {
     return fail(ExitStatus::internal_error, std::string("internal error: ") + error.what());
   }
+}
+
+/// Nobody has read what a full disk or a closed pipe has swallowed.
+ExitStatus require_output(ExitStatus status) {
+  if (std::cout.flush()) return status;
+  return fail(ExitStatus::invalid_input, "standard output cannot be written; is the disk full?");
 }
 
 ExitStatus dispatch(std::span<char*> arguments) {
@@ -96,5 +102,6 @@ ExitStatus dispatch(std::span<char*> arguments) {
 }  // namespace lockbox::app
 
 int main(int argc, char** argv) {
-  return static_cast<int>(lockbox::app::dispatch({argv, static_cast<std::size_t>(argc)}));
+  using namespace lockbox::app;
+  return static_cast<int>(require_output(dispatch({argv, static_cast<std::size_t>(argc)})));
 }

@@ -7,6 +7,7 @@
 
 #include "experiments.hpp"
 #include "lockbox/evaluation/table.hpp"
+#include "option_checks.hpp"
 #include "possible_motion.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
@@ -103,8 +104,7 @@ Figure difference_figure(const std::string& name, const std::vector<OrderRun>& r
 class Order : public Experiment {
  public:
   void add_options(CLI::App& options) override {
-    options.add_option("--runs", runs_, "Random orders, and as many renamings")
-        ->check(CLI::PositiveNumber);
+    options.add_option("--runs", runs_, "Random orders, and as many renamings")->check(positive());
     options.add_option("--frames", frames_, "Of the recording")->check(CLI::Range(2, 100000));
   }
 

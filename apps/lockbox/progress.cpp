@@ -44,6 +44,7 @@ void Progress::update(std::size_t done, std::string_view status) {
   const Clock::duration interval = on_terminal_ ? Clock::duration(kRedrawInterval) : kLineInterval;
   if (quiet_ || now - shown_ < interval) return;
   shown_ = now;
+  shown_done_ = done;
   if (on_terminal_) {
     std::cerr << '\r' << line() << "\x1b[K" << std::flush;
   } else {
@@ -52,7 +53,7 @@ void Progress::update(std::size_t done, std::string_view status) {
 }
 
 void Progress::finish() {
-  if (quiet_) return;
+  if (quiet_ || (!on_terminal_ && shown_done_ == done_)) return;
   if (on_terminal_) std::cerr << '\r';
   std::cerr << line() << (on_terminal_ ? "\x1b[K\n" : "\n");
 }

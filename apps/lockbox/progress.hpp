@@ -37,6 +37,7 @@ class Progress {
   Clock::time_point start_;
   Clock::time_point shown_;
   std::size_t done_ = 0;
+  std::optional<std::size_t> shown_done_;
   std::string status_;
 };
 

@@ -5,6 +5,8 @@
 #include "commands.hpp"
 #include "interruption.hpp"
 #include "lockbox/capture/oni_writer.hpp"
+#include "option_checks.hpp"
+#include "output_paths.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -17,13 +19,15 @@ class RecordCommand : public Command {
         ->type_name("SOURCE");
     options.add_option("-o,--output", output_, "The recording to write")
         ->required()
+        ->check(recording_name())
         ->type_name("FILE.oni");
     options.add_option("--seconds", seconds_, "Stop after this time; 0: at Ctrl-C")
-        ->check(CLI::NonNegativeNumber);
+        ->check(not_negative());
     options.add_flag("-q,--quiet", quiet_, "Say nothing but errors");
   }
 
   ExitStatus run() override {
+    make_folder_of(output_);
     const Interruption interruption;
     const auto start = std::chrono::steady_clock::now();
     const auto is_over = [&] {

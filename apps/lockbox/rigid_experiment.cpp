@@ -11,6 +11,7 @@
 #include "experiments.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/table.hpp"
+#include "option_checks.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
 
@@ -90,7 +91,7 @@ Figure error_figure(const std::string& name, const std::vector<RigidRun>& runs) 
 class Rigid : public Experiment {
  public:
   void add_options(CLI::App& options) override {
-    options.add_option("--frames", frames_, "Of each run")->check(CLI::PositiveNumber);
+    options.add_option("--frames", frames_, "Of each run")->check(positive());
     options.add_option("--step", step_, "From one start to the next, cm")
         ->check(CLI::Range(1.0, 90.0));
   }

@@ -28,7 +28,7 @@ std::string end_text(RunEnd end) {
     case RunEnd::frame_limit:
       return "frame limit reached";
     case RunEnd::failed:
-      return "the source failed";
+      return "ended by an error";
   }
   return "";
 }
@@ -115,7 +115,7 @@ void write_run_description(const std::filesystem::path& file, const RunDescripti
   std::ofstream stream(unfinished);
   stream << out.c_str() << '\n';
   stream.close();
-  if (!stream) throw InputError(file.string(), "cannot be written");
+  if (!stream) throw InputError(file.string(), "cannot be written; is there space on the disk?");
   std::filesystem::rename(unfinished, file);
 }
 

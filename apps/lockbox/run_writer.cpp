@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_writer.hpp"
+#include "lockbox/core/number_text.hpp"
+#include "output_paths.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -12,8 +14,7 @@
 namespace lockbox::app {
 namespace {
 
-constexpr int kDigits = 9;        // of quantities that nobody computes with further
-constexpr int kStampDigits = 17;  // enough to read back the same double
+constexpr int kDigits = 9;  // of quantities that nobody computes with further
 
 std::ofstream open_for_writing(const std::filesystem::path& file) {
   std::ofstream stream(file);
@@ -65,7 +66,7 @@ void write_covariance_header(std::ofstream& stream, const KinematicTree& tree) {
 RunWriter::RunWriter(const std::filesystem::path& folder, const KinematicTree& tree,
                      bool with_covariance)
     : folder_(folder), tree_(tree) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
   states_ = open_for_writing(folder / "states.csv");
   base_ = open_for_writing(folder / "base.tum");
   states_ << states_header(tree) << ",status";
@@ -100,18 +101,14 @@ void RunWriter::write_state(const TrackingResult& result) {
 void RunWriter::write_base(const TrackingResult& result) {
   const Eigen::Isometry3d& T = result.configuration.T_camera_base;
   const Eigen::Quaterniond rotation(T.linear());
-  base_.precision(kStampDigits);
-  base_ << result.stamp;
-  base_.precision(kDigits);
-  base_ << ' ' << T.translation().x() << ' ' << T.translation().y() << ' ' << T.translation().z()
-        << ' ' << rotation.x() << ' ' << rotation.y() << ' ' << rotation.z() << ' ' << rotation.w();
+  base_ << fixed_number_text(result.stamp) << ' ' << T.translation().x() << ' '
+        << T.translation().y() << ' ' << T.translation().z() << ' ' << rotation.x() << ' '
+        << rotation.y() << ' ' << rotation.z() << ' ' << rotation.w();
   end_row(base_, folder_ / "base.tum");
 }
 
 void RunWriter::write_covariance(const TrackingResult& result) {
-  covariance_.precision(kStampDigits);
-  covariance_ << result.stamp;
-  covariance_.precision(kDigits);
+  covariance_ << number_text(result.stamp);
   for (Eigen::Index row = 0; row < result.covariance.rows(); ++row) {
     for (Eigen::Index column = 0; column < result.covariance.cols(); ++column) {
       covariance_ << ',' << plain(result.covariance(row, column));

@@ -14,6 +14,8 @@
 #include "lockbox/evaluation/run_bounds.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "model_options.hpp"
+#include "option_checks.hpp"
+#include "output_paths.hpp"
 #include "possible_motion.hpp"
 #include "primesense_camera.hpp"
 #include "progress.hpp"
@@ -71,7 +73,7 @@ class SimulateCommand : public Command {
         ->type_name("FILE.oni|DIR");
     options.add_option("--sensor", sensor_, "primesense, primesense-quiet, white or ideal")
         ->type_name("NAME");
-    options.add_option("--seed", seed_, "Of the sensor's noise");
+    options.add_option("--seed", seed_, "Of the sensor's noise")->check(not_negative());
     options
         .add_option("--scene", scene_,
                     "Scene file, or the name of a shipped scene: background and occluders")
@@ -86,9 +88,8 @@ class SimulateCommand : public Command {
                     "of its depth, for evaluate --bounds")
         ->type_name("FILE.csv");
     options.add_option("--frames", frames_, "Number of frames of an auto trajectory")
-        ->check(CLI::PositiveNumber);
-    options.add_option("--threads", threads_, "Threads; 0: all cores")
-        ->check(CLI::NonNegativeNumber);
+        ->check(positive());
+    options.add_option("--threads", threads_, "Threads; 0: all cores")->check(not_negative());
     options.add_flag("-q,--quiet", quiet_, "Say nothing but errors");
   }
 
@@ -100,13 +101,14 @@ class SimulateCommand : public Command {
     Simulator simulator(tree, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_));
 
     const bool is_recording = output_.extension() == ".oni";
+    const auto truth = (is_recording ? output_.parent_path() : output_) / "groundtruth.csv";
+    require_different(truth, trajectory_);
     const std::vector<State> rendered = states;
     if (is_recording) {
       write_recording(simulator, states);
     } else {
       write_folder(simulator, states);
     }
-    const auto truth = (is_recording ? output_.parent_path() : output_) / "groundtruth.csv";
     write_states(truth, tree, states);
     if (!bounds_.empty()) write_run_bounds(tree, rendered, scene, states);
     if (!quiet_) std::cout << output_.string() << "\ntruth: " << truth.string() << '\n';
@@ -140,6 +142,7 @@ class SimulateCommand : public Command {
   }
 
   void write_recording(Simulator& simulator, std::vector<State>& states) const {
+    make_folder_of(output_);
     OniWriter writer(output_, camera(), frames_per_second(states));
     render(simulator, states, [&](const DepthFrame& frame) { writer.write(frame); });
     writer.finish();
@@ -161,6 +164,7 @@ class SimulateCommand : public Command {
         [&](std::size_t frames) { progress.update(frames); });
     progress.finish();
     for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i].stamp = recorded[i].stamp;
+    make_folder_of(bounds_);
     write_bounds(bounds_, tree, bounds);
   }
 

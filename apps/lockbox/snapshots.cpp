@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "snapshots.hpp"
+#include "output_paths.hpp"
 
 #include <iomanip>
 #include <sstream>
@@ -16,7 +17,7 @@ constexpr float kOpacity = 0.65F;
 Snapshots::Snapshots(const std::filesystem::path& folder, const KinematicTree& tree,
                      std::size_t interval, const Executor& executor)
     : folder_(folder), tree_(tree), interval_(interval), executor_(executor) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder);
 }
 
 void Snapshots::add(const DepthFrame& frame, const Configuration& configuration) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source_options.hpp"
+#include "option_checks.hpp"
 
 #include <iostream>
 
@@ -29,7 +30,7 @@ CLI::Option* SourceArguments::add_source(CLI::App& options) {
   options
       .add_option("--depth-scale", depth_scale_,
                   "Units per metre of depth images in a folder (TUM data sets: 5000)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   return source;
 }
 

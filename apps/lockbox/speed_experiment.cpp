@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "experiments.hpp"
+#include "option_checks.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
 #include "speed_runs.hpp"
@@ -16,9 +17,8 @@ class Speed : public Experiment {
  public:
   void add_options(CLI::App& options) override {
     options.add_option("--frames", frames_, "Of the slowest run")->check(CLI::Range(2, 100000));
-    options.add_option("--fastest", fastest_, "Factor of the fastest run")
-        ->check(CLI::PositiveNumber);
-    options.add_option("--runs", runs_, "Steps of each kind")->check(CLI::NonNegativeNumber);
+    options.add_option("--fastest", fastest_, "Factor of the fastest run")->check(positive());
+    options.add_option("--runs", runs_, "Steps of each kind")->check(not_negative());
   }
 
  private:

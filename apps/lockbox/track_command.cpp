@@ -6,6 +6,8 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
 #include "model_options.hpp"
+#include "option_checks.hpp"
+#include "output_paths.hpp"
 #include "parameters.hpp"
 #include "source_options.hpp"
 #include "tracking_run.hpp"
@@ -40,6 +42,10 @@ class TrackCommand : public Command {
   }
 
   ExitStatus run() override {
+    if (!settings_.recording.empty()) {
+      require_different(settings_.recording, source_.name());
+      make_folder_of(settings_.recording);
+    }
     const ArticulatedModel model = model_.load();
     const auto source = source_.open();
     const TrackerOptions tracker_options = make_tracker_options(model.tree);
@@ -64,6 +70,7 @@ class TrackCommand : public Command {
         ->type_name("DIR");
     options.add_flag("--covariance", settings_.covariance, "Also write covariance.csv");
     options.add_option("--record", settings_.recording, "Also record the frames")
+        ->check(recording_name())
         ->type_name("FILE.oni");
     options
         .add_option("--snapshots", settings_.snapshots,
@@ -72,33 +79,34 @@ class TrackCommand : public Command {
     options
         .add_option("--snapshot-interval", settings_.snapshot_interval,
                     "Frames from one picture to the next")
-        ->check(CLI::PositiveNumber);
+        ->check(positive());
     options.add_flag("--view", settings_.view,
                      "Also show the newest frame and estimate in a 3D window (keys are explained "
                      "there); closing it ends the view only");
-    options.add_option("--max-frames", settings_.max_frames, "Stop after so many frames; 0: never");
+    options.add_option("--max-frames", settings_.max_frames, "Stop after so many frames; 0: never")
+        ->check(not_negative());
     options.add_flag("-q,--quiet", settings_.quiet, "Say nothing but errors");
   }
 
   void add_tracker_options(CLI::App& options) {
     RegistrationOptions& registration = tracker_.registration;
     options.add_option("--threads", tracker_.threads, "Threads; 0: all cores")
-        ->check(CLI::NonNegativeNumber);
+        ->check(not_negative());
     options
         .add_option("--iterations", registration.max_iterations, "Linearisations a frame, at most")
-        ->check(CLI::PositiveNumber);
+        ->check(positive());
     options.add_flag("--fixed-base", registration.fixed_base, "The base does not move");
     options.add_option("--lock-joint", locked_joints_, "Hold this joint (repeatable)")
         ->type_name("NAME")
         ->default_str("");
-    options.add_option("--collision", registration.collision, "off, literal or eroded")
-        ->transform(CLI::CheckedTransformer(kCollisionModes))
-        ->type_name("MODE")
-        ->default_str("eroded");
+    options.add_option("--collision", collision_, "off, literal or eroded")
+        ->check(CLI::IsMember({"off", "literal", "eroded"}).description(""))
+        ->type_name("MODE");
   }
 
   TrackerOptions make_tracker_options(const KinematicTree& tree) const {
     TrackerOptions options = tracker_;
+    options.registration.collision = kCollisionModes.at(collision_);
     if (!locked_joints_.empty()) {
       options.registration.locked.assign(static_cast<std::size_t>(tree.variables()), false);
     }
@@ -115,6 +123,7 @@ class TrackCommand : public Command {
   std::string initial_state_ = "auto";
   RunSettings settings_;
   TrackerOptions tracker_;
+  std::string collision_ = "eroded";
   std::vector<std::string> locked_joints_;
 };
 

@@ -48,7 +48,16 @@ class Outputs {
 
   void finish(RunEnd end) {
     describe(end);
-    if (recording_ && end != RunEnd::failed) recording_->finish();
+    if (recording_) recording_->finish();
+  }
+
+  /// After an error, which the user has to hear of rather than of others that follow from it.
+  void abandon() noexcept {
+    try {
+      describe(RunEnd::failed);
+    } catch (const std::exception&) {
+      // The description of the beginning of the run is left.
+    }
   }
 
   const RunTotals& totals() const { return totals_; }
@@ -133,7 +142,7 @@ ExitStatus track_source(FrameSource& source, Tracker& tracker, const Articulated
   try {
     end = track_all(source, tracker, settings, interruption, outputs);
   } catch (...) {
-    outputs.finish(RunEnd::failed);
+    outputs.abandon();
     throw;
   }
   outputs.finish(end);

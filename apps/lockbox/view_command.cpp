@@ -9,6 +9,8 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/visualization/live_view.hpp"
 #include "model_options.hpp"
+#include "option_checks.hpp"
+#include "output_paths.hpp"
 #include "run_viewer.hpp"
 #include "source_options.hpp"
 
@@ -42,6 +44,7 @@ class ViewCommand : public Command {
                      "Begin with points coloured by their distance to the model: blue before its "
                      "surface, red behind it, grey where it is farther than 10 mm");
     options.add_option("--frame", frame_, "Begin paused at this frame, counted from 0")
+        ->check(not_negative())
         ->type_name("N");
     options
         .add_option("--screenshot", screenshot_,
@@ -100,6 +103,7 @@ class ViewCommand : public Command {
     if (screenshot_.empty()) {
       viewer.play();
     } else {
+      make_folder_of(screenshot_);
       write_png(screenshot_, viewer.picture());
     }
   }

@@ -52,14 +52,25 @@ TEST(Usage, MissingOptionsAreNamed) {
 
 TEST(Usage, ValuesOutOfRangeAreRefused) {
   const std::vector<std::vector<std::string>> wrong = {
-      {"--iterations", "0"}, {"--threads", "-1"}, {"--iterations", "three"}, {"--collision", "x"}};
+      {"--iterations", "0"},  {"--threads", "-1"},      {"--iterations", "three"},
+      {"--collision", "x"},   {"--max-frames", "-1"},   {"--record", "frames.png"},
+      {"--depth-scale", "0"}, {"--depth-scale", "nan"}, {"--snapshot-interval", "0"}};
   for (const auto& option : wrong) {
     auto arguments = option;
     arguments.insert(arguments.begin(), {"track", "--model", "lockbox", "--source", "x.oni"});
     const auto result = run_tool(arguments);
     EXPECT_EQ(result.status, 2) << option[0];
     EXPECT_THAT(result.errors, HasSubstr(option[0]));
+    EXPECT_THAT(result.errors, HasSubstr(option[1]));
+    EXPECT_THAT(result.errors, testing::SizeIs(testing::Lt(120U))) << "is that readable?";
   }
+}
+
+TEST(Output, ThatIsLostIsAFailure) {
+  Tool tool({"--help"}, {}, "/dev/full");
+  const auto result = tool.wait();
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("standard output"));
 }
 
 TEST(Usage, UnknownAndMissingCommandsAreRefusedWithTheList) {

@@ -107,5 +107,47 @@ TEST(States, WithWrongColumnsAreRefusedWithFileAndLine) {
   EXPECT_THAT(result.errors, HasSubstr("states.csv:3"));
 }
 
+/// One state of a rigid block, and a recording of it.
+void simulate_block(const TemporaryFolder& folder) {
+  write_text(folder / "state.csv", "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0,0,1,0,0,0,1\n");
+  const auto result = run_tool({"simulate", "--model", "rigid_block", "--trajectory",
+                                folder / "state.csv", "--output", folder / "new/block.oni"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+}
+
+TEST(Recording, ThatIsTheSourceIsNotOverwritten) {
+  const TemporaryFolder folder;
+  simulate_block(folder);
+  const std::string before = read_text(folder / "new/block.oni");
+  std::filesystem::create_symlink("new/block.oni", folder / "other.oni");
+  for (const auto* name : {"new/block.oni", "other.oni"}) {
+    const auto result = run_tool({"track", "--model", "rigid_block", "--source",
+                                  folder / "new/block.oni", "--record", folder / name});
+    EXPECT_EQ(result.status, 3) << result.errors;
+    EXPECT_THAT(result.errors, HasSubstr(name));
+  }
+  EXPECT_EQ(read_text(folder / "new/block.oni"), before);
+}
+
+TEST(Trajectory, IsNotOverwrittenByItsTruth) {
+  const TemporaryFolder folder;
+  const std::string states = "timestamp,tx,ty,tz,qx,qy,qz,qw\n7,0,0,1,0,0,0,1\n";
+  write_text(folder / "groundtruth.csv", states);
+  const auto result = run_tool({"simulate", "--model", "rigid_block", "--trajectory",
+                                folder / "groundtruth.csv", "--output", folder / "block.oni"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("groundtruth.csv"));
+  EXPECT_EQ(read_text(folder / "groundtruth.csv"), states);
+}
+
+TEST(OutputFolder, ThatCannotBeIsNamed) {
+  const TemporaryFolder folder;
+  simulate_block(folder);
+  const auto result = run_tool({"track", "--model", "rigid_block", "--source",
+                                folder / "new/block.oni", "--output", folder / "state.csv/run"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("state.csv/run: cannot be made a folder"));
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -33,7 +33,8 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_);
 }
 
-Tool::Tool(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+Tool::Tool(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
+           const std::filesystem::path& output) {
   std::vector<std::string> command = {LOCKBOX_TOOL};
   command.insert(command.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = {std::string("XDG_CACHE_HOME=") + LOCKBOX_CACHE};
@@ -46,16 +47,21 @@ Tool::Tool(const std::vector<std::string>& arguments, const std::vector<std::str
   posix_spawn_file_actions_init(&files);
   const auto writing = O_WRONLY | O_CREAT | O_TRUNC;
   posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, 1, (folder_ / "output").c_str(), writing, 0600);
+  const auto output_file = output.empty() ? folder_ / "output" : output;
+  posix_spawn_file_actions_addopen(&files, 1, output_file.c_str(), writing, 0600);
   posix_spawn_file_actions_addopen(&files, 2, (folder_ / "errors").c_str(), writing, 0600);
-  const int failure = posix_spawn(&process_, LOCKBOX_TOOL, &files, nullptr,
+  posix_spawnattr_t own_group;
+  posix_spawnattr_init(&own_group);
+  posix_spawnattr_setflags(&own_group, POSIX_SPAWN_SETPGROUP);
+  const int failure = posix_spawn(&process_, LOCKBOX_TOOL, &files, &own_group,
                                   pointers(command).data(), pointers(variables).data());
+  posix_spawnattr_destroy(&own_group);
   posix_spawn_file_actions_destroy(&files);
   if (failure != 0) throw std::runtime_error("cannot start " LOCKBOX_TOOL);
 }
 
 void Tool::send_signal(int signal) const {
-  kill(process_, signal);
+  kill(-process_, signal);
 }
 
 ToolResult Tool::wait() {

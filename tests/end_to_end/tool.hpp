@@ -32,10 +32,13 @@ struct ToolResult {
 /// The lockbox tool, started with these arguments; standard input is empty.
 class Tool {
  public:
-  /// environment: additional "NAME=value" entries.
+  /// environment: additional "NAME=value" entries. output: what standard output goes into; a file
+  /// of its own if empty.
   explicit Tool(const std::vector<std::string>& arguments,
-                const std::vector<std::string>& environment = {});
+                const std::vector<std::string>& environment = {},
+                const std::filesystem::path& output = {});
 
+  /// To the tool and what it has started, as a terminal does.
   void send_signal(int signal) const;
 
   ToolResult wait();
