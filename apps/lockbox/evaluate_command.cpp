@@ -9,7 +9,8 @@
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/report.hpp"
 #include "lockbox/model/articulated_model.hpp"
-#include "shipped_files.hpp"
+#include "model_options.hpp"
+#include "output_paths.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -56,11 +57,8 @@ class EvaluateCommand : public Command {
         ->type_name("FILE");
     options.add_option("-o,--output", output_, "Folder for summary.json, errors.csv and plots")
         ->type_name("DIR");
-    options
-        .add_option(
-            "-m,--model", model_,
-            "The model, if no run.yaml beside the estimate names it: tells the joints' units")
-        ->type_name("FILE");
+    model_.add_optional_to(
+        options, "The model, if no run.yaml beside the estimate names it: tells the joints' units");
     options
         .add_option("--bounds", bounds_,
                     "Bounds file: only unknowns that a frame determines count there")
@@ -68,8 +66,7 @@ class EvaluateCommand : public Command {
   }
 
   ExitStatus run() override {
-    const KinematicTree tree =
-        model_.empty() ? tree_of_states(estimate_) : load_kinematic_tree(find_model(model_));
+    const KinematicTree tree = load_tree();
     std::optional<std::vector<FrameBound>> bounds;
     if (!bounds_.empty()) bounds = read_bounds(bounds_, tree);
     const Evaluation evaluation =
@@ -80,8 +77,19 @@ class EvaluateCommand : public Command {
   }
 
  private:
+  KinematicTree load_tree() const {
+    if (model_.is_given()) return model_.load_tree();
+    if (auto tree = tree_of_run(estimate_, model_.load_options())) return *tree;
+    KinematicTree tree = tree_of_columns(estimate_);
+    if (!tree.joints.empty()) {
+      std::cerr << "lockbox: warning: the model is not known (--model): all joints are taken for "
+                   "angles, the distances of sliding ones, too\n";
+    }
+    return tree;
+  }
+
   void write_files(const KinematicTree& tree, const Evaluation& evaluation) const {
-    std::filesystem::create_directories(output_);
+    make_folder(output_);
     write_summary(output_ / "summary.json", tree, evaluation);
     write_errors(output_ / "errors.csv", tree, evaluation);
     const std::string hindrance = write_error_plots(output_, tree, evaluation);
@@ -92,7 +100,7 @@ class EvaluateCommand : public Command {
   std::string estimate_;
   std::string reference_;
   std::filesystem::path output_;
-  std::string model_;
+  ModelOptions model_;
   std::string bounds_;
 };
 

@@ -5,7 +5,6 @@
 
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <sstream>
 
 #include "lockbox/core/error.hpp"
@@ -46,10 +45,13 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
 
 }  // namespace
 
-KinematicTree tree_of_states(const fs::path& states_file) {
-  if (const auto model = model_of_run(states_file.parent_path() / "run.yaml")) {
-    return load_kinematic_tree(*model);
-  }
+std::optional<KinematicTree> tree_of_run(const fs::path& states_file, const LoadOptions& options) {
+  const auto model = model_of_run(states_file.parent_path() / "run.yaml");
+  if (!model) return std::nullopt;
+  return load_kinematic_tree(*model, options);
+}
+
+KinematicTree tree_of_columns(const fs::path& states_file) {
   KinematicTree tree;
   tree.bodies.resize(1);
   for (const auto& name : joint_columns(states_file)) {

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
-#include "lockbox/model/kinematic_tree.hpp"
+#include "lockbox/model/articulated_model.hpp"
 
 namespace lockbox::app {
 
-/// The tree whose joints the columns of the states file are: that of the model which the run.yaml
-/// beside the file names, if there is one; else joints of unknown type, one a column, which are
+/// The tree of the model that the run.yaml beside the states file names; nothing if there is none,
+/// or the model is gone. Throws InputError.
+std::optional<KinematicTree> tree_of_run(const std::filesystem::path& states_file,
+                                         const LoadOptions& options);
+
+/// A tree of joints of unknown type, one for each column between the pose and the status, which are
 /// compared modulo 2 pi. Throws InputError.
-KinematicTree tree_of_states(const std::filesystem::path& states_file);
+KinematicTree tree_of_columns(const std::filesystem::path& states_file);
 
 }  // namespace lockbox::app

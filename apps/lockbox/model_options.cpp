@@ -8,16 +8,22 @@
 namespace lockbox::app {
 
 void ModelOptions::add_to(CLI::App& options) {
-  options
-      .add_option("-m,--model", model_,
-                  "URDF file, bare .obj or .stl file, or the name of a shipped model")
-      ->required()
-      ->type_name("FILE");
+  add_model(options, "URDF file, bare .obj or .stl file, or the name of a shipped model")
+      ->required();
+}
+
+void ModelOptions::add_optional_to(CLI::App& options, const std::string& help) {
+  add_model(options, help);
+}
+
+CLI::Option* ModelOptions::add_model(CLI::App& options, const std::string& help) {
+  CLI::Option* const model = options.add_option("-m,--model", model_, help)->type_name("FILE");
   options
       .add_option("--package-path", package_paths_,
                   "Folder to search for package:// meshes (repeatable), beside ROS_PACKAGE_PATH")
       ->type_name("DIR")
       ->default_str("");
+  return model;
 }
 
 std::filesystem::path ModelOptions::file() const {

@@ -15,6 +15,11 @@ class ModelOptions {
  public:
   void add_to(CLI::App& options);
 
+  /// For commands that can do without a model, or find out by themselves which it is.
+  void add_optional_to(CLI::App& options, const std::string& help);
+
+  bool is_given() const { return !model_.empty(); }
+
   /// The model's file: as given, or shipped under that name.
   std::filesystem::path file() const;
 
@@ -24,8 +29,11 @@ class ModelOptions {
   /// The model without fields.
   KinematicTree load_tree() const;
 
- private:
+  /// How files that the model names are found.
   LoadOptions load_options() const;
+
+ private:
+  CLI::Option* add_model(CLI::App& options, const std::string& help);
 
   std::string model_;
   std::vector<std::string> package_paths_;

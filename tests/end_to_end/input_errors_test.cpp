@@ -149,5 +149,34 @@ TEST(OutputFolder, ThatCannotBeIsNamed) {
   EXPECT_THAT(result.errors, HasSubstr("state.csv/run: cannot be made a folder"));
 }
 
+TEST(Estimate, OfARunWhoseModelNeedsAPackagePathIsComparedWithIt) {
+  const TemporaryFolder folder;
+  const TemporaryFolder packages;
+  std::filesystem::create_directory(packages / "blocks");
+  std::filesystem::copy(LOCKBOX_MODELS "/rigid_block/meshes", packages / "blocks/meshes");
+  const auto mesh = std::filesystem::directory_iterator(packages / "blocks/meshes")->path();
+  write_text(folder / "block.urdf",
+             "<robot name=\"r\"><link name=\"block\"><visual><geometry><mesh filename=\""
+             "package://blocks/meshes/" +
+                 mesh.filename().string() + "\"/></geometry></visual></link></robot>");
+  write_text(folder / "run.yaml", "model: " + (folder / "block.urdf").string() + "\n");
+  const auto file = folder / "states.csv";
+  write_text(file, "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0,0,1,0,0,0,1\n");
+  EXPECT_EQ(run_tool({"evaluate", "--estimate", file, "--reference", file}).status, 3);
+  const auto result = run_tool(
+      {"evaluate", "--estimate", file, "--reference", file, "--package-path", packages / "."});
+  EXPECT_EQ(result.status, 0) << result.errors;
+}
+
+TEST(Estimate, WhoseModelIsUnknownIsComparedWithAWarning) {
+  const TemporaryFolder folder;
+  const std::string states = "timestamp,tx,ty,tz,qx,qy,qz,qw,slide\n0,0,0,1,0,0,0,1,0.1\n";
+  write_text(folder / "states.csv", states);
+  const auto file = folder / "states.csv";
+  const auto result = run_tool({"evaluate", "--estimate", file, "--reference", file});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.errors, HasSubstr("--model"));
+}
+
 }  // namespace
 }  // namespace lockbox
