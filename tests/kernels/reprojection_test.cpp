@@ -111,6 +111,24 @@ TEST_F(ReprojectionTest, WhatLiesBehindTheCameraIsNowhere) {
   }
 }
 
+TEST_F(ReprojectionTest, SeenThroughIsWhatWasMeasuredFarBehindOrIsUndecided) {
+  reproject_row(9);
+  const PointNoise noise{0.001F, 0.002F, 0.0F, 0.0F};
+  constexpr float kZone = 30.0F;
+  std::array<std::uint32_t, padded(kColumns)> found;
+  const std::size_t count = seen_through({expected.data(), seen.data(), pixel.data()}, kColumns,
+                                         noise, kZone, found.data());
+  std::vector<std::uint32_t> wanted;
+  for (std::uint32_t u = 0; u < kColumns; ++u) {
+    const float sigma = 0.001F + 0.002F * expected[u] * expected[u];
+    if (pixel[u] == kUndecided || (pixel[u] >= 0 && seen[u] - expected[u] > kZone * sigma)) {
+      wanted.push_back(u);
+    }
+  }
+  EXPECT_EQ(std::vector<std::uint32_t>(found.begin(), found.begin() + count), wanted);
+  EXPECT_GT(count, 5U);
+}
+
 TEST_F(ReprojectionTest, EveryInstructionSetLandsInTheSamePixels) {
   reproject_row(9);
   const auto first = pixel;
