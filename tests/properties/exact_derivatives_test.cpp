@@ -74,7 +74,7 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
   for (const double spread : {0.0, 0.01}) {
     const Configuration at = displaced(0.7);
     surface.render(model, poses(at), cloud.camera(), executor);
-    surface.label(cloud, Executor(1), visible);
+    surface.label(cloud, {options.noise.lateral_pixels, spread, options.cut}, Executor(1), visible);
     ModelTerm term;
     std::vector<BodySystem> systems(model.tree.bodies.size());
     const ModelTerm::Scene scene{model, cloud, visible, options, executor};

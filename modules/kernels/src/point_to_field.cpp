@@ -99,10 +99,11 @@ double associate_points_with(const Candidates& candidates, std::span<float* cons
   Float total = hn::Zero(df);
   for (std::size_t i = 0; i < candidates.size; i += hn::Lanes(df)) {
     const Float visible = hn::LoadU(df, candidates.visible + i);
+    const Float other_odds = hn::IfThenElseZero(hn::Gt(visible, hn::Set(df, kBeyondReach)), one);
     Float sum = outlier;
     for (std::size_t l = 0; l < candidates.distance.size(); ++l) {
-      const Float odds =
-          hn::IfThenElse(hn::Eq(visible, hn::Set(df, candidates.body[l])), visible_odds, one);
+      const Float odds = hn::IfThenElse(hn::Eq(visible, hn::Set(df, candidates.body[l])),
+                                        visible_odds, other_odds);
       const Float share =
           hn::Mul(odds, likelihood(hn::LoadU(df, candidates.distance[l] + i),
                                    hn::LoadU(df, candidates.inverse_variance[l] + i)));

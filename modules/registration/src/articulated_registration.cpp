@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "lockbox/kernels/point_to_field.hpp"
+
 namespace lockbox {
 namespace {
 
@@ -137,16 +139,26 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   return result_;
 }
 
-/// Renders what the configuration shows, and labels the cloud's points with it.
+/// Renders what the configuration shows.
 void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configuration& configuration) {
   rendered_ = configuration;
   if (!cloud.has_image()) {
-    visible_.assign(cloud.x().size(), static_cast<float>(kNothing));
+    visible_.assign(cloud.x().size(), kernels::kNoBody);
     return;
   }
   forward_kinematics(model_.tree, configuration, poses_);
   surface_.render(model_, poses_, cloud.camera(), executor_);
-  surface_.label(cloud, executor_, visible_);
+  labelled_spread_ = kNeverSelected;
+}
+
+/// What lies farther beside the drawn model than it may be off is something else: the wall that it
+/// hangs on, the table that it stands on.
+void ArticulatedRegistration::label_points(const TiledCloud& cloud, double spread) {
+  if (!cloud.has_image() || spread == labelled_spread_) {
+    return;
+  }
+  surface_.label(cloud, {options_.noise.lateral_pixels, spread, options_.cut}, executor_, visible_);
+  labelled_spread_ = spread;
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
@@ -156,6 +168,7 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
   if (surface_distance(rendered_, result_.configuration) > kStaleView) {
     look_at(cloud, result_.configuration);
   }
+  label_points(cloud, spread);
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
   std::fill(systems_.begin(), systems_.end(), BodySystem{});

@@ -5,13 +5,24 @@
 #include <cmath>
 #include <numeric>
 
+#include "lockbox/kernels/point_to_field.hpp"
+
 namespace lockbox {
 namespace {
 
 // One sample a pixel for common sensors: outlines are decided by few samples, so none is spared.
 constexpr int kSampleColumns = 640;
 constexpr std::size_t kRowsPerChunk = 16;
+constexpr std::size_t kColumnsPerChunk = 64;
 constexpr std::size_t kPointsPerChunk = 16384;
+constexpr std::uint8_t kFarthest = 255;
+
+/// distance <- min(distance, neighbour + 1), where neighbour is a pixel's distance.
+void relax(std::uint8_t neighbour, std::uint8_t& distance) {
+  if (neighbour < distance) {
+    distance = std::min<std::uint8_t>(distance, static_cast<std::uint8_t>(neighbour + 1));
+  }
+}
 
 }  // namespace
 
@@ -36,6 +47,7 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
     T_body_camera_[b] = T_camera_body[b].inverse();
   }
   count_samples(executor);
+  measure_outline_distance(executor);
 }
 
 void VisibleSurface::count_samples(const Executor& executor) {
@@ -61,25 +73,57 @@ VisibleSample VisibleSurface::sample(int u, int v) const {
   return {(T_body_camera_[static_cast<std::size_t>(body)] * p_camera).cast<float>(), body, u, v};
 }
 
-void VisibleSurface::label(const TiledCloud& cloud, const Executor& executor,
-                           std::vector<float>& visible) const {
+/// City-block distances, which are separable: along rows, then along columns.
+void VisibleSurface::measure_outline_distance(const Executor& executor) {
+  const auto width = static_cast<std::size_t>(image_.width);
+  const auto height = static_cast<std::size_t>(image_.height);
+  outline_distance_.resize(width * height);
+  executor.for_each_chunk(height, kRowsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::uint8_t* const row = outline_distance_.data() + v * width;
+      const std::int16_t* const id = image_.id.data() + v * width;
+      for (std::size_t u = 0; u < width; ++u) row[u] = id[u] == kNothing ? kFarthest : 0;
+      for (std::size_t u = 1; u < width; ++u) relax(row[u - 1], row[u]);
+      for (std::size_t u = width - 1; u > 0; --u) relax(row[u], row[u - 1]);
+    }
+  });
+  executor.for_each_chunk(width, kColumnsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
+    for (std::size_t v = 1; v < height; ++v) {
+      std::uint8_t* const row = outline_distance_.data() + v * width;
+      for (std::size_t u = begin; u < end; ++u) relax(row[u - width], row[u]);
+    }
+    for (std::size_t v = height - 1; v > 0; --v) {
+      std::uint8_t* const row = outline_distance_.data() + (v - 1) * width;
+      for (std::size_t u = begin; u < end; ++u) relax(row[u + width], row[u]);
+    }
+  });
+}
+
+void VisibleSurface::label(const TiledCloud& cloud, const OutlineReach& reach,
+                           const Executor& executor, std::vector<float>& visible) const {
   visible.resize(cloud.x().size());
   const auto width = static_cast<std::size_t>(cloud.camera().width);
   const auto reduction = static_cast<std::size_t>(reduction_);
   const auto columns = static_cast<std::size_t>(image_.width);
   const auto rows = static_cast<std::size_t>(image_.height);
+  const double view_pixels = 1.0 / static_cast<double>(reduction_);
+  const auto lateral = static_cast<float>(reach.cut * reach.pixels * view_pixels);
+  const auto spread =
+      static_cast<float>(reach.cut * reach.metres * cloud.camera().fx * view_pixels);
   executor.for_each_chunk(
       visible.size(), kPointsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
         for (std::size_t i = begin; i < end; ++i) {
           const std::size_t pixel = cloud.pixel()[i];
-          if (reduction == 1) {
-            visible[i] = static_cast<float>(image_.id[pixel]);
-            continue;
-          }
-          const std::size_t u = pixel % width / reduction;
-          const std::size_t v = pixel / width / reduction;
-          visible[i] = u < columns && v < rows ? static_cast<float>(image_.id[v * columns + u])
-                                               : static_cast<float>(kNothing);
+          // What a reduced view cuts off at the right and below is as its last column and row.
+          const std::size_t u = std::min(pixel % width / reduction, columns - 1);
+          const std::size_t v = std::min(pixel / width / reduction, rows - 1);
+          const std::size_t at = reduction == 1 ? pixel : v * columns + u;
+          visible[i] = static_cast<float>(image_.id[at]);
+          if (image_.id[at] != kNothing) continue;
+          const auto distance = static_cast<float>(outline_distance_[at]);
+          const float in_metres = spread / cloud.z()[i];
+          const bool is_beyond = distance * distance > lateral * lateral + in_metres * in_metres;
+          visible[i] = is_beyond ? kernels::kBeyondReach : kernels::kNoBody;
         }
       });
 }

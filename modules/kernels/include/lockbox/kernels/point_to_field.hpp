@@ -64,13 +64,17 @@ void look_up(const FieldView& field, const RigidMotion& body_from_camera, const 
 void look_up_distance(const FieldView& field, const RigidMotion& body_from_camera,
                       const PointSpan& points, float* distance);
 
+/// Labels of points in whose pixel no body is predicted: near enough to one to be it, or not.
+inline constexpr float kNoBody = -1.0F;
+inline constexpr float kBeyondReach = -2.0F;
+
 /// The bodies that compete for the points of a tile.
 struct Candidates {
   std::size_t size;                                ///< points
   std::span<const float* const> distance;          ///< by candidate
   std::span<const float* const> inverse_variance;  ///< by candidate
   std::span<const float> body;                     ///< by candidate: its number
-  const float* visible;                            ///< by point: number of the body in its pixel
+  const float* visible;  ///< by point: number of the body in its pixel, or as above
   float cut;
   float visible_odds;
 };
@@ -83,7 +87,7 @@ struct Candidates {
 /// For a single body it is s / 2 up to about the cut and c beyond it; among several it is their
 /// soft minimum, which has no winner among equals. A body that is predicted to be what the point's
 /// pixel shows has odds `visible_odds`, others 1: where two bodies meet, both are near, and only
-/// visibility tells which one was measured.
+/// visibility tells which one was measured. Points beyond reach have odds 0: what no body can be.
 ///
 /// Returns sum (E - c) over the points, so that an unexplained point counts zero, and writes
 /// weight[l][i] = 2 dE / d(distance_l^2), the weight of the point in body l's normal equations, and

@@ -74,6 +74,7 @@ class ArticulatedRegistration {
 
  private:
   void look_at(const TiledCloud& cloud, const Configuration& configuration);
+  void label_points(const TiledCloud& cloud, double spread);
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
                  std::optional<double> next_spread);
@@ -97,6 +98,7 @@ class ArticulatedRegistration {
   RegistrationResult result_;
   Configuration rendered_;  ///< what surface_ shows
   Configuration selected_;  ///< where the free-space term made its selection
+  double labelled_spread_ = 0.0;
   double selected_spread_ = 0.0;
   std::optional<double> linearized_spread_;  ///< if all terms stand at result_.configuration
   std::optional<double> ahead_spread_;       ///< if the model term was linearised there already

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,14 @@ struct VisibleSample {
   int v;
 };
 
+/// How far beside its outline the model may still be what is measured: a Gaussian's standard
+/// deviations across the ray, in pixels and in metres, times the cut.
+struct OutlineReach {
+  double pixels;
+  double metres;
+  double cut;
+};
+
 /// Reuses its buffers; one sample for each pixel of the view that shows a body, that is for each
 /// block of pixels_per_sample pixels of the camera.
 class VisibleSurface {
@@ -31,8 +40,10 @@ class VisibleSurface {
   /// The point of a body that pixel (u, v) of the view shows; not for kNothing.
   VisibleSample sample(int u, int v) const;
 
-  /// visible[i]: number of the body in the pixel of the cloud's point i, -1 where there is none.
-  void label(const TiledCloud& cloud, const Executor& executor, std::vector<float>& visible) const;
+  /// visible[i]: number of the body in the pixel of the cloud's point i; where there is none,
+  /// kernels::kNoBody within reach of the model's outline and kernels::kBeyondReach farther out.
+  void label(const TiledCloud& cloud, const OutlineReach& reach, const Executor& executor,
+             std::vector<float>& visible) const;
 
   /// Samples in the rows of the view before row v; v = height: all.
   std::size_t samples_before(int v) const { return row_begins_[static_cast<std::size_t>(v)]; }
@@ -48,6 +59,7 @@ class VisibleSurface {
 
  private:
   void count_samples(const Executor& executor);
+  void measure_outline_distance(const Executor& executor);
 
   PinholeCamera full_camera_;
   std::unique_ptr<DepthRenderer> renderer_;
@@ -55,6 +67,7 @@ class VisibleSurface {
   RenderedDepth image_;
   BodyPoses T_body_camera_;
   std::vector<std::size_t> row_begins_;  ///< samples before each row; the number of all
+  std::vector<std::uint8_t> outline_distance_;  ///< pixels of the view, up to 255; 0 on the model
   int reduction_ = 1;
 };
 
