@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<double, 3> kSteps{0.004, 0.002, 0.001};  // metres that surfaces move
 constexpr int kRounds = 2;                                    // with each of them
-constexpr double kSlack = 0.0005;                             // metres
+constexpr double kSlack = 0.002;  // metres: what real objects differ from their models by
 
 /// The configuration with one unknown (base twist about the centre, joint variables) changed so
 /// that no surface moves farther than `step`.
@@ -36,18 +36,16 @@ Configuration moved(const KinematicTree& tree, const Configuration& configuratio
 
 }  // namespace
 
-void climb(const KinematicTree& tree, ViewScore& score, bool hold_joints,
-           Configuration& configuration) {
-  const std::vector<std::uint8_t> all(tree.bodies.size(), 1);
-  const int unknowns = hold_joints ? 6 : 6 + tree.variables();
+void climb(const KinematicTree& tree, ViewScore& score, Configuration& configuration) {
+  const int unknowns = 6 + tree.variables();
   const ModelLevers levers = model_levers(tree);
-  double best = score.evidence(configuration, kSlack, all).fit();
+  double best = score.fit(configuration, kSlack);
   for (const double step : kSteps) {
     for (int round = 0; round < kRounds; ++round) {
       for (int unknown = 0; unknown < unknowns; ++unknown) {
         for (const double direction : {1.0, -1.0}) {
           Configuration trial = moved(tree, configuration, levers, unknown, direction * step);
-          const double fit = score.evidence(trial, kSlack, all).fit();
+          const double fit = score.fit(trial, kSlack);
           if (fit > best) {
             best = fit;
             configuration = std::move(trial);

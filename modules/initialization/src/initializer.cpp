@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "climb.hpp"
+#include "hypothesis.hpp"
 #include "joint_scan.hpp"
 #include "lockbox/core/error.hpp"
 #include "scene_relief.hpp"
@@ -13,28 +15,23 @@
 namespace lockbox {
 namespace {
 
-constexpr int kColumns = 160;          // of the view that hypotheses are judged in
-constexpr double kMedianNoise = 0.6;   // of the noise is left in the median of a block
-constexpr int kFineColumns = 320;      // of the view that the best are compared in
+constexpr int kColumns = 160;         // of the view that hypotheses are judged in
+constexpr double kMedianNoise = 0.6;  // of the noise is left in the median of a block
+constexpr int kFineColumns = 320;     // of the view that the best are compared in
+constexpr double kHalfNoise = 0.85;   // of the noise is left in its blocks
+constexpr double kFineSlack = 0.003;  // metres
+constexpr double kHardlyLess = 0.95;
+constexpr double kEnoughSamples = 20.0;
 constexpr double kFinePixel = 0.0028;  // metres: larger ones are worth looking at one by one
-constexpr double kHalfNoise = 0.85;    // the same
 constexpr std::size_t kLeastSamples = 20;
-constexpr std::size_t kMostRegions = 10;
-constexpr std::size_t kMatchesEach = 8;   // of one relief on one region
-constexpr std::size_t kMatchesKept = 96;  // whose poses are refined
-constexpr std::size_t kPosesKept = 24;    // whose joints are scanned
-constexpr std::size_t kScannedKept = 4;   // that are refined together
-constexpr double kPromising = 0.15;       // of the best score, before joints are known:
-constexpr double kWorthwhile = 0.3;       // and after that: worth another look
-constexpr double kApartMetres = 0.04;     // less, and
-constexpr double kApartRadians = 0.15;    // less apart, two poses are one
-constexpr int kAnchorPositions = 5;       // of a joint between base and a matched side
+constexpr std::size_t kMostRegions = 16;
+constexpr std::size_t kMatchesEach = 8;  // of one relief on one region
+constexpr int kAnchorPositions = 5;      // of a joint between base and a matched side
 
-struct Hypothesis {
-  Configuration configuration;
-  std::vector<std::uint8_t> bodies;  ///< whose place is known
-  double score = 0.0;
-};
+// What stages keep: before joints are known, less says little.
+constexpr Selection kMatched{0.15, 96};
+constexpr Selection kPlaced{0.15, 24};
+constexpr Selection kPosed{0.3, 4};
 
 void check(const TiledCloud& cloud) {
   if (!cloud.has_image()) {
@@ -42,8 +39,28 @@ void check(const TiledCloud& cloud) {
   }
 }
 
-bool better(const Hypothesis& a, const Hypothesis& b) {
-  return a.score > b.score;
+/// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
+std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
+  const VariableLimits limits = variable_limits(tree, variable);
+  const bool is_limited = std::isfinite(limits.upper - limits.lower);
+  const double lower = is_limited ? limits.lower : 0.0;
+  const double upper = is_limited ? limits.upper : 2.0 * std::numbers::pi;
+  std::vector<double> positions;
+  for (int i = 0; i < kAnchorPositions; ++i) {
+    positions.push_back(lower + (upper - lower) * i / (kAnchorPositions - 1));
+  }
+  return positions;
+}
+
+/// Of the bodies for or against which enough speaks: one that stands elsewhere vanishes in the
+/// whole.
+double least_consent(const std::vector<Agreement>& bodies) {
+  double least = 1.0;
+  for (const Agreement& body : bodies) {
+    const double heard = (body.explained + body.contradicted) * body.samples;
+    if (heard >= kEnoughSamples) least = std::min(least, body.consent());
+  }
+  return least;
 }
 
 }  // namespace
@@ -83,51 +100,48 @@ struct Initializer::Workspace {
     }
   }
 
-  std::vector<Hypothesis> matched_poses(const CoarseView& view);
-  void add_hypotheses(const ModelRelief& relief, const ReliefMatch& match,
-                      std::vector<Hypothesis>& hypotheses) const;
-  void refine_base(ArticulatedRegistration& registration, double spread, int iterations,
-                   Configuration& configuration) const;
-  std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, double least_share,
-                                     std::size_t most) const;
+  std::vector<Hypothesis> match(const CoarseView& view);
+  void place(std::vector<Hypothesis>& hypotheses);
+  void pose(std::vector<Hypothesis>& hypotheses);
+  void fit(std::vector<Hypothesis>& hypotheses);
+  void fit_closely(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses);
+  std::vector<Candidate> rank(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses);
+
+ private:
+  void add_matched(const ModelRelief& relief, const ReliefMatch& match,
+                   std::vector<Hypothesis>& hypotheses) const;
+  void align_if_better(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses);
+  void align_base(double spread, int iterations, Configuration& configuration);
+  double judge(const Hypothesis& hypothesis, double slack, double tolerance);
+  double judge_closely(const Configuration& configuration, double slack);
+  ViewScore& score() { return scores[Executor::worker()]; }
 };
 
-/// The configurations at which the relief's body is where the match says: the joints between base
-/// and body may stand anywhere.
-void Initializer::Workspace::add_hypotheses(const ModelRelief& relief, const ReliefMatch& match,
-                                            std::vector<Hypothesis>& hypotheses) const {
-  std::vector<int> path;
+/// The configurations at which the relief's body is where the match says.
+void Initializer::Workspace::add_matched(const ModelRelief& relief, const ReliefMatch& match,
+                                         std::vector<Hypothesis>& hypotheses) const {
   const KinematicTree& tree = model.tree;
-  for (int body = relief.body; tree.bodies[static_cast<std::size_t>(body)].parent_joint >= 0;) {
-    const Joint& joint = tree.joints[static_cast<std::size_t>(
-        tree.bodies[static_cast<std::size_t>(body)].parent_joint)];
-    path.push_back(joint.variable);
-    body = joint.parent_body;
-  }
-  // The base alone: how the joints stand is not known yet.
-  std::vector<std::uint8_t> bodies(tree.bodies.size(), 0);
-  bodies[0] = 1;
-  bodies[static_cast<std::size_t>(relief.body)] = 1;
-  const int positions = path.empty() ? 1 : kAnchorPositions;
-  Configuration configuration = rest_configuration(tree);
+  const auto body = static_cast<std::size_t>(relief.body);
+  Hypothesis hypothesis{rest_configuration(tree), std::vector<std::uint8_t>(tree.bodies.size(), 0)};
+  // Base and body alone: how other joints stand is not known yet.
+  hypothesis.bodies[0] = 1;
+  hypothesis.bodies[body] = 1;
+  const int joint = tree.bodies[body].parent_joint;
+  const int variable = joint < 0 ? -1 : tree.joints[static_cast<std::size_t>(joint)].variable;
   std::vector<Eigen::Isometry3d> poses;
-  for (int i = 0; i < positions; ++i) {
-    if (!path.empty()) {
-      const VariableLimits limits = variable_limits(tree, path.front());
-      const bool limited = std::isfinite(limits.upper - limits.lower);
-      const double share = static_cast<double>(i) / (positions - 1);
-      configuration.q[path.front()] =
-          limited ? limits.lower + share * (limits.upper - limits.lower) : 6.283185307 * share;
-    }
+  Configuration& configuration = hypothesis.configuration;
+  for (const double position :
+       variable < 0 ? std::vector<double>{0.0} : anchor_positions(tree, variable)) {
+    if (variable >= 0) configuration.q[variable] = position;
     configuration.T_camera_base.setIdentity();
     forward_kinematics(tree, configuration, poses);
-    configuration.T_camera_base =
-        match.T_camera_body * poses[static_cast<std::size_t>(relief.body)].inverse();
-    hypotheses.push_back({configuration, bodies, 0.0});
+    configuration.T_camera_base = match.T_camera_body * poses[body].inverse();
+    hypotheses.push_back(hypothesis);
   }
 }
 
-std::vector<Hypothesis> Initializer::Workspace::matched_poses(const CoarseView& view) {
+/// Flat sides of the model laid onto flat regions of the view.
+std::vector<Hypothesis> Initializer::Workspace::match(const CoarseView& view) {
   const double noise = kMedianNoise * options.depth_noise;
   const auto regions = find_planar_regions(view, noise, kLeastSamples, kMostRegions);
   const std::size_t pairs = regions.size() * reliefs.size();
@@ -136,43 +150,132 @@ std::vector<Hypothesis> Initializer::Workspace::matched_poses(const CoarseView& 
     const ModelRelief& relief = reliefs[pair % reliefs.size()];
     const PlanarRegion& region = regions[pair / reliefs.size()];
     for (const auto& match : match_relief(view, region, relief, noise, kMatchesEach)) {
-      add_hypotheses(relief, match, found[pair]);
+      add_matched(relief, match, found[pair]);
     }
-    ViewScore& score = scores[Executor::worker()];
-    for (Hypothesis& hypothesis : found[pair]) {
-      hypothesis.score =
-          score.evidence(hypothesis.configuration, 0.02, hypothesis.bodies).total(1.0);
-    }
+    for (Hypothesis& hypothesis : found[pair]) hypothesis.score = judge(hypothesis, 0.02, 1.0);
   });
   std::vector<Hypothesis> all;
   for (auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  return best_apart(std::move(all), kMatched);
 }
 
-std::vector<Hypothesis> Initializer::Workspace::best_apart(std::vector<Hypothesis> hypotheses,
-                                                           double least_share,
-                                                           std::size_t most) const {
-  std::stable_sort(hypotheses.begin(), hypotheses.end(), better);
-  std::vector<Hypothesis> kept;
+/// Base poses made exact as far as the known bodies tell, and a glance at the joints.
+void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses) {
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis refined = hypotheses[i];
+    align_base(0.025, 4, refined.configuration);
+    refined.score = judge(refined, 0.01, 1.0);
+    hypotheses[i].score = judge(hypotheses[i], 0.01, 1.0);
+    // Joints that stand elsewhere than assumed may have pulled the base away.
+    if (refined.score > hypotheses[i].score) hypotheses[i] = std::move(refined);
+    hypotheses[i].bodies = all_bodies;
+    scan_joints(model.tree, score(), all_variables, 0.02, kGlance, hypotheses[i].configuration);
+    hypotheses[i].score = judge(hypotheses[i], 0.02, 0.5);
+  });
+  hypotheses = best_apart(std::move(hypotheses), kPlaced);
+}
+
+/// All joints sought over their ranges.
+void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses) {
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis& hypothesis = hypotheses[i];
+    scan_joints(model.tree, score(), all_variables, 0.01, kScan, hypothesis.configuration);
+    hypothesis.score = judge_closely(hypothesis.configuration, 0.006);
+    Hypothesis refined = hypothesis;
+    align_base(0.015, 5, refined.configuration);
+    scan_joints(model.tree, score(), all_variables, 0.006, kScan, refined.configuration);
+    refined.score = judge_closely(refined.configuration, 0.006);
+    if (refined.score > hypothesis.score) hypothesis = std::move(refined);
+  });
+  hypotheses = best_apart(std::move(hypotheses), kPosed);
+}
+
+/// Base and joints together, in the coarse view.
+void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses) {
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis& hypothesis = hypotheses[i];
+    Hypothesis refined = hypothesis;
+    refined.configuration = coarse[Executor::worker()]
+                                .align(coarse_cloud, hypothesis.configuration, {0.005, 6})
+                                .configuration;
+    scan_joints(model.tree, score(), all_variables, 0.004, kScan, refined.configuration);
+    refined.score = judge_closely(refined.configuration, kFineSlack);
+    hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
+    if (refined.score > hypothesis.score) hypothesis = std::move(refined);
+  });
+  hypotheses = best_apart(std::move(hypotheses), {kPosed.least_share, options.most_candidates});
+}
+
+/// The same at full resolution.
+void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
+                                         std::vector<Hypothesis>& hypotheses) {
+  align_if_better(cloud, hypotheses);
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    climb(model.tree, halves[Executor::worker()], hypotheses[i].configuration);
+  });
+  align_if_better(cloud, hypotheses);
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis& hypothesis = hypotheses[i];
+    Configuration contrasted = hypothesis.configuration;
+    const double pixel = contrasted.T_camera_base.translation().z() / cloud.camera().fx;
+    const std::size_t worker = Executor::worker();
+    scan_joints_by_contrast(model.tree, pixel > kFinePixel ? details[worker] : halves[worker],
+                            all_variables, contrasted);
+    // Contrast knows where low relief is better than depth does, which hardly notices.
+    const double score = judge_closely(contrasted, kFineSlack);
+    hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
+    if (score > kHardlyLess * hypothesis.score) {
+      hypothesis.configuration = std::move(contrasted);
+      hypothesis.score = score;
+    }
+  });
+}
+
+void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
+                                             std::vector<Hypothesis>& hypotheses) {
+  std::vector<Configuration> aligned;
   for (const Hypothesis& hypothesis : hypotheses) {
-    const double best = hypotheses.front().score;
-    if (best > 0.0 && hypothesis.score < least_share * best) break;
-    const bool apart = std::none_of(kept.begin(), kept.end(), [&](const Hypothesis& other) {
-      const Eigen::Isometry3d difference =
-          other.configuration.T_camera_base.inverse() * hypothesis.configuration.T_camera_base;
-      return difference.translation().norm() < kApartMetres &&
-             Eigen::AngleAxisd(difference.linear()).angle() < kApartRadians;
-    });
-    if (apart) kept.push_back(hypothesis);
-    if (kept.size() == most) break;
+    aligned.push_back(fine.align(cloud, hypothesis.configuration, {0.005, 8}).configuration);
   }
-  return kept;
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Configuration& configuration = hypotheses[i].configuration;
+    if (judge_closely(aligned[i], kFineSlack) >
+        kHardlyLess * judge_closely(configuration, kFineSlack)) {
+      configuration = std::move(aligned[i]);
+    }
+  });
 }
 
-void Initializer::Workspace::refine_base(ArticulatedRegistration& registration, double spread,
-                                         int iterations, Configuration& configuration) const {
-  configuration =
-      registration.align(coarse_cloud, configuration, {spread, iterations, true}).configuration;
+std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
+                                                    const std::vector<Hypothesis>& hypotheses) {
+  std::vector<Candidate> candidates;
+  for (const Hypothesis& hypothesis : hypotheses) {
+    if (hypothesis.score > 0.0) {
+      const auto& result = fine.align(cloud, hypothesis.configuration, {0.0, 0});
+      const double score = hypothesis.score * least_consent(result.body_agreement);
+      candidates.push_back({hypothesis.configuration, score, result.agreement});
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  return candidates;
+}
+
+void Initializer::Workspace::align_base(double spread, int iterations,
+                                        Configuration& configuration) {
+  constexpr bool kHoldJoints = true;
+  configuration = coarse[Executor::worker()]
+                      .align(coarse_cloud, configuration, {spread, iterations, kHoldJoints})
+                      .configuration;
+}
+
+double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance) {
+  return score().evidence(hypothesis.configuration, slack, hypothesis.bodies).total(tolerance);
+}
+
+/// In a finer view, which shows more of what the camera saw through.
+double Initializer::Workspace::judge_closely(const Configuration& configuration, double slack) {
+  return halves[Executor::worker()].evidence(configuration, slack, all_bodies).total(0.0);
 }
 
 Initializer::Initializer(const ArticulatedModel& model, const InitializerOptions& options,
@@ -191,69 +294,17 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud) {
   w.coarse_cloud.assign(view.camera, view.depth, unfiltered, w.executor);
   for (ViewScore& score : w.scores) score.set_view(view);
 
-  auto hypotheses = w.best_apart(w.matched_poses(view), kPromising, kMatchesKept);
-  w.executor.for_each(hypotheses.size(), [&](std::size_t i) {
-    Hypothesis& hypothesis = hypotheses[i];
-    const auto judge = [&](Configuration configuration) {
-      const double score =
-          w.scores[Executor::worker()].evidence(configuration, 0.01, hypothesis.bodies).total(1.0);
-      return Hypothesis{std::move(configuration), hypothesis.bodies, score};
-    };
-    // Joints that stand elsewhere than assumed may pull the base away.
-    Configuration refined = hypothesis.configuration;
-    w.refine_base(w.coarse[Executor::worker()], 0.025, 4, refined);
-    hypothesis = std::max(judge(refined), judge(hypothesis.configuration),
-                          [](const auto& x, const auto& y) { return better(y, x); });
-  });
-  hypotheses = w.best_apart(std::move(hypotheses), kPromising, kPosesKept);
-  w.executor.for_each(hypotheses.size(), [&](std::size_t i) {
-    ViewScore& score = w.scores[Executor::worker()];
-    Hypothesis& hypothesis = hypotheses[i];
-    scan_joints(w.model.tree, score, w.all_variables, 0.01, hypothesis.configuration);
-    w.refine_base(w.coarse[Executor::worker()], 0.015, 5, hypothesis.configuration);
-    scan_joints(w.model.tree, score, w.all_variables, 0.006, hypothesis.configuration);
-    hypothesis.score = score.evidence(hypothesis.configuration, 0.006, w.all_bodies).total(0.0);
-  });
-  hypotheses = w.best_apart(std::move(hypotheses), kWorthwhile, kScannedKept);
-  w.executor.for_each(hypotheses.size(), [&](std::size_t i) {
-    ViewScore& score = w.scores[Executor::worker()];
-    ArticulatedRegistration& registration = w.coarse[Executor::worker()];
-    Hypothesis& hypothesis = hypotheses[i];
-    hypothesis.configuration =
-        registration.align(w.coarse_cloud, hypothesis.configuration, {0.005, 6}).configuration;
-    scan_joints(w.model.tree, score, w.all_variables, 0.004, hypothesis.configuration);
-    hypothesis.score = score.evidence(hypothesis.configuration, 0.003, w.all_bodies).total(0.0);
-  });
-  hypotheses = w.best_apart(std::move(hypotheses), kWorthwhile, w.options.most_candidates);
   const CoarseView pixels(cloud, cloud.camera().width, w.executor);
   const CoarseView fine_view(cloud, kFineColumns, w.executor);
-  for (ViewScore& score : w.details) score.set_view(pixels);
-  for (ViewScore& score : w.halves) score.set_view(fine_view);
-  for (Hypothesis& hypothesis : hypotheses) {
-    hypothesis.configuration =
-        w.fine.align(cloud, hypothesis.configuration, {0.005, 8}).configuration;
-  }
-  w.executor.for_each(hypotheses.size(), [&](std::size_t i) {
-    Configuration& configuration = hypotheses[i].configuration;
-    ViewScore& halves = w.halves[Executor::worker()];
-    climb(w.model.tree, halves, false, configuration);
-    const double pixel = configuration.T_camera_base.translation().z() / cloud.camera().fx;
-    scan_joints_by_contrast(w.model.tree,
-                            pixel > kFinePixel ? w.details[Executor::worker()] : halves,
-                            w.all_variables, configuration);
-    // Contrast knows where low relief is better than depth does.
-    climb(w.model.tree, halves, true, configuration);
-  });
-  std::vector<Candidate> candidates;
-  for (const Hypothesis& hypothesis : hypotheses) {
-    const RegistrationResult& result = w.fine.align(cloud, hypothesis.configuration, {0.0, 0});
-    const double score =
-        w.scores.front().evidence(result.configuration, 0.003, w.all_bodies).total(0.0);
-    if (score > 0.0) candidates.push_back({result.configuration, score, result.agreement});
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
-  return candidates;
+  for (ViewScore& detail : w.details) detail.set_view(pixels);
+  for (ViewScore& half : w.halves) half.set_view(fine_view);
+
+  std::vector<Hypothesis> hypotheses = w.match(view);
+  w.place(hypotheses);
+  w.pose(hypotheses);
+  w.fit(hypotheses);
+  w.fit_closely(cloud, hypotheses);
+  return w.rank(cloud, hypotheses);
 }
 
 Configuration Initializer::find_joints(const TiledCloud& cloud, const Configuration& start,
@@ -264,8 +315,8 @@ Configuration Initializer::find_joints(const TiledCloud& cloud, const Configurat
   constexpr bool kIsKnown = true;
   w.scores.front().set_view(view, kIsKnown);
   Configuration configuration = start;
-  scan_joints(w.model.tree, w.scores.front(), variables, 0.01, configuration);
-  scan_joints(w.model.tree, w.scores.front(), variables, 0.006, configuration);
+  scan_joints(w.model.tree, w.scores.front(), variables, 0.01, kScan, configuration);
+  scan_joints(w.model.tree, w.scores.front(), variables, 0.006, kScan, configuration);
   const CoarseView pixels(cloud, cloud.camera().width, w.executor);
   w.details.front().set_view(pixels, kIsKnown);
   scan_joints_by_contrast(w.model.tree, w.details.front(), variables, configuration);

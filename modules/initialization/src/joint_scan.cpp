@@ -11,10 +11,8 @@
 namespace lockbox {
 namespace {
 
-constexpr double kStep = 0.012;  // metres that surfaces move from one position to the next, at most
-constexpr double kFineStep = 0.006;  // the same, by contrast
+constexpr ScanSteps kContrastSteps{0.006, 2};
 constexpr int kMostPositions = 64;
-constexpr int kRefinements = 2;     // halvings of the step around the best position
 constexpr double kLeastGain = 1.0;  // pixels: worth moving for
 
 std::vector<double> positions_between(double lower, double upper, int count) {
@@ -30,18 +28,18 @@ std::vector<double> positions_between(double lower, double upper, int count) {
 using Scan = std::function<std::vector<double>(int variable, const std::vector<double>& positions)>;
 
 void scan_variable(const KinematicTree& tree, const Scan& scan, int variable, double lever,
-                   double step_length, Configuration& configuration) {
+                   const ScanSteps& steps, Configuration& configuration) {
   const VariableLimits limits = variable_limits(tree, variable);
   const bool limited = std::isfinite(limits.upper - limits.lower);
   double lower = limited ? limits.lower : configuration.q[variable] - std::numbers::pi;
   double upper = limited ? limits.upper : configuration.q[variable] + std::numbers::pi;
   const double reach = (upper - lower) * lever;
   if (!(reach > 0.0)) return;
-  int count = std::clamp(static_cast<int>(reach / step_length) + 2, 3, kMostPositions);
+  int count = std::clamp(static_cast<int>(reach / steps.metres) + 2, 3, kMostPositions);
   const double start = configuration.q[variable];
   double best_gain = kLeastGain;
   double step = (upper - lower) / (count - 1);
-  for (int level = 0; level <= kRefinements; ++level) {
+  for (int level = 0; level <= steps.halvings; ++level) {
     std::vector<double> positions = positions_between(lower, upper, count);
     positions.push_back(start);
     const std::vector<double> scores = scan(variable, positions);
@@ -61,13 +59,13 @@ void scan_variable(const KinematicTree& tree, const Scan& scan, int variable, do
 }  // namespace
 
 void scan_joints(const KinematicTree& tree, ViewScore& score, const std::vector<int>& variables,
-                 double slack, Configuration& configuration) {
+                 double slack, const ScanSteps& steps, Configuration& configuration) {
   const Scan scan = [&](int variable, const std::vector<double>& positions) {
     return score.scan(configuration, variable, positions, slack);
   };
   const ModelLevers levers = model_levers(tree);
   for (const int variable : variables) {
-    scan_variable(tree, scan, variable, levers.variables[variable], kStep, configuration);
+    scan_variable(tree, scan, variable, levers.variables[variable], steps, configuration);
   }
 }
 
@@ -78,7 +76,7 @@ void scan_joints_by_contrast(const KinematicTree& tree, ViewScore& score,
   };
   const ModelLevers levers = model_levers(tree);
   for (const int variable : variables) {
-    scan_variable(tree, scan, variable, levers.variables[variable], kFineStep, configuration);
+    scan_variable(tree, scan, variable, levers.variables[variable], kContrastSteps, configuration);
   }
 }
 

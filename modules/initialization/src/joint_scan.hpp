@@ -7,11 +7,20 @@
 
 namespace lockbox {
 
+/// How closely a joint's range is looked at.
+struct ScanSteps {
+  double metres;  ///< that surfaces move from one position to the next, at most
+  int halvings;   ///< of the step, around the best position
+};
+
+inline constexpr ScanSteps kGlance{0.06, 0};
+inline constexpr ScanSteps kScan{0.012, 2};
+
 /// Moves one joint variable after the other, in the order of the tree, to the position of its whole
 /// range that explains the view best. A variable that changes nothing in the view stays where it
 /// is. slack: metres that surfaces may be off.
 void scan_joints(const KinematicTree& tree, ViewScore& score, const std::vector<int>& variables,
-                 double slack, Configuration& configuration);
+                 double slack, const ScanSteps& steps, Configuration& configuration);
 
 /// The same by contrast, for a view of single pixels and a base that is known to a few millimetres.
 void scan_joints_by_contrast(const KinematicTree& tree, ViewScore& score,

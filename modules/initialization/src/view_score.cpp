@@ -14,7 +14,7 @@ constexpr double kOccluded = -0.3;
 constexpr double kSeenThrough = -6.0;
 constexpr double kFallOff = 0.22;      // a deviation of three standard deviations costs two
 constexpr double kSteepest = 5.0;      // tangent of the incidence beyond which surfaces count alike
-constexpr double kContinuing = 6.0;    // exponent: how fast an outline that goes on takes belief
+constexpr double kContinuing = 4.0;    // exponent: how fast an outline that goes on takes belief
 constexpr double kInViewEnough = 0.5;  // of the surface; with less in view, doubt grows
 constexpr double kSamples = 200.0;     // of each body's surface
 constexpr int kStretch = 8;            // pixels along each side of what makes a stretch of outline
@@ -260,10 +260,6 @@ double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
   return facing > 0.0 ? inside / facing : 0.0;
 }
 
-double ViewEvidence::fit() const {
-  return explained + kSeenThrough * contradicted + kOccluded * occluded;
-}
-
 double ViewEvidence::total(double tolerance) const {
   const double visible = std::min(1.0, in_view / kInViewEnough);
   return (explained * std::pow(1.0 - continues, (1.0 - 0.7 * tolerance) * kContinuing) +
@@ -272,19 +268,15 @@ double ViewEvidence::total(double tolerance) const {
          visible * visible;
 }
 
-ViewEvidence ViewScore::evidence(const Configuration& configuration, double slack,
-                                 const std::vector<std::uint8_t>& bodies) {
-  nearest_reach_ = 0.0;
-  draw(configuration, bodies, whole_);
+/// Of what whole_ shows.
+ViewEvidence ViewScore::count_pixels(double slack) const {
   const RenderedDepth& image = whole_.image;
   ViewEvidence evidence;
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
       const std::size_t pixel = pixel_index(image, u, v);
-      if (image.id[pixel] == kNothing) continue;
-      if (!(view_->depth[pixel] > 0.0F)) continue;
+      if (image.id[pixel] == kNothing || !(view_->depth[pixel] > 0.0F)) continue;
       const double score = pixel_score(whole_, u, v, slack);
-      evidence.pixels += score <= kOccluded && view_->depth[pixel] < image.depth[pixel] ? 0.0 : 1.0;
       if (score > 0.0) {
         evidence.explained += score;
       } else if (view_->depth[pixel] > image.depth[pixel]) {
@@ -294,9 +286,24 @@ ViewEvidence ViewScore::evidence(const Configuration& configuration, double slac
       }
     }
   }
+  return evidence;
+}
+
+ViewEvidence ViewScore::evidence(const Configuration& configuration, double slack,
+                                 const std::vector<std::uint8_t>& bodies) {
+  nearest_reach_ = 0.0;
+  draw(configuration, bodies, whole_);
+  ViewEvidence evidence = count_pixels(slack);
   evidence.continues = share_that_continues(slack);
   evidence.in_view = share_in_view(bodies);
   return evidence;
+}
+
+double ViewScore::fit(const Configuration& configuration, double slack) {
+  nearest_reach_ = 0.0;
+  draw(configuration, std::vector<std::uint8_t>(tree_.bodies.size(), 1), whole_);
+  const ViewEvidence evidence = count_pixels(slack);
+  return evidence.explained + kSeenThrough * evidence.contradicted + kOccluded * evidence.occluded;
 }
 
 std::vector<double> ViewScore::scan(const Configuration& configuration, int variable,

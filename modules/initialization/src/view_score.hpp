@@ -16,15 +16,11 @@ namespace lockbox {
 
 /// What speaks for a configuration and against it.
 struct ViewEvidence {
-  double pixels = 0.0;        ///< of the view that show the model, measured and not occluded
   double explained = 0.0;     ///< pixels of the view, weighted by how well
   double contradicted = 0.0;  ///< pixels that the camera saw through
   double occluded = 0.0;      ///< pixels with something in front
   double continues = 0.0;     ///< share of the outline beyond which the surface goes on
   double in_view = 0.0;       ///< share of the surface that faces the camera: within the image
-
-  /// The larger, the better it fits, for comparing near configurations.
-  double fit() const;
 
   /// The larger, the more convincing; tolerance: 1 before anything is refined, 0 when all is.
   double total(double tolerance) const;
@@ -44,6 +40,9 @@ class ViewScore {
   /// is no matter.
   ViewEvidence evidence(const Configuration& configuration, double slack,
                         const std::vector<std::uint8_t>& bodies);
+
+  /// The larger, the better the whole model fits, for comparing near configurations.
+  double fit(const Configuration& configuration, double slack);
 
   /// The scores of the whole model for positions of one joint variable, up to a constant.
   std::vector<double> scan(const Configuration& configuration, int variable,
@@ -68,6 +67,7 @@ class ViewScore {
             Drawing& drawing);
   void frame_motion(const Configuration& configuration, int variable,
                     const std::vector<double>& positions, const std::vector<std::uint8_t>& moved);
+  ViewEvidence count_pixels(double slack) const;
   bool is_before_reach(double measured, double slack) const;
   double pixel_score(const Drawing& drawing, int u, int v, double slack) const;
   double contrast_score();

@@ -4,7 +4,6 @@
 #include "lockbox/cloud/segmentation.hpp"
 
 namespace lockbox {
-namespace {}  // namespace
 
 Acquisition::Acquisition(const ArticulatedModel& model, const TrackerOptions& options,
                          const Executor& executor, ArticulatedRegistration& registration,

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lockbox/model/configuration.hpp"
+
+namespace lockbox {
+
+/// A guess at where the model is, on its way to a candidate.
+struct Hypothesis {
+  Configuration configuration;
+  std::vector<std::uint8_t> bodies;  ///< whose place is known
+  double score = 0.0;                ///< of one stage; the larger, the more convincing
+};
+
+/// What a stage keeps of its hypotheses.
+struct Selection {
+  double least_share;  ///< of the best one's score, if that is positive
+  std::size_t most;
+};
+
+/// The best hypotheses, best first, whose bases are apart: 40 mm or 0.15 radians.
+std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection);
+
+}  // namespace lockbox
