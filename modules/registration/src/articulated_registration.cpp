@@ -154,11 +154,15 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
 /// What lies farther beside the drawn model than it may be off is something else: the wall that it
 /// hangs on, the table that it stands on.
 void ArticulatedRegistration::label_points(const TiledCloud& cloud, double spread) {
-  if (!cloud.has_image() || spread == labelled_spread_) {
+  if (is_labelled_for(cloud, spread)) {
     return;
   }
   surface_.label(cloud, {options_.noise.lateral_pixels, spread, options_.cut}, executor_, visible_);
   labelled_spread_ = spread;
+}
+
+bool ArticulatedRegistration::is_labelled_for(const TiledCloud& cloud, double spread) const {
+  return !cloud.has_image() || spread == labelled_spread_;
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
@@ -221,8 +225,8 @@ double ArticulatedRegistration::cost_at(const TiledCloud& cloud, const Configura
 }
 
 /// Takes the best acceptable step; false if there was none, or none worth taking. Mostly the first
-/// trial is taken: unless the model has to be drawn anew then, the next linearisation is made along
-/// with its cost.
+/// trial is taken: unless the model has to be drawn or points to be labelled anew then, the next
+/// linearisation is made along with its cost.
 bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool hold_joints,
                                       double next_spread) {
   set_step_limits(hold_joints);
@@ -234,7 +238,8 @@ bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool
     }
     candidate_ = result_.configuration;
     apply_step(step, candidate_);
-    const bool looks_ahead = trial == 0 && surface_distance(rendered_, candidate_) <= kStaleView;
+    const bool looks_ahead = trial == 0 && is_labelled_for(cloud, next_spread) &&
+                             surface_distance(rendered_, candidate_) <= kStaleView;
     const auto spread_ahead = looks_ahead ? std::optional(next_spread) : std::nullopt;
     if (cost_at(cloud, candidate_, spread_ahead) < cost) {
       result_.configuration = candidate_;

@@ -75,6 +75,7 @@ class ArticulatedRegistration {
  private:
   void look_at(const TiledCloud& cloud, const Configuration& configuration);
   void label_points(const TiledCloud& cloud, double spread);
+  bool is_labelled_for(const TiledCloud& cloud, double spread) const;
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
                  std::optional<double> next_spread);

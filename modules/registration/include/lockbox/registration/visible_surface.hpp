@@ -66,7 +66,7 @@ class VisibleSurface {
   std::vector<RenderItem> items_;
   RenderedDepth image_;
   BodyPoses T_body_camera_;
-  std::vector<std::size_t> row_begins_;  ///< samples before each row; the number of all
+  std::vector<std::size_t> row_begins_;         ///< samples before each row; the number of all
   std::vector<std::uint8_t> outline_distance_;  ///< pixels of the view, up to 255; 0 on the model
   int reduction_ = 1;
 };
