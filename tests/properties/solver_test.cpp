@@ -4,8 +4,12 @@
 // freezes.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <limits>
+#include <memory>
 #include <random>
+#include <utility>
 
 #include "initialization/seen_model.hpp"
 #include "lockbox/registration/bounded_step.hpp"
@@ -49,6 +53,18 @@ Eigen::VectorXd solve(const NormalEquations& equations, double damping, const St
 
 double quadratic(const NormalEquations& equations, const Eigen::VectorXd& s) {
   return equations.gradient.dot(s) + 0.5 * s.dot(equations.hessian * s);
+}
+
+TEST(BoundedStep, CanBeMovedBeforeItHasSolvedAnything) {
+  // In memory that is not zero, where members left unset have values that their types do not know.
+  alignas(BoundedStepSolver) std::array<std::byte, sizeof(BoundedStepSolver)> memory{};
+  memory.fill(std::byte{0xBE});
+  auto* const fresh = new (memory.data()) BoundedStepSolver;
+  BoundedStepSolver moved(std::move(*fresh));
+  std::destroy_at(fresh);
+  std::mt19937 random(1);
+  EXPECT_TRUE(
+      moved.solve(random_equations(3, random), 0.0, no_limits(3), unit_scale(3)).allFinite());
 }
 
 TEST(BoundedStep, SolvesLinearProblemExactlyWithoutDamping) {

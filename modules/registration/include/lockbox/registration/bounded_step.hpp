@@ -60,7 +60,7 @@ class BoundedStepSolver {
   Eigen::VectorXd solution_;
   // Of a matrix: without one Eigen leaves members unset, and moving them is undefined.
   Eigen::LLT<Eigen::MatrixXd> definite_{Eigen::MatrixXd(0, 0)};
-  Eigen::LDLT<Eigen::MatrixXd> factors_;
+  Eigen::LDLT<Eigen::MatrixXd> factors_{Eigen::MatrixXd(0, 0)};
   SymmetricModes modes_;
   Eigen::MatrixXd strong_;
   Eigen::MatrixXd product_;
