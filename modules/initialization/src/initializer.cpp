@@ -203,7 +203,7 @@ void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses) {
     hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
   });
-  hypotheses = best_apart(std::move(hypotheses), {kPosed.least_share, options.most_candidates});
+  hypotheses = best_apart(std::move(hypotheses), kPosed);
 }
 
 /// The same at full resolution.
@@ -258,6 +258,7 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  candidates.resize(std::min(candidates.size(), options.most_candidates));
   return candidates;
 }
 
