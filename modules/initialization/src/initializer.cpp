@@ -46,6 +46,7 @@ std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
   const double lower = is_limited ? limits.lower : 0.0;
   const double upper = is_limited ? limits.upper : 2.0 * std::numbers::pi;
   std::vector<double> positions;
+  positions.reserve(kAnchorPositions);
   for (int i = 0; i < kAnchorPositions; ++i) {
     positions.push_back(lower + (upper - lower) * i / (kAnchorPositions - 1));
   }
@@ -234,6 +235,7 @@ void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
 void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
                                              std::vector<Hypothesis>& hypotheses) {
   std::vector<Configuration> aligned;
+  aligned.reserve(hypotheses.size());
   for (const Hypothesis& hypothesis : hypotheses) {
     aligned.push_back(fine.align(cloud, hypothesis.configuration, {0.005, 8}).configuration);
   }
