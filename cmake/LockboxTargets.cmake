@@ -60,7 +60,8 @@ function(lockbox_add_test name)
 endfunction()
 
 # lockbox_add_test_with_display(<name> COMMAND ...) registers a test that opens windows, with an X
-# server of its own: nothing but its own windows is there.
+# server of its own: nothing but its own windows is there. It runs alone: drawing, in software and at
+# a low priority, would starve beside another test.
 function(lockbox_add_test_with_display name)
   cmake_parse_arguments(ARG "" "" "COMMAND" ${ARGN})
   find_program(XVFB_RUN xvfb-run)
@@ -70,5 +71,5 @@ function(lockbox_add_test_with_display name)
   endif()
   add_test(NAME ${name} COMMAND ${launcher} ${ARG_COMMAND})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${LOCKBOX_TEST_TIMEOUT}
-                                          SKIP_REGULAR_EXPRESSION "SKIPPED")
+                                          SKIP_REGULAR_EXPRESSION "SKIPPED" RUN_SERIAL ON)
 endfunction()

@@ -49,7 +49,7 @@ XUser::~XUser() {
 }
 
 void XUser::find_window(const std::string& name) {
-  constexpr auto kPatience = std::chrono::seconds(60);
+  constexpr auto kPatience = std::chrono::seconds(120);
   const auto start = std::chrono::steady_clock::now();
   while ((window_ = window_of_name(display_, name)) == 0) {
     if (std::chrono::steady_clock::now() - start > kPatience) {
