@@ -88,4 +88,4 @@ def cabinet():
          Joint("door", "revolute", "carcass", "door", (0, -1, 0), 0, 120),
          Joint("inner_drawer", "prismatic", "carcass", "inner_drawer", (0, 0, 1), 0, TRAVEL),
          Joint("knob", "revolute", "inner_drawer", "knob", (0, 0, 1), -90, 90)],
-        position=(0, 50, 1100), tilt=(18, 25), impossible=inner_drawer_through_door)
+        position=(0, 50, 1100), tilt=(18, 25, 0), impossible=inner_drawer_through_door)

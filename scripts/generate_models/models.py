@@ -38,7 +38,7 @@ class Model:
     links: list  # the base first
     joints: list
     position: tuple = (0, 0, 1250)  # T_camera_base of the initial state
-    tilt: tuple = (-6, 10)  # degrees about the camera's x and y, away from facing it
+    tilt: tuple = (-6, 10, 0)  # degrees about the camera's x, y and z, away from facing it
     # True for configurations (by joint name) that the object cannot take although each joint is
     # within its limits.
     impossible: object = field(default=lambda positions: False)
@@ -103,9 +103,10 @@ def quaternion_product(a, b):
 
 def initial_state(model):
     """The front faces the camera: x right, y up, z towards it; then tilted."""
-    about_x, about_y = (math.radians(angle) / 2 for angle in model.tilt)
+    about_x, about_y, about_z = (math.radians(angle) / 2 for angle in model.tilt)
     facing = (1, 0, 0, 0)
-    tilted = quaternion_product((0, math.sin(about_y), 0, math.cos(about_y)), facing)
+    tilted = quaternion_product((0, 0, math.sin(about_z), math.cos(about_z)), facing)
+    tilted = quaternion_product((0, math.sin(about_y), 0, math.cos(about_y)), tilted)
     tilted = quaternion_product((math.sin(about_x), 0, 0, math.cos(about_x)), tilted)
     position = ", ".join(metres(p) for p in model.position)
     quaternion = ", ".join(f"{q:.9f}" for q in tilted)

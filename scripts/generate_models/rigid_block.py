@@ -15,4 +15,4 @@ def rigid_block():
          Box((180 - SINK, 240), (20, 120), (0, 50)),
          Cylinder(2, (90, -40), 45, (90 - SINK, 130))])
     return Model("rigid_block", "One rigid body without symmetry and without joints.", [body], [],
-                 position=(0, 0, 1000), tilt=(20, 25))
+                 position=(0, 0, 1000), tilt=(20, 25, 0))

@@ -115,8 +115,8 @@ TEST_P(FieldsOfShippedModels, EncloseTheirLinks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Links, FieldsOfShippedModels,
-                         testing::Values("lockbox", "lockbox_overlapping", "cabinet",
-                                         "rigid_block"),
+                         testing::Values("lockbox", "lockbox_overlapping", "cabinet", "rigid_block",
+                                         "board_door_block"),
                          [](const auto& model) { return std::string(model.param); });
 
 TEST(OpenMesh, IsRefusedByTheNameOfItsLink) {
