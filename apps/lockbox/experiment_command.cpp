@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "experiments.hpp"
+#include "lockbox/simulation/sensor_model.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
 
@@ -51,8 +52,7 @@ class ExperimentCommand : public Command {
     options.add_option("-o,--output", settings_.output, "Folder for raw results and figures")
         ->required()
         ->type_name("DIR");
-    options.add_option("--sensor", settings_.sensor,
-                       "primesense, primesense-quiet, white or ideal");
+    options.add_option("--sensor", settings_.sensor, sensor_names());
     options.add_option("--seed", settings_.seed, "Of all that is random, the sensor's noise too")
         ->check(not_negative());
     options.add_flag("-q,--quiet", settings_.quiet, "No progress");

@@ -71,8 +71,7 @@ class SimulateCommand : public Command {
                     "one, or into the other")
         ->required()
         ->type_name("FILE.oni|DIR");
-    options.add_option("--sensor", sensor_, "primesense, primesense-quiet, white or ideal")
-        ->type_name("NAME");
+    options.add_option("--sensor", sensor_, sensor_names())->type_name("NAME");
     options.add_option("--seed", seed_, "Of the sensor's noise")->check(not_negative());
     options
         .add_option("--scene", scene_,

@@ -25,7 +25,8 @@ TEST(SensorModel, UnknownNameIsRefusedWithTheChoices) {
 }
 
 TEST(SensorModel, NamesAreKept) {
-  for (const char* name : {"primesense", "primesense-quiet", "white", "ideal"}) {
+  for (const char* name :
+       {"primesense", "primesense-quiet", "structured-light", "white", "ideal"}) {
     EXPECT_EQ(sensor_model(name).name, name);
   }
 }

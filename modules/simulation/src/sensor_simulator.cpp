@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "correlated_noise.hpp"
+#include "projector_shadow.hpp"
 #include "random.hpp"
 #include "surface.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 using simulation::CorrelatedNoise;
 using simulation::NormalTable;
+using simulation::ProjectorShadow;
 using simulation::RandomStream;
 using simulation::Surface;
 
@@ -112,10 +114,18 @@ struct SensorSimulator::Workspace {
   PixelModel pixel{sensor, camera, refinement};
   NormalTable normal{};
   CorrelatedNoise noise{correlation_kernel(sensor), camera.width, camera.height, seed};
+  ProjectorShadow shadow{};
 
+  bool is_lit(int sample_u, int sample_v) const;
   void measure_row(const Surface& surface, std::uint64_t index, int v,
                    const std::vector<float>& correlated, std::uint16_t* out) const;
 };
+
+bool SensorSimulator::Workspace::is_lit(int sample_u, int sample_v) const {
+  const auto row =
+      static_cast<std::size_t>(sample_v) * static_cast<std::size_t>(sample_camera.width);
+  return !sensor.has_projector_shadow || !shadow.covers(row + static_cast<std::size_t>(sample_u));
+}
 
 void SensorSimulator::Workspace::measure_row(const Surface& surface, std::uint64_t index, int v,
                                              const std::vector<float>& correlated,
@@ -131,8 +141,8 @@ void SensorSimulator::Workspace::measure_row(const Surface& surface, std::uint64
     const float white = normal.long_tailed(bits >> 24U);
     const float uniform = static_cast<float>(bits >> 48U) * 0x1p-16F;
     const float z = surface.depth(sample_u, sample_v);
-    const bool seen =
-        std::isfinite(z) && uniform < pixel.measured_share(surface, u, v, sample_u, sample_v);
+    const bool seen = std::isfinite(z) && is_lit(sample_u, sample_v) &&
+                      uniform < pixel.measured_share(surface, u, v, sample_u, sample_v);
     const auto i = static_cast<std::size_t>(u);
     out[i] = seen ? pixel.measured(z, correlated[i], white) : std::uint16_t{0};
   }
@@ -160,6 +170,9 @@ void SensorSimulator::measure(const RenderedDepth& clean, std::uint64_t index, D
   frame.index = index;
   const Surface surface(clean, w.sample_camera);
   w.noise.generate(index, w.normal, w.executor);
+  if (w.sensor.has_projector_shadow) {
+    w.shadow.cast(clean, w.sample_camera, w.sensor.baseline, w.executor);
+  }
   w.executor.for_each_chunk(
       height, kRowsAtOnce, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::vector<float> correlated;

@@ -27,12 +27,17 @@ struct SensorModel {
   double edge_dropout_rate = 0.0;   ///< the same next to a jump of the disparity by over 1 pixel
   double grazing_angle = 1.570796;  ///< incidence, radians, from which on drop-outs grow to all of
                                     ///< the pixels at 90 degrees, linearly in the cosine
-  double min_range = 0.0;           ///< metres; what is measured nearer or farther is dropped
+  bool has_projector_shadow = false;  ///< nothing is measured where the projector, at x = baseline
+                                      ///< of the camera's frame, is hidden by something nearer
+  double min_range = 0.0;             ///< metres; what is measured nearer or farther is dropped
   double max_range = 65.535;
 };
 
-/// The model of that name: `primesense`, `primesense-quiet`, `white` or `ideal`. Throws InputError.
+/// The model of that name, one of sensor_names(). Throws InputError.
 SensorModel sensor_model(const std::string& name);
+
+/// `primesense`, `primesense-quiet`, `structured-light`, `white` and `ideal`, as a sentence has it.
+std::string sensor_names();
 
 /// Standard deviation of a measured depth around z (metres) on a surface that faces the sensor:
 /// disparity noise and both roundings, lateral jitter not included.
