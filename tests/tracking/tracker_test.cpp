@@ -60,6 +60,14 @@ class TrackerTest : public ::testing::Test {
   std::uint64_t frames_ = 0;
 };
 
+TEST_F(TrackerTest, TellsWhereTheTimeWent) {
+  tracker.start(truth);
+  const TrackingResult& result = tracker.process(frame_of(truth));
+  EXPECT_GT(result.cloud_time.wall_ms, 0.0);
+  EXPECT_GT(result.step_time.cpu_ms, 0.0);
+  EXPECT_DOUBLE_EQ(result.latency_ms, result.cloud_time.wall_ms + result.step_time.wall_ms);
+}
+
 TEST_F(TrackerTest, AGoodStartNeedsNoSearch) {
   tracker.start(truth);
   for (int i = 0; i < 3; ++i) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/tracking/tracker.hpp"
 
-#include <chrono>
-
 namespace lockbox {
 namespace {
 
@@ -43,16 +41,18 @@ bool Tracker::is_known() const {
 }
 
 const TrackingResult& Tracker::process(const DepthFrame& frame) {
-  const auto began = std::chrono::steady_clock::now();
+  const Stopwatch cloud_watch;
   cloud_.assign(frame, options_.cloud, executor_);
+  result_.cloud_time = cloud_watch.elapsed();
+  const Stopwatch step_watch;
   result_.stamp = frame.stamp;
   if (is_known()) {
     follow(frame);
   } else {
     search(frame);
   }
-  result_.latency_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count();
+  result_.step_time = step_watch.elapsed();
+  result_.latency_ms = result_.cloud_time.wall_ms + result_.step_time.wall_ms;
   return result_;
 }
 

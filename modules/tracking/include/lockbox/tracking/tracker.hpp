@@ -9,6 +9,7 @@
 
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/depth_frame.hpp"
+#include "lockbox/core/stopwatch.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/tracking/acquisition.hpp"
@@ -29,7 +30,9 @@ struct TrackingResult {
   double explained = 0.0;        ///< shares of the model's visible surface
   double contradicted = 0.0;
   double occluded = 0.0;
-  int searches = 0;  ///< how often the object was sought in the whole frame, up to now
+  int searches = 0;    ///< how often the object was sought in the whole frame, up to now
+  Elapsed cloud_time;  ///< from depth to cloud
+  Elapsed step_time;   ///< all else: prediction, registration, judgement, searches if need be
   double latency_ms = 0.0;
 };
 
