@@ -169,6 +169,34 @@ TEST(Speed, GrowsFromRunToRunAndStepsOnce) {
   EXPECT_THAT(summary, HasSubstr("step of a hinge by 20 degrees"));
 }
 
+TEST(Peers, ComparesWithTheFiguresOfTheOtherTracker) {
+  const TemporaryFolder folder;
+  const auto summary =
+      run_experiment("peers", "board_door_block", folder / "out",
+                     {"--seeds", "1", "--frames", "6", "--trials", "1", "--sequence", "moving"});
+  const auto rows = read_rows(folder / "out/peers_board_door_block.csv");
+  ASSERT_EQ(rows.size(), 6U + 3U + 2U);  // all frames, every second, every third
+  for (const NamedRow& row : rows) {
+    EXPECT_GT(number(row, "step_cpu_ms"), 0.0);
+    if (row.at("every") != "1") continue;  // too fast, it may be
+    EXPECT_EQ(row.at("status"), "tracking");
+    EXPECT_LT(number(row, "translation"), 0.005);
+    EXPECT_LT(number(row, "door"), 0.005);
+  }
+  const auto trials = read_rows(folder / "out/peers_board_door_block_capture.csv");
+  ASSERT_EQ(trials.size(), 10U);  // five kinds, with and without search
+  EXPECT_THAT(summary, HasSubstr("M3T best"));
+  EXPECT_THAT(summary, HasSubstr("door 20 degrees"));
+}
+
+TEST(Peers, RefusesAnotherSensor) {
+  const TemporaryFolder folder;
+  const auto result =
+      run_tool({"experiment", "peers", "--output", (folder / "out").string(), "--sensor", "ideal"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("each sequence has its own"));
+}
+
 TEST(Experiment, RefusesAShardThatIsNone) {
   const TemporaryFolder folder;
   const auto result = run_tool(

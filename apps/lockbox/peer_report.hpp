@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the runs of `lockbox experiment peers` say, beside what M3T reaches.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lockbox/evaluation/figure.hpp"
+#include "lockbox/evaluation/table.hpp"
+#include "peer_runs.hpp"
+
+namespace lockbox::app {
+
+Table peer_frame_rows(const std::vector<PeerRun>& runs);
+Table capture_rows(const std::vector<CaptureTrial>& trials);
+
+/// Accuracy and times of the whole sequences (PeerRun::every is 1).
+void print_peer_accuracy(const std::vector<PeerRun>& runs);
+void print_peer_times(const std::vector<PeerRun>& runs);
+
+/// The runs of the sequence `moving`.
+void print_fast_motion(const std::vector<PeerRun>& runs);
+void print_capture(const std::vector<CaptureTrial>& trials);
+
+/// Errors over the frames of the whole sequences: of each frame the median over the seeds.
+Figure peer_figure(const std::string& name, const std::vector<PeerRun>& runs);
+
+}  // namespace lockbox::app
