@@ -174,9 +174,7 @@ class ViewShares {
     std::size_t pixels = 0;
     for (int v = top; v < bottom; ++v) {
       for (int u = left; u < right; ++u) {
-        const auto id =
-            image_.id[static_cast<std::size_t>(v) * static_cast<std::size_t>(image_.width) +
-                      static_cast<std::size_t>(u)];
+        const auto id = image_.id[image_.index(u, v)];
         pixels += id != kNothing && id < kBackgroundId ? 1U : 0U;
       }
     }

@@ -28,8 +28,8 @@ class SampledView {
   /// Depth times disparity, metres times pixels.
   float unit_disparity_depth() const { return unit_disparity_depth_; }
   /// Pixels of the image; 0 where the sensor sees nothing, or out of its range.
-  float disparity(int u, int v) const { return disparity_[index(u, v)]; }
-  std::int16_t id(int u, int v) const { return image_.id[index(u, v)]; }
+  float disparity(int u, int v) const { return disparity_[image_.index(u, v)]; }
+  std::int16_t id(int u, int v) const { return image_.id[image_.index(u, v)]; }
 
   /// How far from a pixel's centre it looks, samples.
   int reach() const { return reach_; }
@@ -37,10 +37,6 @@ class SampledView {
   bool is_smooth(int u, int v) const;
 
  private:
-  std::size_t index(int u, int v) const {
-    return static_cast<std::size_t>(v) * static_cast<std::size_t>(image_.width) +
-           static_cast<std::size_t>(u);
-  }
   bool breaks_at(int u, int v) const;
   void find_breaks(int v);
 

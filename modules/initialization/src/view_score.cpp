@@ -2,9 +2,10 @@
 #include "view_score.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "outline_continuation.hpp"
 
 namespace lockbox {
 namespace {
@@ -17,9 +18,6 @@ constexpr double kSteepest = 5.0;      // tangent of the incidence beyond which 
 constexpr double kContinuing = 4.0;    // exponent: how fast an outline that goes on takes belief
 constexpr double kInViewEnough = 0.5;  // of the surface; with less in view, doubt grows
 constexpr double kSamples = 200.0;     // of each body's surface
-constexpr int kStretch = 8;            // pixels along each side of what makes a stretch of outline
-constexpr double kFarBehind = 6.0;     // standard deviations: more says no more
-constexpr double kOutlinePrior = 8.0;  // outline pixels that would have to be seen to matter
 
 // Of contrasts, in standard deviations of a pixel and their squares.
 constexpr float kContrastGate = 6.0F;
@@ -27,34 +25,15 @@ constexpr int kContrastReach = 2;          // pixels: what is around
 constexpr double kContrastVariance = 0.3;  // left of the noise's when the mean around is taken away
 constexpr float kNoResidual = 1e9F;
 
-constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-
-std::size_t pixel_index(const RenderedDepth& image, int u, int v) {
-  return static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
-         static_cast<std::size_t>(u);
-}
-
-/// Pixels of the outline that are near each other and face the same way.
-struct Stretch {
-  double sum = 0.0;  ///< of how much nearer the surface beyond is, standard deviations
-  double count = 0.0;
-};
-
-std::size_t stretch_index(const RenderedDepth& image, int u, int v, int du, int dv) {
-  const int columns = image.width / kStretch + 1;
-  const int direction = (du == 0 ? 2 : 0) + (du + dv > 0 ? 1 : 0);
-  return static_cast<std::size_t>(4 * (v / kStretch * columns + u / kStretch) + direction);
-}
-
 /// The smaller change of depth to one of two opposite neighbours on the same body.
 double depth_slope(const RenderedDepth& image, int u, int v, int du, int dv) {
-  const std::size_t here = pixel_index(image, u, v);
+  const std::size_t here = image.index(u, v);
   double slope = -1.0;
   for (const int side : {-1, 1}) {
     const int nu = u + side * du;
     const int nv = v + side * dv;
     if (nu < 0 || nv < 0 || nu >= image.width || nv >= image.height) continue;
-    const std::size_t there = pixel_index(image, nu, nv);
+    const std::size_t there = image.index(nu, nv);
     if (image.id[there] != image.id[here]) continue;
     const double change = std::abs(double{image.depth[there]} - double{image.depth[here]});
     slope = slope < 0.0 ? change : std::min(slope, change);
@@ -168,7 +147,7 @@ double ViewScore::pixel_score(const Drawing& drawing, int u, int v, double slack
   const std::size_t view_pixel = view_->index(u + drawing.left, v + drawing.top);
   const auto measured = static_cast<double>(view_->depth[view_pixel]);
   if (!(measured > 0.0) || is_before_reach(measured, slack)) return 0.0;
-  const auto z = static_cast<double>(image.depth[pixel_index(image, u, v)]);
+  const auto z = static_cast<double>(image.depth[image.index(u, v)]);
   const double difference = measured - z;
   const double sigma_z = noise_ * z * z;
   const double per_pixel =
@@ -182,61 +161,6 @@ double ViewScore::pixel_score(const Drawing& drawing, int u, int v, double slack
   const bool beside =
       static_cast<double>(view_->nearest[view_pixel]) - z < 3.0 * std::sqrt(variance);
   return std::max(score, beside ? 0.0 : kSeenThrough);
-}
-
-/// Of the outline against which the camera sees farther or just as far: the share across which the
-/// measured surface continues as the model's would if it did not end there.
-double ViewScore::share_that_continues(double slack) const {
-  const RenderedDepth& image = whole_.image;
-  std::vector<Stretch> stretches(stretch_index(image, image.width, image.height, 1, 1) + 1);
-  for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
-      const std::size_t here = pixel_index(image, u, v);
-      if (image.id[here] == kNothing) continue;
-      for (const auto& [du, dv] : kNeighbours) {
-        if (!view_->contains(u + du, v + dv) ||
-            image.id[pixel_index(image, u + du, v + dv)] != kNothing) {
-          continue;
-        }
-        const double pixel_size = double{image.depth[here]} / view_->camera.fx;
-        const int reach = 1 + static_cast<int>(std::ceil(slack / pixel_size));
-        const int in_u = u - reach * du;
-        const int in_v = v - reach * dv;
-        const int out_u = u + (reach + 1) * du;
-        const int out_v = v + (reach + 1) * dv;
-        if (!view_->contains(in_u, in_v) || !view_->contains(out_u, out_v)) continue;
-        const std::size_t in = pixel_index(image, in_u, in_v);
-        const std::size_t out = pixel_index(image, out_u, out_v);
-        if (image.id[in] != image.id[here] || image.id[out] != kNothing) continue;
-        const auto z_in = static_cast<double>(view_->depth[in]);
-        const auto z_out = static_cast<double>(view_->depth[out]);
-        if (!(z_in > 0.0 && z_out > 0.0)) continue;
-        const double w_here = 1.0 / double{image.depth[here]};
-        const double w_in = 1.0 / double{image.depth[in]};
-        const double off = std::abs(1.0 / z_in - w_in) / (w_in * w_in);
-        if (off > 3.0 * (slack + noise_ / (w_in * w_in))) continue;  // not this surface's outline
-        const double slope = (w_here - w_in) / reach;
-        // How much nearer the measured surface is than its continuation, standard deviations.
-        const double nearer =
-            (1.0 / z_out - 1.0 / z_in - slope * (2.0 * reach + 1.0)) / (1.5 * noise_);
-        if (nearer > 2.0) continue;  // an occluder, or what the model stands on
-        Stretch& stretch = stretches[stretch_index(image, u, v, du, dv)];
-        stretch.sum += std::max(nearer, -kFarBehind);
-        stretch.count += 1.0;
-      }
-    }
-  }
-  double continues = 0.0;
-  double ends = kOutlinePrior;
-  for (const Stretch& stretch : stretches) {
-    if (stretch.count == 0.0) continue;
-    // Neighbours err alike, so that a mean is never better than that of a few.
-    const double step = stretch.sum / stretch.count * std::sqrt(std::min(stretch.count, 4.0));
-    const double same = std::exp(-0.5 * step * step);
-    continues += same * stretch.count;
-    ends += (1.0 - same) * stretch.count;
-  }
-  return continues / (continues + ends);
 }
 
 double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
@@ -274,7 +198,7 @@ ViewEvidence ViewScore::count_pixels(double slack) const {
   ViewEvidence evidence;
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
-      const std::size_t pixel = pixel_index(image, u, v);
+      const std::size_t pixel = image.index(u, v);
       if (image.id[pixel] == kNothing || !(view_->depth[pixel] > 0.0F)) continue;
       const double score = pixel_score(whole_, u, v, slack);
       if (score > 0.0) {
@@ -294,7 +218,7 @@ ViewEvidence ViewScore::evidence(const Configuration& configuration, double slac
   nearest_reach_ = 0.0;
   draw(configuration, bodies, whole_);
   ViewEvidence evidence = count_pixels(slack);
-  evidence.continues = share_that_continues(slack);
+  evidence.continues = share_that_continues(whole_.image, *view_, noise_, slack);
   evidence.in_view = share_in_view(bodies);
   return evidence;
 }
@@ -315,7 +239,7 @@ std::vector<double> ViewScore::scan(const Configuration& configuration, int vari
   rest_scores_.assign(rest.depth.size(), 0.0);
   for (int v = 0; v < rest.height; ++v) {
     for (int u = 0; u < rest.width; ++u) {
-      const std::size_t pixel = pixel_index(rest, u, v);
+      const std::size_t pixel = rest.index(u, v);
       if (rest.id[pixel] != kNothing) rest_scores_[pixel] = pixel_score(rest_, u, v, slack);
     }
   }
@@ -328,7 +252,7 @@ std::vector<double> ViewScore::scan(const Configuration& configuration, int vari
     double sum = 0.0;
     for (int v = 0; v < image.height; ++v) {
       for (int u = 0; u < image.width; ++u) {
-        const std::size_t pixel = pixel_index(image, u, v);
+        const std::size_t pixel = image.index(u, v);
         if (image.id[pixel] != kNothing && image.depth[pixel] < rest.depth[pixel]) {
           sum += pixel_score(moving_, u, v, slack) - rest_scores_[pixel];
         }
@@ -346,7 +270,7 @@ double ViewScore::contrast_score() {
   double sum = 0.0;
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
-      const std::size_t pixel = pixel_index(image, u, v);
+      const std::size_t pixel = image.index(u, v);
       const float z = std::min(image.depth[pixel], rest_.image.depth[pixel]);
       const std::size_t view_pixel = view_->index(u + moving_.left, v + moving_.top);
       const float measured = view_->depth[view_pixel];
@@ -363,17 +287,27 @@ double ViewScore::contrast_score() {
       }
     }
   }
-  for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
-      const float here = residuals_[pixel_index(image, u, v)];
+  return sum + sum_of_contrasts(image.width, image.height);
+}
+
+/// How little residuals_ differ from those around them.
+double ViewScore::sum_of_contrasts(int width, int height) const {
+  const auto residual_at = [&](int u, int v) {
+    return residuals_[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(u)];
+  };
+  double sum = 0.0;
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      const float here = residual_at(u, v);
       if (here == kNoResidual) continue;
       float total = 0.0F;
       float count = 0.0F;
-      for (int j = std::max(0, v - kContrastReach);
-           j <= std::min(image.height - 1, v + kContrastReach); ++j) {
-        for (int i = std::max(0, u - kContrastReach);
-             i <= std::min(image.width - 1, u + kContrastReach); ++i) {
-          const float there = residuals_[pixel_index(image, i, j)];
+      for (int j = std::max(0, v - kContrastReach); j <= std::min(height - 1, v + kContrastReach);
+           ++j) {
+        for (int i = std::max(0, u - kContrastReach); i <= std::min(width - 1, u + kContrastReach);
+             ++i) {
+          const float there = residual_at(i, j);
           if (there == kNoResidual) continue;
           total += there;
           count += 1.0F;

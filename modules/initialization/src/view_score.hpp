@@ -71,7 +71,7 @@ class ViewScore {
   bool is_before_reach(double measured, double slack) const;
   double pixel_score(const Drawing& drawing, int u, int v, double slack) const;
   double contrast_score();
-  double share_that_continues(double slack) const;
+  double sum_of_contrasts(int width, int height) const;
   double share_in_view(const std::vector<std::uint8_t>& bodies) const;
 
   const KinematicTree& tree_;

@@ -14,22 +14,17 @@ bool inside(const RenderedDepth& image, int u, int v) {
   return u >= 0 && v >= 0 && u < image.width && v < image.height;
 }
 
-std::size_t pixel(const RenderedDepth& image, int u, int v) {
-  return static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
-         static_cast<std::size_t>(u);
-}
-
 /// Relative change of 1 / depth from pixel (u, v) along (du, dv): of both ways the one that changes
 /// less, for the other may lead over an edge.
 double slope(const RenderedDepth& image, int u, int v, int du, int dv) {
-  const std::size_t here = pixel(image, u, v);
+  const std::size_t here = image.index(u, v);
   double best = 0.0;
   bool known = false;
   for (const int way : {-1, 1}) {
     if (!inside(image, u + way * du, v + way * dv)) {
       continue;
     }
-    const std::size_t there = pixel(image, u + way * du, v + way * dv);
+    const std::size_t there = image.index(u + way * du, v + way * dv);
     if (image.id[there] != image.id[here]) {
       continue;
     }
@@ -51,7 +46,7 @@ TangentPlane::TangentPlane(const RenderedDepth& image, int u, int v)
 
 Eigen::Vector2d outline_normal(const RenderedDepth& image, const TangentPlane& plane, int u, int v,
                                double step) {
-  const auto depth = static_cast<double>(image.depth[pixel(image, u, v)]);
+  const auto depth = static_cast<double>(image.depth[image.index(u, v)]);
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();
   for (int dv = -kReach; dv <= kReach; ++dv) {
     for (int du = -kReach; du <= kReach; ++du) {
@@ -59,7 +54,7 @@ Eigen::Vector2d outline_normal(const RenderedDepth& image, const TangentPlane& p
       if (distance2 == 0 || distance2 > kReach * kReach || !inside(image, u + du, v + dv)) {
         continue;
       }
-      const auto there = static_cast<double>(image.depth[pixel(image, u + du, v + dv)]);
+      const auto there = static_cast<double>(image.depth[image.index(u + du, v + dv)]);
       if (there > depth * (plane.relative_depth(du, dv) + step)) {
         normal += Eigen::Vector2d(du, dv) / distance2;
       }

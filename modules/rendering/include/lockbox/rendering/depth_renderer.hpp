@@ -34,6 +34,12 @@ struct RenderedDepth {
   int height = 0;
   std::vector<float> depth;      ///< along the optical axis, metres; +infinity where nothing is
   std::vector<std::int16_t> id;  ///< of the nearest item; kNothing where nothing is
+
+  /// Of column u in row v, in these arrays.
+  std::size_t index(int u, int v) const {
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(u);
+  }
 };
 
 /// Reusable: after the first frame, frames of the same scene allocate nothing.
