@@ -6,23 +6,13 @@
 
 #include "bare_sums.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/registration/rigid_motion.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr double kNear = 0.015;  // metres from the surface: four deviations of the sensor
 constexpr std::size_t kChunkPoints = 4096;
-
-kernels::RigidMotion to_motion(const Eigen::Isometry3d& T) {
-  kernels::RigidMotion motion{};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      motion.rotation[3 * row + column] = static_cast<float>(T.linear()(row, column));
-    }
-    motion.translation[row] = static_cast<float>(T.translation()[row]);
-  }
-  return motion;
-}
 
 }  // namespace
 
@@ -54,7 +44,7 @@ LookUpFloor::LookUpFloor(const RegistrationScene& scene) : scene_(scene) {
     }
   }
   for (std::size_t b = 0; b < by_body.size(); ++b) {
-    body_from_camera_.push_back(to_motion(poses[b].inverse()));
+    body_from_camera_.push_back(to_rigid_motion(poses[b].inverse()));
     points_ += by_body[b].size();
     const std::size_t first = x_.size();
     for (const Eigen::Vector3f& p : by_body[b]) {

@@ -196,7 +196,7 @@ struct Association {
       iv.push_back(inverse_variance[l].data());
       w.push_back(weight[l].data());
     }
-    const Candidates candidates{kLanes, d, iv, body, visible.data(), kCut, kOdds};
+    const Candidates candidates{kLanes, d, iv, body, visible.data(), reach, kCut, kOdds};
     const double cost = associate(candidates, w, explained.data());
     EXPECT_NEAR(cost, association_cost(candidates), 1e-4);
     return cost;
@@ -204,6 +204,7 @@ struct Association {
 
   static constexpr float kCut = 4.0F;
   static constexpr float kOdds = 20.0F;
+  float reach = 0.0F;
   std::vector<float> body, visible, explained;
   std::vector<std::vector<float>> distance, inverse_variance, weight;
 };
@@ -220,6 +221,16 @@ TEST(AssociationTest, LoneBodyIsQuadraticWithinTheCutAndConstantBeyond) {
     EXPECT_NEAR(one.explained[0], -expected, 1e-4);
   }
   EXPECT_NEAR(Association({50.0F}).run(), 0.0, 1e-6);
+}
+
+TEST(AssociationTest, NothingExplainsAPointFartherBesideTheBodiesThanTheyReach) {
+  Association beside({0.5F, 1.0F}, label_beside(0.02F));
+  beside.reach = 0.019F;
+  EXPECT_NEAR(beside.run(), 0.0, 1e-6);
+  EXPECT_EQ(beside.weight[0][0], 0.0F);
+  beside.reach = 0.021F;
+  EXPECT_EQ(beside.run(), Association({0.5F, 1.0F}, label_beside(0.0F)).run());
+  EXPECT_LT(beside.run(), -1.0);
 }
 
 TEST(AssociationTest, ABodyFarBeyondTheCutChangesNothing) {

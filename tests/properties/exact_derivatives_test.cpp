@@ -74,7 +74,7 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
   for (const double spread : {0.0, 0.01}) {
     const Configuration at = displaced(0.7);
     surface.render(model, poses(at), cloud.camera(), executor);
-    surface.label(cloud, {options.noise.lateral_pixels, spread, options.cut}, Executor(1), visible);
+    surface.label(cloud, options.cut * options.noise.lateral_pixels, executor, visible);
     ModelTerm term;
     std::vector<BodySystem> systems(model.tree.bodies.size());
     const ModelTerm::Scene scene{model, cloud, visible, options, executor};
@@ -96,17 +96,16 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
   const RegistrationOptions options;
   // All that was measured before the wall is the object.
-  std::vector<std::uint8_t> object(cloud.depth().size());
-  for (std::size_t i = 0; i < object.size(); ++i) {
-    object[i] = cloud.depth()[i] > 0.0F && cloud.depth()[i] < 1.0F ? 1 : 0;
-  }
+  std::vector<float> explained(cloud.x().size());
+  std::transform(cloud.z().begin(), cloud.z().end(), explained.begin(),
+                 [](float z) { return z < 1.0F ? 2.0F : 0.0F; });
   const Configuration at = displaced(1.5);
   VisibleSurface surface;
   surface.render(model, poses(at), cloud.camera(), executor);
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
   constexpr double kSpread = 0.005;
-  term.select(model, surface, poses(at), cloud, object, options, kSpread, executor);
+  term.select(model, surface, poses(at), cloud, explained, options, kSpread, executor);
   const double cost = term.linearize(poses(at), kSpread, systems);
   ASSERT_GT(term.pulled_samples(), 50U);
   EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));

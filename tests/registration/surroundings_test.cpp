@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "initialization/seen_model.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
@@ -38,6 +40,19 @@ TEST(Surroundings, TheWallThatTheObjectHangsOnDoesNotPullIt) {
   EXPECT_LT(flush, free + 0.002);
 }
 
+/// Steps along rows and columns from a pixel to the nearest one that shows a body.
+int steps_to_model(const RenderedDepth& view, int u, int v) {
+  int least = view.width + view.height;
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      if (view.id[static_cast<std::size_t>(row * view.width + column)] != kNothing) {
+        least = std::min(least, std::abs(row - v) + std::abs(column - u));
+      }
+    }
+  }
+  return least;
+}
+
 TEST(Surroundings, PointsAreLabelledByTheirDistanceFromTheOutline) {
   const ArticulatedModel& model = shipped("rigid_block");
   const Configuration truth = seen_askance(model, 1.0);
@@ -46,21 +61,26 @@ TEST(Surroundings, PointsAreLabelledByTheirDistanceFromTheOutline) {
   forward_kinematics(model.tree, truth, poses);
   VisibleSurface surface;
   surface.render(model, poses, cloud.camera(), Executor());
-  const auto count = [&](const OutlineReach& reach, float label) {
-    std::vector<float> labels;
-    surface.label(cloud, reach, Executor(), labels);
-    return std::count(labels.begin(), labels.end(), label);
-  };
-  constexpr double kCut = 4.0;
-  const auto on_model = count({0.5, 0.0, kCut}, 0.0F);
-  EXPECT_GT(on_model, 1000);
-  EXPECT_EQ(count({0.5, 0.01, kCut}, 0.0F), on_model);
-  const auto beside = count({0.5, 0.0, kCut}, kernels::kNoBody);
-  EXPECT_GT(beside, 0);
-  EXPECT_LT(beside, on_model);
-  EXPECT_GT(count({0.5, 0.01, kCut}, kernels::kNoBody), 5 * beside);
-  // Farther than anything, also what fills up the last vectors.
-  EXPECT_EQ(count({0.5, 1e9, kCut}, kernels::kBeyondReach), 0);
+  constexpr double kLateral = 2.5;  // pixels
+  std::vector<float> labels;
+  surface.label(cloud, kLateral, Executor(), labels);
+  int beside = 0;
+  for (int v = 40; v < cloud.camera().height; v += 60) {
+    for (int u = 3; u < cloud.camera().width; u += 16) {
+      const auto point = cloud.point_at(u, v);
+      if (!point) continue;
+      const int steps = std::min(steps_to_model(surface.view(), u, v), 255);
+      if (steps == 0) {
+        EXPECT_EQ(labels[*point], 0.0F);
+        continue;
+      }
+      const double pixels = std::sqrt(std::max(0.0, steps * steps - kLateral * kLateral));
+      const double metres = pixels / cloud.camera().fx * cloud.z()[*point];
+      EXPECT_NEAR(labels[*point], kernels::label_beside(static_cast<float>(metres)), 1e-6);
+      beside += steps < 100 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(beside, 20);
 }
 
 }  // namespace

@@ -161,6 +161,21 @@ void TiledCloud::keep(const std::vector<std::uint8_t>& mask) {
   }
 }
 
+std::optional<std::size_t> TiledCloud::point_at(int u, int v) const {
+  const Tile& tile =
+      tiles_[static_cast<std::size_t>(v / kTileSize) * static_cast<std::size_t>(tile_columns_) +
+             static_cast<std::size_t>(u / kTileSize)];
+  if (tile.count == kTilePoints) {
+    return tile.first + static_cast<std::size_t>(v % kTileSize * kTileSize + u % kTileSize);
+  }
+  const auto pixel = static_cast<std::uint32_t>(v * camera_.width + u);
+  const auto begin = pixel_.begin() + static_cast<std::ptrdiff_t>(tile.first);
+  const auto end = begin + static_cast<std::ptrdiff_t>(tile.count);
+  const auto found = std::lower_bound(begin, end, pixel);  // a tile's pixels are in image order
+  if (found == end || *found != pixel) return std::nullopt;
+  return static_cast<std::size_t>(found - pixel_.begin());
+}
+
 std::size_t TiledCloud::valid_points() const {
   std::size_t count = 0;
   for (const Tile& tile : tiles_) {

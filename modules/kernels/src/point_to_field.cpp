@@ -96,10 +96,11 @@ double associate_points_with(const Candidates& candidates, std::span<float* cons
   const Float outlier = hn::Set(df, std::exp(-outlier_cost));
   const Float one = hn::Set(df, 1.0F);
   const Float visible_odds = hn::Set(df, candidates.visible_odds);
+  const Float farthest = hn::Set(df, label_beside(candidates.reach));
   Float total = hn::Zero(df);
   for (std::size_t i = 0; i < candidates.size; i += hn::Lanes(df)) {
     const Float visible = hn::LoadU(df, candidates.visible + i);
-    const Float other_odds = hn::IfThenElseZero(hn::Gt(visible, hn::Set(df, kBeyondReach)), one);
+    const Float other_odds = hn::IfThenElseZero(hn::Ge(visible, farthest), one);
     Float sum = outlier;
     for (std::size_t l = 0; l < candidates.distance.size(); ++l) {
       const Float odds = hn::IfThenElse(hn::Eq(visible, hn::Set(df, candidates.body[l])),

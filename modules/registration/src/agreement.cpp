@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "lockbox/registration/rigid_motion.hpp"
 #include "outline.hpp"
-#include "rigid_motion.hpp"
 
 namespace lockbox {
 namespace {
@@ -19,10 +19,6 @@ constexpr float kRounding = 1e-5F;  // metres: more than single precision errs
 std::size_t index(int width, int u, int v) {
   return static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
          static_cast<std::size_t>(u);
-}
-
-double sigma_z(const RegistrationOptions& options, double z) {
-  return options.noise.depth_floor + options.noise.depth_quadratic * z * z;
 }
 
 /// Adds one sample to what it says of its body; nothing if it lies outside the image.
@@ -46,7 +42,7 @@ void count(const ArticulatedModel& model, const VisibleSample& sample,
       static_cast<double>(model.fields[static_cast<std::size_t>(sample.body)]
                               ->sample((T_camera_body.inverse() * q).cast<float>())
                               .distance);
-  if (std::abs(distance) < options.cut * sigma_z(options, p.z())) {
+  if (std::abs(distance) < options.cut * options.noise.sigma_z(p.z())) {
     ++counts.explained;
   } else {
     ++(measured > p.z() ? counts.contradicted : counts.occluded);
@@ -70,7 +66,7 @@ void look_beyond(const VisibleSurface& surface, const Pixel& sample, const Tiled
     const TangentPlane plane(view, sample.u, sample.v);
     const double expected = static_cast<double>(view.depth[index(view.width, sample.u, sample.v)]) *
                             plane.relative_depth(kBeyond * du, kBeyond * dv);
-    const double gate = options.cut * sigma_z(options, expected);
+    const double gate = options.cut * options.noise.sigma_z(expected);
     const bool is_measured = measured > 0.0;
     if (is_measured && measured < expected - gate) {
       continue;
@@ -216,8 +212,8 @@ void AgreementMeter::count_points(const ArticulatedModel& model, const VisibleSu
                             {points.x.data(), points.y.data(), points.z.data(), padded},
                             points.distance.data());
   for (std::size_t i = 0; i < size; ++i) {
-    const float gate =
-        static_cast<float>(options.cut * sigma_z(options, static_cast<double>(points.expected[i])));
+    const float gate = static_cast<float>(
+        options.cut * options.noise.sigma_z(static_cast<double>(points.expected[i])));
     const float distance = std::abs(points.distance[i]);
     const float behind = points.z[i] - points.expected[i];
     if (distance < gate - kRounding) {

@@ -16,11 +16,9 @@ using Index = Eigen::Index;
 constexpr double kBaseUnit = 0.25;                        // metres, and radians for its rotation
 constexpr double kContinuousUnit = std::numbers::pi / 4;  // a quarter of half a turn either way
 constexpr double kLeastInformation = 100.0;               // a deviation of a tenth of a unit
-constexpr float kObjectGain = 1.0F;   // of the outlier cost: within the cut, as good as explained
 constexpr double kStaleView = 0.002;  // metres that surfaces may move before they are drawn again
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
-constexpr std::size_t kTilesPerChunk = 64;
 constexpr int kMaxDampings = 5;
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
@@ -139,30 +137,17 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   return result_;
 }
 
-/// Renders what the configuration shows.
+/// Draws what the configuration shows. What lies farther beside that than it may be off is
+/// something else: the wall that it hangs on, the table that it stands on.
 void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configuration& configuration) {
   rendered_ = configuration;
   if (!cloud.has_image()) {
-    visible_.assign(cloud.x().size(), kernels::kNoBody);
+    visible_.assign(cloud.x().size(), kernels::label_beside(0.0F));
     return;
   }
   forward_kinematics(model_.tree, configuration, poses_);
   surface_.render(model_, poses_, cloud.camera(), executor_);
-  labelled_spread_ = kNeverSelected;
-}
-
-/// What lies farther beside the drawn model than it may be off is something else: the wall that it
-/// hangs on, the table that it stands on.
-void ArticulatedRegistration::label_points(const TiledCloud& cloud, double spread) {
-  if (is_labelled_for(cloud, spread)) {
-    return;
-  }
-  surface_.label(cloud, {options_.noise.lateral_pixels, spread, options_.cut}, executor_, visible_);
-  labelled_spread_ = spread;
-}
-
-bool ArticulatedRegistration::is_labelled_for(const TiledCloud& cloud, double spread) const {
-  return !cloud.has_image() || spread == labelled_spread_;
+  surface_.label(cloud, options_.cut * options_.noise.lateral_pixels, executor_, visible_);
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
@@ -172,7 +157,6 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
   if (surface_distance(rendered_, result_.configuration) > kStaleView) {
     look_at(cloud, result_.configuration);
   }
-  label_points(cloud, spread);
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
   std::fill(systems_.begin(), systems_.end(), BodySystem{});
@@ -205,8 +189,8 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
       surface_distance(selected_, result_.configuration) < kStaleSelection) {
     return;
   }
-  mark_object_pixels(cloud);
-  free_term_.select(model_, surface_, poses_, cloud, object_, options_, spread, executor_);
+  free_term_.select(model_, surface_, poses_, cloud, model_term_.explained(), options_, spread,
+                    executor_);
   selected_ = result_.configuration;
   selected_spread_ = spread;
 }
@@ -225,8 +209,8 @@ double ArticulatedRegistration::cost_at(const TiledCloud& cloud, const Configura
 }
 
 /// Takes the best acceptable step; false if there was none, or none worth taking. Mostly the first
-/// trial is taken: unless the model has to be drawn or points to be labelled anew then, the next
-/// linearisation is made along with its cost.
+/// trial is taken: unless the model has to be drawn anew then, the next linearisation is made along
+/// with its cost.
 bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool hold_joints,
                                       double next_spread) {
   set_step_limits(hold_joints);
@@ -238,8 +222,7 @@ bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool
     }
     candidate_ = result_.configuration;
     apply_step(step, candidate_);
-    const bool looks_ahead = trial == 0 && is_labelled_for(cloud, next_spread) &&
-                             surface_distance(rendered_, candidate_) <= kStaleView;
+    const bool looks_ahead = trial == 0 && surface_distance(rendered_, candidate_) <= kStaleView;
     const auto spread_ahead = looks_ahead ? std::optional(next_spread) : std::nullopt;
     if (cost_at(cloud, candidate_, spread_ahead) < cost) {
       result_.configuration = candidate_;
@@ -286,20 +269,6 @@ double ArticulatedRegistration::largest_move(const Eigen::VectorXd& step) const 
 double ArticulatedRegistration::base_move(const Twist& twist) const {
   const Twist moves = twist.cwiseProduct(levers_.head<6>());
   return moves.head<3>().norm() + moves.tail<3>().norm();
-}
-
-void ArticulatedRegistration::mark_object_pixels(const TiledCloud& cloud) {
-  object_.assign(cloud.depth().size(), 0);
-  const std::vector<float>& explained = model_term_.explained();
-  const auto& tiles = cloud.tiles();
-  executor_.for_each_chunk(
-      tiles.size(), kTilesPerChunk, [&](std::size_t begin, std::size_t end, auto) {
-        for (std::size_t t = begin; t < end; ++t) {
-          for (std::size_t i = tiles[t].first; i < tiles[t].first + tiles[t].count; ++i) {
-            object_[cloud.pixel()[i]] = explained[i] > kObjectGain ? 1 : 0;
-          }
-        }
-      });
 }
 
 }  // namespace lockbox

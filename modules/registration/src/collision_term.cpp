@@ -9,7 +9,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/mesh/surface_sampling.hpp"
-#include "rigid_motion.hpp"
+#include "lockbox/registration/rigid_motion.hpp"
 
 namespace lockbox {
 namespace {

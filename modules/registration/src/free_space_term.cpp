@@ -43,12 +43,11 @@ Eigen::Vector3d across_ray(const Eigen::Vector3d& p, const PinholeCamera& camera
 class PullFinder {
  public:
   PullFinder(const ArticulatedModel& model, const VisibleSurface& surface, const TiledCloud& cloud,
-             const std::vector<std::uint8_t>& object, const RegistrationOptions& options,
-             double spread)
+             const std::vector<float>& explained, const RegistrationOptions& options, double spread)
       : model_(model),
         surface_(surface),
         camera_(cloud.camera()),
-        observed_(cloud, object, options),
+        observed_(cloud, explained, options),
         cut_(options.cut),
         spread_(spread) {}
 
@@ -159,12 +158,11 @@ class PullFinder {
 
 void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& surface,
                            const BodyPoses& T_camera_body, const TiledCloud& cloud,
-                           const std::vector<std::uint8_t>& object,
-                           const RegistrationOptions& options, double spread,
-                           const Executor& executor) {
+                           const std::vector<float>& explained, const RegistrationOptions& options,
+                           double spread, const Executor& executor) {
   weight_ = options.lambda_free * surface.pixels_per_sample();
   cut_ = options.cut;
-  const PullFinder finder(model, surface, cloud, object, options, spread);
+  const PullFinder finder(model, surface, cloud, explained, options, spread);
   const ReprojectedView reprojected(surface, T_camera_body, cloud, executor, scratch_);
   const SensorNoise& noise = options.noise;
   const auto rows = static_cast<std::size_t>(surface.view().height);

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "lockbox/kernels/point_to_field.hpp"
-#include "rigid_motion.hpp"
+#include "lockbox/registration/rigid_motion.hpp"
 
 namespace lockbox {
 namespace {
@@ -30,8 +30,7 @@ double gate_of(const Tile& tile, const PinholeCamera& camera, const Registration
                double spread) {
   const double depth = static_cast<double>(tile.bounds.max().z());
   const double sigma =
-      std::max(options.noise.depth_floor + options.noise.depth_quadratic * depth * depth,
-               options.noise.lateral_pixels / camera.fx * depth);
+      std::max(options.noise.sigma_z(depth), options.noise.sigma_lateral(depth, camera.fx));
   return options.cut * std::hypot(sigma, spread);
 }
 
@@ -92,6 +91,7 @@ struct ModelTerm::Scratch {
             {inverse_variance_.data(), count},
             {chunk.body_numbers.data() + first, count},
             scene.visible.data() + tile.first,
+            static_cast<float>(scene.options.cut * chunk.spread),
             static_cast<float>(scene.options.cut),
             static_cast<float>(scene.options.visible_odds)};
   }
@@ -176,6 +176,7 @@ double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index, d
   Scratch scratch(scratch_[Executor::worker()]);
   Chunk& chunk = linearization.chunks[chunk_index];
   select_candidates(scene, chunk_index, spread, chunk);
+  chunk.spread = spread;
   chunk.cost = 0.0;
   chunk.totals = {};
   const kernels::PointNoise noise = point_noise(scene.options.noise, cloud.camera(), spread);

@@ -8,6 +8,8 @@
 namespace lockbox {
 namespace {
 
+constexpr float kObjectGain = 1.0F;  // of the outlier cost: within the cut
+
 /// Distances in pixels at which the neighbourhood is probed: dense near the sample, where outlines
 /// are decided, sparse far from it, where a direction is all that is needed.
 constexpr std::array<int, 14> kProbeRadii{1, 2, 3, 4, 5, 6, 7, 8, 11, 15, 20, 27, 36, 48};
@@ -24,6 +26,11 @@ bool ObservedSurface::sees_through(const Pixel& pixel, double expected, double s
   return behind > 0.0 && behind * behind > zone * zone * (sigma * sigma + lateral * lateral);
 }
 
+bool ObservedSurface::shows_object(const Pixel& pixel) const {
+  const auto point = cloud_.point_at(pixel.u, pixel.v);
+  return point && explained_[*point] > kObjectGain;
+}
+
 std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p_camera,
                                                         const Pixel& pixel) const {
   double least = std::numeric_limits<double>::infinity();
@@ -33,7 +40,7 @@ std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p
   const double pixel_size = p_camera.z() / cloud_.camera().fx;
   const Eigen::Vector3d ray = p_camera / p_camera.z();
   const auto probe = [&](int pu, int pv) {
-    if (!inside(pu, pv) || object_[index(pu, pv)] == 0) {
+    if (!inside(pu, pv) || !shows_object({pu, pv})) {
       return;
     }
     const Eigen::Vector3d q =

@@ -14,16 +14,14 @@ namespace lockbox {
 
 class ObservedSurface {
  public:
-  /// object: the pixels that show the object (one byte a pixel).
-  ObservedSurface(const TiledCloud& cloud, const std::vector<std::uint8_t>& object,
+  /// explained: by point of the cloud, how much of the outlier cost the model spares it.
+  ObservedSurface(const TiledCloud& cloud, const std::vector<float>& explained,
                   const RegistrationOptions& options)
-      : cloud_(cloud), object_(object), options_(options) {}
+      : cloud_(cloud), explained_(explained), options_(options) {}
 
-  double sigma_z(double z) const {
-    return options_.noise.depth_floor + options_.noise.depth_quadratic * z * z;
-  }
+  double sigma_z(double z) const { return options_.noise.sigma_z(z); }
   double sigma_lateral(double z) const {
-    return options_.noise.lateral_pixels / cloud_.camera().fx * z;
+    return options_.noise.sigma_lateral(z, cloud_.camera().fx);
   }
 
   /// Whether the measurement lies more than the dead zone behind the expected depth. steepness:
@@ -31,7 +29,8 @@ class ObservedSurface {
   /// reads as depth.
   bool sees_through(const Pixel& pixel, double expected, double steepness) const;
 
-  bool shows_object(const Pixel& pixel) const { return object_[index(pixel.u, pixel.v)] != 0; }
+  /// Whether what was measured in the pixel is as good as explained by the model.
+  bool shows_object(const Pixel& pixel) const;
 
   /// The object's observed point nearest to p_camera, in units of the noise, around its pixel.
   std::optional<Eigen::Vector3d> nearest(const Eigen::Vector3d& p_camera, const Pixel& pixel) const;
@@ -46,7 +45,7 @@ class ObservedSurface {
   }
 
   const TiledCloud& cloud_;
-  const std::vector<std::uint8_t>& object_;
+  const std::vector<float>& explained_;
   const RegistrationOptions& options_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/registration/reprojected_view.hpp"
 
-#include "rigid_motion.hpp"
+#include "lockbox/registration/rigid_motion.hpp"
 
 namespace lockbox {
 namespace {

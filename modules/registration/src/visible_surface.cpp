@@ -17,10 +17,35 @@ constexpr std::size_t kColumnsPerChunk = 64;
 constexpr std::size_t kPointsPerChunk = 16384;
 constexpr std::uint8_t kFarthest = 255;
 
-/// distance <- min(distance, neighbour + 1), where neighbour is a pixel's distance.
+/// distance <- min(distance, neighbour + 1), where neighbour is a pixel's distance. Without a
+/// branch, so that it is done for many pixels at once.
 void relax(std::uint8_t neighbour, std::uint8_t& distance) {
-  if (neighbour < distance) {
-    distance = std::min<std::uint8_t>(distance, static_cast<std::uint8_t>(neighbour + 1));
+  const auto next = static_cast<std::uint8_t>(neighbour + (neighbour != kFarthest ? 1 : 0));
+  distance = std::min(distance, next);
+}
+
+/// Along a row from a pixel of the model (or from where there is none) to the next one.
+void fill_gap(std::uint8_t* row, std::size_t begin, std::size_t end, std::size_t width) {
+  const std::size_t farthest = kFarthest;
+  for (std::size_t u = begin; u < end; ++u) {
+    const std::size_t before = begin > 0 ? u - begin + 1 : farthest;
+    const std::size_t after = end < width ? end - u : farthest;
+    row[u] = static_cast<std::uint8_t>(std::min({before, after, farthest}));
+  }
+}
+
+/// Pixels along a row to the nearest that shows the model.
+void measure_row_distance(const std::int16_t* id, std::size_t width, std::uint8_t* row) {
+  for (std::size_t u = 0; u < width;) {
+    const bool is_model = id[u] != kNothing;
+    std::size_t end = u + 1;
+    while (end < width && (id[end] != kNothing) == is_model) ++end;
+    if (is_model) {
+      std::fill(row + u, row + end, std::uint8_t{0});
+    } else {
+      fill_gap(row, u, end, width);
+    }
+    u = end;
   }
 }
 
@@ -65,8 +90,7 @@ void VisibleSurface::count_samples(const Executor& executor) {
 }
 
 VisibleSample VisibleSurface::sample(int u, int v) const {
-  const std::size_t pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(image_.width) +
-                            static_cast<std::size_t>(u);
+  const std::size_t pixel = image_.index(u, v);
   const int body = image_.id[pixel];
   const Eigen::Vector3d p_camera =
       view_camera().back_project(u, v, static_cast<double>(image_.depth[pixel]));
@@ -80,11 +104,8 @@ void VisibleSurface::measure_outline_distance(const Executor& executor) {
   outline_distance_.resize(width * height);
   executor.for_each_chunk(height, kRowsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
     for (std::size_t v = begin; v < end; ++v) {
-      std::uint8_t* const row = outline_distance_.data() + v * width;
-      const std::int16_t* const id = image_.id.data() + v * width;
-      for (std::size_t u = 0; u < width; ++u) row[u] = id[u] == kNothing ? kFarthest : 0;
-      for (std::size_t u = 1; u < width; ++u) relax(row[u - 1], row[u]);
-      for (std::size_t u = width - 1; u > 0; --u) relax(row[u], row[u - 1]);
+      measure_row_distance(image_.id.data() + v * width, width,
+                           outline_distance_.data() + v * width);
     }
   });
   executor.for_each_chunk(width, kColumnsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
@@ -99,17 +120,15 @@ void VisibleSurface::measure_outline_distance(const Executor& executor) {
   });
 }
 
-void VisibleSurface::label(const TiledCloud& cloud, const OutlineReach& reach,
-                           const Executor& executor, std::vector<float>& visible) const {
+void VisibleSurface::label(const TiledCloud& cloud, double lateral, const Executor& executor,
+                           std::vector<float>& visible) const {
   visible.resize(cloud.x().size());
   const auto width = static_cast<std::size_t>(cloud.camera().width);
   const auto reduction = static_cast<std::size_t>(reduction_);
   const auto columns = static_cast<std::size_t>(image_.width);
   const auto rows = static_cast<std::size_t>(image_.height);
-  const double view_pixels = 1.0 / static_cast<double>(reduction_);
-  const auto lateral = static_cast<float>(reach.cut * reach.pixels * view_pixels);
-  const auto spread =
-      static_cast<float>(reach.cut * reach.metres * cloud.camera().fx * view_pixels);
+  const auto free = static_cast<float>(lateral / static_cast<double>(reduction_));
+  const auto pixel_size = static_cast<float>(static_cast<double>(reduction_) / cloud.camera().fx);
   executor.for_each_chunk(
       visible.size(), kPointsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -121,9 +140,8 @@ void VisibleSurface::label(const TiledCloud& cloud, const OutlineReach& reach,
           visible[i] = static_cast<float>(image_.id[at]);
           if (image_.id[at] != kNothing) continue;
           const auto distance = static_cast<float>(outline_distance_[at]);
-          const float in_metres = spread / cloud.z()[i];
-          const bool is_beyond = distance * distance > lateral * lateral + in_metres * in_metres;
-          visible[i] = is_beyond ? kernels::kBeyondReach : kernels::kNoBody;
+          const float rest = std::sqrt(std::max(0.0F, distance * distance - free * free));
+          visible[i] = kernels::label_beside(rest * pixel_size * cloud.z()[i]);
         }
       });
 }

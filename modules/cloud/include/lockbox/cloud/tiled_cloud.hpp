@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,6 +64,8 @@ class TiledCloud {
   const std::vector<float>& z() const { return z_; }
   /// Image index (v * width + u) of each point.
   const std::vector<std::uint32_t>& pixel() const { return pixel_; }
+  /// The point of a pixel of the image, if it has one: an index of x(), y(), z().
+  std::optional<std::size_t> point_at(int u, int v) const;
   /// Filtered depth image in metres, 0 where nothing is known; width * height.
   const std::vector<float>& depth() const { return depth_; }
   std::size_t valid_points() const;

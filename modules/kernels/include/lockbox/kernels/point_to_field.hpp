@@ -64,9 +64,11 @@ void look_up(const FieldView& field, const RigidMotion& body_from_camera, const 
 void look_up_distance(const FieldView& field, const RigidMotion& body_from_camera,
                       const PointSpan& points, float* distance);
 
-/// Labels of points in whose pixel no body is predicted: near enough to one to be it, or not.
-inline constexpr float kNoBody = -1.0F;
-inline constexpr float kBeyondReach = -2.0F;
+/// Label of a point in whose pixel no body is predicted: -1 less how far it lies beside the
+/// predicted bodies, metres, that lateral noise does not account for.
+constexpr float label_beside(float metres) {
+  return -1.0F - metres;
+}
 
 /// The bodies that compete for the points of a tile.
 struct Candidates {
@@ -74,7 +76,8 @@ struct Candidates {
   std::span<const float* const> distance;          ///< by candidate
   std::span<const float* const> inverse_variance;  ///< by candidate
   std::span<const float> body;                     ///< by candidate: its number
-  const float* visible;  ///< by point: number of the body in its pixel, or as above
+  const float* visible;  ///< by point: number of the body in its pixel, or label_beside
+  float reach;           ///< metres beside the predicted bodies where points may still be theirs
   float cut;
   float visible_odds;
 };
@@ -87,7 +90,7 @@ struct Candidates {
 /// For a single body it is s / 2 up to about the cut and c beyond it; among several it is their
 /// soft minimum, which has no winner among equals. A body that is predicted to be what the point's
 /// pixel shows has odds `visible_odds`, others 1: where two bodies meet, both are near, and only
-/// visibility tells which one was measured. Points beyond reach have odds 0: what no body can be.
+/// visibility tells which one was measured. Points beyond reach have odds 0: no body can be there.
 ///
 /// Returns sum (E - c) over the points, so that an unexplained point counts zero, and writes
 /// weight[l][i] = 2 dE / d(distance_l^2), the weight of the point in body l's normal equations, and

@@ -74,14 +74,11 @@ class ArticulatedRegistration {
 
  private:
   void look_at(const TiledCloud& cloud, const Configuration& configuration);
-  void label_points(const TiledCloud& cloud, double spread);
-  bool is_labelled_for(const TiledCloud& cloud, double spread) const;
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
                  std::optional<double> next_spread);
   bool improve(const TiledCloud& cloud, double cost, bool hold_joints, double next_spread);
   void set_step_limits(bool hold_joints);
-  void mark_object_pixels(const TiledCloud& cloud);
   void select_free_space(const TiledCloud& cloud, double spread);
   double largest_move(const Eigen::VectorXd& step) const;
   double base_move(const Twist& twist) const;
@@ -99,7 +96,6 @@ class ArticulatedRegistration {
   RegistrationResult result_;
   Configuration rendered_;  ///< what surface_ shows
   Configuration selected_;  ///< where the free-space term made its selection
-  double labelled_spread_ = 0.0;
   double selected_spread_ = 0.0;
   std::optional<double> linearized_spread_;  ///< if all terms stand at result_.configuration
   std::optional<double> ahead_spread_;       ///< if the model term was linearised there already
@@ -118,7 +114,6 @@ class ArticulatedRegistration {
   CovarianceEstimator covariance_;
   std::vector<TileSystem> tile_systems_;
   AgreementMeter agreement_;
-  std::vector<std::uint8_t> object_;
 };
 
 }  // namespace lockbox

@@ -30,10 +30,10 @@ struct FreeSpacePull {
 class FreeSpaceTerm {
  public:
   /// Selects the samples that are seen through at these poses, and what each is pulled to.
-  /// object: the pixels that show the object (one byte a pixel).
+  /// explained: by point of the cloud, as of the model term.
   void select(const ArticulatedModel& model, const VisibleSurface& surface,
               const BodyPoses& T_camera_body, const TiledCloud& cloud,
-              const std::vector<std::uint8_t>& object, const RegistrationOptions& options,
+              const std::vector<float>& explained, const RegistrationOptions& options,
               double spread, const Executor& executor);
 
   /// Adds each body's system, of the selected samples at these poses. spread: how far off the poses

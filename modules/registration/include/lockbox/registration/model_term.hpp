@@ -32,8 +32,7 @@ class ModelTerm {
   struct Scene {
     const ArticulatedModel& model;
     const TiledCloud& cloud;
-    const std::vector<float>& visible;  ///< by point of the cloud: the number of the body predicted
-                                        ///< in its pixel, -1 for none
+    const std::vector<float>& visible;  ///< by point of the cloud: see VisibleSurface::label
     const RegistrationOptions& options;
     const Executor& executor;
   };
@@ -87,6 +86,7 @@ class ModelTerm {
     std::vector<float> inverse_variance;                  ///< kTilePoints a candidate
     std::vector<TileSystem> tile_systems;                 ///< by candidate
     std::vector<std::pair<int, BodySystem>> sums;         ///< of the bodies that occur
+    double spread = 0.0;                                  ///< metres
     double cost = 0.0;
     Totals totals;
   };

@@ -9,8 +9,12 @@ namespace lockbox {
 /// The defaults are those of a PrimeSense-class sensor (75 mm baseline, 1/8 pixel disparity steps).
 struct SensorNoise {
   double depth_floor = 0.0003;      ///< metres
-  double depth_quadratic = 0.0021;  ///< 1 / metre: sigma_z = floor + quadratic z^2
+  double depth_quadratic = 0.0021;  ///< 1 / metre
   double lateral_pixels = 0.5;
+
+  /// Along the ray at depth z, and across it with focal length fx: metres.
+  double sigma_z(double z) const { return depth_floor + depth_quadratic * z * z; }
+  double sigma_lateral(double z, double fx) const { return lateral_pixels / fx * z; }
 };
 
 enum class CollisionMode { off, literal, eroded };

@@ -22,14 +22,6 @@ struct VisibleSample {
   int v;
 };
 
-/// How far beside its outline the model may still be what is measured: a Gaussian's standard
-/// deviations across the ray, in pixels and in metres, times the cut.
-struct OutlineReach {
-  double pixels;
-  double metres;
-  double cut;
-};
-
 /// Reuses its buffers; one sample for each pixel of the view that shows a body, that is for each
 /// block of pixels_per_sample pixels of the camera.
 class VisibleSurface {
@@ -41,8 +33,9 @@ class VisibleSurface {
   VisibleSample sample(int u, int v) const;
 
   /// visible[i]: number of the body in the pixel of the cloud's point i; where there is none,
-  /// kernels::kNoBody within reach of the model's outline and kernels::kBeyondReach farther out.
-  void label(const TiledCloud& cloud, const OutlineReach& reach, const Executor& executor,
+  /// kernels::label_beside. lateral: how many pixels noise may put a point beside the model; the
+  /// rest of its distance from the outline adds to that in square.
+  void label(const TiledCloud& cloud, double lateral, const Executor& executor,
              std::vector<float>& visible) const;
 
   /// Samples in the rows of the view before row v; v = height: all.
