@@ -240,12 +240,15 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
     aligned.push_back(fine.align(cloud, hypothesis.configuration, {0.005, 8}).configuration);
   }
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
-    Configuration& configuration = hypotheses[i].configuration;
-    if (judge_closely(aligned[i], kFineSlack) >
-        kHardlyLess * judge_closely(configuration, kFineSlack)) {
-      configuration = std::move(aligned[i]);
+    Hypothesis& hypothesis = hypotheses[i];
+    hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
+    const double score = judge_closely(aligned[i], kFineSlack);
+    if (score > kHardlyLess * hypothesis.score) {
+      hypothesis.configuration = std::move(aligned[i]);
+      hypothesis.score = score;
     }
   });
+  hypotheses = best_apart(std::move(hypotheses), kPosed);  // some have met
 }
 
 std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,

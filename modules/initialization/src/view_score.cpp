@@ -150,11 +150,14 @@ double ViewScore::pixel_score(const Drawing& drawing, int u, int v, double slack
   const auto z = static_cast<double>(image.depth[image.index(u, v)]);
   const double difference = measured - z;
   const double sigma_z = noise_ * z * z;
-  const double per_pixel =
-      std::hypot(depth_slope(image, u, v, 1, 0), depth_slope(image, u, v, 0, 1));
-  const double steepness = std::min(per_pixel * view_->camera.fx / z, kSteepest);
-  const double variance = sigma_z * sigma_z + slack * slack * (1.0 + steepness * steepness) +
-                          0.25 * per_pixel * per_pixel;
+  const double slope_u = depth_slope(image, u, v, 1, 0);
+  const double slope_v = depth_slope(image, u, v, 0, 1);
+  const double per_pixel2 = slope_u * slope_u + slope_v * slope_v;
+  const double pixels_per_metre = view_->camera.fx / z;
+  const double steepness2 =
+      std::min(per_pixel2 * pixels_per_metre * pixels_per_metre, kSteepest * kSteepest);
+  const double variance =
+      sigma_z * sigma_z + slack * slack * (1.0 + steepness2) + 0.25 * per_pixel2;
   const double score = 1.0 - kFallOff * difference * difference / variance;
   if (difference < 0.0) return std::max(score, kOccluded);
   // Where a neighbour is near enough, it is a matter of a pixel more or less.

@@ -13,6 +13,9 @@ namespace {
 constexpr std::size_t kRowsPerChunk = 8;
 constexpr double kLeastWeight = 1e-3;  // below it a sample is not worth keeping
 constexpr double kSurely = 0.99;       // of the dead zone
+/// Samples seen through that are looked at: near the solution all of them, for there each counts.
+/// From far off there are more, which all say the same: then each of those stands for several.
+constexpr std::size_t kMostSamples = 6000;
 
 /// The mixture of kernels::associate for a single body: what is explained, and the weight.
 struct Loss {
@@ -160,32 +163,56 @@ void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& 
                            const BodyPoses& T_camera_body, const TiledCloud& cloud,
                            const std::vector<float>& explained, const RegistrationOptions& options,
                            double spread, const Executor& executor) {
-  weight_ = options.lambda_free * surface.pixels_per_sample();
+  collect_seen_through(surface, T_camera_body, cloud, options, executor);
+  const std::size_t samples = chunk_begins_.back();
+  const std::size_t stride = (samples + kMostSamples - 1) / kMostSamples;
+  weight_ = options.lambda_free * surface.pixels_per_sample() * static_cast<double>(stride);
   cut_ = options.cut;
   const PullFinder finder(model, surface, cloud, explained, options, spread);
-  const ReprojectedView reprojected(surface, T_camera_body, cloud, executor, scratch_);
-  const SensorNoise& noise = options.noise;
-  const auto rows = static_cast<std::size_t>(surface.view().height);
-  const std::size_t chunks = chunk_count(rows, kRowsPerChunk);
+  const std::size_t chunks = chunk_begins_.size() - 1;
   chunk_pulls_.resize(std::max(chunk_pulls_.size(), chunks));
-  executor.for_each_chunk(
-      rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        chunk_pulls_[chunk].clear();
-        for (auto v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
-          // Somewhat fewer deviations than the dead zone: single precision errs by less.
-          for (const std::uint32_t u :
-               reprojected.seen_through(v, noise, kSurely * options.free_space_dead_zone)) {
-            const VisibleSample sample = surface.sample(static_cast<int>(u), v);
-            const auto body = static_cast<std::size_t>(sample.body);
-            if (const auto pull = finder.find(sample, T_camera_body[body])) {
-              chunk_pulls_[chunk].push_back(*pull);
-            }
-          }
-        }
-      });
+  executor.for_each(chunks, [&](std::size_t chunk) {
+    chunk_pulls_[chunk].clear();
+    const std::size_t first = chunk_begins_[chunk];
+    const std::size_t skipped = stride == 0 ? 0 : (stride - first % stride) % stride;
+    for (std::size_t i = skipped; i < chunk_seen_[chunk].size(); i += stride) {
+      const Pixel& pixel = chunk_seen_[chunk][i];
+      const VisibleSample sample = surface.sample(pixel.u, pixel.v);
+      if (const auto pull =
+              finder.find(sample, T_camera_body[static_cast<std::size_t>(sample.body)])) {
+        chunk_pulls_[chunk].push_back(*pull);
+      }
+    }
+  });
   pulls_.clear();
   for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
     pulls_.insert(pulls_.end(), chunk_pulls_[chunk].begin(), chunk_pulls_[chunk].end());
+  }
+}
+
+/// Which pixels of the view the camera sees through, chunk by chunk.
+void FreeSpaceTerm::collect_seen_through(const VisibleSurface& surface,
+                                         const BodyPoses& T_camera_body, const TiledCloud& cloud,
+                                         const RegistrationOptions& options,
+                                         const Executor& executor) {
+  const ReprojectedView reprojected(surface, T_camera_body, cloud, executor, scratch_);
+  const auto rows = static_cast<std::size_t>(surface.view().height);
+  const std::size_t chunks = chunk_count(rows, kRowsPerChunk);
+  chunk_seen_.resize(std::max(chunk_seen_.size(), chunks));
+  executor.for_each_chunk(
+      rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        chunk_seen_[chunk].clear();
+        for (auto v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
+          // Somewhat fewer deviations than the dead zone: single precision errs by less.
+          for (const std::uint32_t u : reprojected.seen_through(
+                   v, options.noise, kSurely * options.free_space_dead_zone)) {
+            chunk_seen_[chunk].push_back({static_cast<int>(u), v});
+          }
+        }
+      });
+  chunk_begins_.assign(1, 0);
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+    chunk_begins_.push_back(chunk_begins_.back() + chunk_seen_[chunk].size());
   }
 }
 

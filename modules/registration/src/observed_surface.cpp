@@ -40,15 +40,15 @@ std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p
   const double pixel_size = p_camera.z() / cloud_.camera().fx;
   const Eigen::Vector3d ray = p_camera / p_camera.z();
   const auto probe = [&](int pu, int pv) {
-    if (!inside(pu, pv) || !shows_object({pu, pv})) {
+    if (!inside(pu, pv)) {
       return;
     }
-    const Eigen::Vector3d q =
-        cloud_.camera().back_project(pu, pv, static_cast<double>(cloud_.depth()[index(pu, pv)]));
+    const auto measured = static_cast<double>(cloud_.depth()[index(pu, pv)]);
+    const Eigen::Vector3d q = cloud_.camera().back_project(pu, pv, measured);
     const double along = q.z() - p_camera.z();
     const double across2 = (q - p_camera - along * ray).squaredNorm();
     const double distance2 = along * along * inverse_depth2 + across2 * inverse_lateral2;
-    if (distance2 < least) {
+    if (measured > 0.0 && distance2 < least && shows_object({pu, pv})) {
       least = distance2;
       best = q;
     }

@@ -50,11 +50,16 @@ class FreeSpaceTerm {
   std::size_t pulled_samples() const { return pulls_.size(); }
 
  private:
+  void collect_seen_through(const VisibleSurface& surface, const BodyPoses& T_camera_body,
+                            const TiledCloud& cloud, const RegistrationOptions& options,
+                            const Executor& executor);
   TileSystem system_of(const FreeSpacePull& pull, const BodyPoses& T_camera_body) const;
 
   double weight_ = 1.0;
   double cut_ = 0.0;
   double spread2_ = 0.0;  ///< m^2, of the last linearisation
+  std::vector<std::vector<Pixel>> chunk_seen_;  ///< pixels of the view that are seen through
+  std::vector<std::size_t> chunk_begins_;       ///< their number before each chunk; that of all
   std::vector<std::vector<FreeSpacePull>> chunk_pulls_;
   std::vector<FreeSpacePull> pulls_;
   ReprojectedView::Scratch scratch_;
