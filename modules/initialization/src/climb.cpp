@@ -36,21 +36,28 @@ Configuration moved(const KinematicTree& tree, const Configuration& configuratio
 
 }  // namespace
 
-void climb(const KinematicTree& tree, ViewScore& score, Configuration& configuration) {
+void climb(const KinematicTree& tree, std::vector<ViewScore>& scores, const Executor& executor,
+           Configuration& configuration) {
   const int unknowns = 6 + tree.variables();
   const ModelLevers levers = model_levers(tree);
-  double best = score.fit(configuration, kSlack);
+  double best = scores.front().fit(configuration, kSlack);
+  std::array<Configuration, 2> trials;  // to either side
+  std::array<double, 2> fits{};
   for (const double step : kSteps) {
-    for (int round = 0; round < kRounds; ++round) {
+    bool is_better = true;
+    for (int round = 0; round < kRounds && is_better; ++round) {
+      is_better = false;
       for (int unknown = 0; unknown < unknowns; ++unknown) {
-        for (const double direction : {1.0, -1.0}) {
-          Configuration trial = moved(tree, configuration, levers, unknown, direction * step);
-          const double fit = score.fit(trial, kSlack);
-          if (fit > best) {
-            best = fit;
-            configuration = std::move(trial);
-            break;
-          }
+        executor.for_each(trials.size(), [&](std::size_t side) {
+          const double way = side == 0 ? step : -step;
+          trials[side] = moved(tree, configuration, levers, unknown, way);
+          fits[side] = scores[Executor::worker()].fit(trials[side], kSlack);
+        });
+        const std::size_t side = fits[0] > best ? 0 : 1;
+        if (fits[side] > best) {
+          best = fits[side];
+          is_better = true;
+          configuration = trials[side];
         }
       }
     }

@@ -211,9 +211,9 @@ void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses) {
 void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
                                          std::vector<Hypothesis>& hypotheses) {
   align_if_better(cloud, hypotheses);
-  executor.for_each(hypotheses.size(), [&](std::size_t i) {
-    climb(model.tree, halves[Executor::worker()], hypotheses[i].configuration);
-  });
+  for (Hypothesis& hypothesis : hypotheses) {
+    climb(model.tree, halves, executor, hypothesis.configuration);
+  }
   align_if_better(cloud, hypotheses);
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];

@@ -204,8 +204,8 @@ void FreeSpaceTerm::collect_seen_through(const VisibleSurface& surface,
         chunk_seen_[chunk].clear();
         for (auto v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
           // Somewhat fewer deviations than the dead zone: single precision errs by less.
-          for (const std::uint32_t u : reprojected.seen_through(
-                   v, options.noise, kSurely * options.free_space_dead_zone)) {
+          for (const std::uint32_t u :
+               reprojected.seen_through(v, options.noise, kSurely * options.free_space_dead_zone)) {
             chunk_seen_[chunk].push_back({static_cast<int>(u), v});
           }
         }

@@ -57,7 +57,7 @@ class FreeSpaceTerm {
 
   double weight_ = 1.0;
   double cut_ = 0.0;
-  double spread2_ = 0.0;  ///< m^2, of the last linearisation
+  double spread2_ = 0.0;                        ///< m^2, of the last linearisation
   std::vector<std::vector<Pixel>> chunk_seen_;  ///< pixels of the view that are seen through
   std::vector<std::size_t> chunk_begins_;       ///< their number before each chunk; that of all
   std::vector<std::vector<FreeSpacePull>> chunk_pulls_;
