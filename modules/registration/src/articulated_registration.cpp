@@ -20,6 +20,7 @@ constexpr double kStaleView = 0.002;  // metres that surfaces may move before th
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
+constexpr double kSignificant = 2.0;  // standard deviations: more than noise mostly moves
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 
@@ -94,6 +95,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.configuration = start;
   result_.converged = false;
   result_.iterations = 0;
+  last_step_.setZero(scale_.unit.size());
   selected_spread_ = kNeverSelected;
   linearized_spread_.reset();
   ahead_spread_.reset();
@@ -126,6 +128,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.covariance = covariance_.covariance();
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();
+  result_.last_move = significant_move(last_step_);
   agreement_.measure(model_, surface_, poses_, cloud, options_, executor_);
   result_.agreement = agreement_.total();
   result_.body_agreement = agreement_.bodies();
@@ -214,6 +217,7 @@ double ArticulatedRegistration::cost_at(const TiledCloud& cloud, const Configura
 bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool hold_joints,
                                       double next_spread) {
   set_step_limits(hold_joints);
+  last_step_.setZero();
   double damping = 0.0;
   for (int trial = 0; trial <= kMaxDampings; ++trial) {
     const Eigen::VectorXd& step = solver_.solve(equations_, damping, limits_, scale_);
@@ -226,6 +230,7 @@ bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool
     const auto spread_ahead = looks_ahead ? std::optional(next_spread) : std::nullopt;
     if (cost_at(cloud, candidate_, spread_ahead) < cost) {
       result_.configuration = candidate_;
+      last_step_ = step;
       linearized_spread_.reset();
       ahead_spread_ = spread_ahead;
       return true;
@@ -262,6 +267,22 @@ double ArticulatedRegistration::largest_move(const Eigen::VectorXd& step) const 
   double farthest = base_move(step.head<6>());
   for (Index i = 6; i < step.size(); ++i) {
     farthest = std::max(farthest, std::abs(step[i]) * levers_[i]);
+  }
+  return farthest;
+}
+
+/// Of the unknowns that the step moves by several of their standard deviations.
+double ArticulatedRegistration::significant_move(const Eigen::VectorXd& step) const {
+  const auto is_significant = [&](Index i) {
+    return result_.observable[static_cast<std::size_t>(i)] &&
+           std::abs(step[i]) > kSignificant * result_.sigma[i];
+  };
+  double farthest = 0.0;
+  for (Index i = 0; i < 6; ++i) {
+    if (is_significant(i)) farthest = base_move(step.head<6>());
+  }
+  for (Index i = 6; i < step.size(); ++i) {
+    if (is_significant(i)) farthest = std::max(farthest, std::abs(step[i]) * levers_[i]);
   }
   return farthest;
 }

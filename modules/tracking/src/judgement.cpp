@@ -29,18 +29,23 @@ bool is_contradicted(const Agreement& body, const TrackerOptions& options) {
   return decided >= options.least_body_samples && body.consent() < options.least_body_agreement;
 }
 
+bool is_believable(const RegistrationResult& registered, const TrackerOptions& options) {
+  const Agreement& whole = registered.agreement;
+  const auto& bodies = registered.body_agreement;
+  return whole.explained >= options.least_explained && whole.consent() >= options.least_agreement &&
+         registered.outline.continued() <= options.most_continued &&
+         std::none_of(bodies.begin(), bodies.end(),
+                      [&](const Agreement& body) { return is_contradicted(body, options); });
+}
+
 TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options) {
   const Agreement& whole = registered.agreement;
   if (whole.explained < 0.5 * options.least_explained || whole.consent() < options.lost_agreement) {
     return TrackingStatus::lost;
   }
-  const auto& bodies = registered.body_agreement;
-  const bool believable =
-      whole.explained >= options.least_explained && whole.consent() >= options.least_agreement &&
-      registered.outline.continued() <= options.most_continued &&
-      std::none_of(bodies.begin(), bodies.end(),
-                   [&](const Agreement& body) { return is_contradicted(body, options); });
-  return believable ? TrackingStatus::tracking : TrackingStatus::uncertain;
+  const bool rests = registered.last_move <= options.most_last_move;
+  return rests && is_believable(registered, options) ? TrackingStatus::tracking
+                                                     : TrackingStatus::uncertain;
 }
 
 }  // namespace lockbox

@@ -83,7 +83,8 @@ void Tracker::follow(const DepthFrame& frame) {
   const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
   const RegistrationResult& registered = registration_.align(
       cloud_, prediction, {predictor_.spread(), options_.registration.max_iterations});
-  const RegistrationResult& found = with_leaps_followed(frame, registered);
+  const RegistrationResult& found =
+      has_leapt(registered) ? with_leap_followed(frame, registered) : come_to_rest(registered);
   report(found);
   predictor_.update(frame.stamp, found.configuration, found.observable,
                     registration_.surface_distance(prediction, found.configuration));
@@ -98,15 +99,31 @@ void Tracker::follow(const DepthFrame& frame) {
   }
 }
 
-/// What leaps farther between two frames than the gate is wide is seen through where it was: joints
-/// are sought over their ranges, then the base around where it was last believed to be.
-const RegistrationResult& Tracker::with_leaps_followed(const DepthFrame& frame,
-                                                       const RegistrationResult& registered) {
-  const bool is_hidden_at_once =
-      registered.agreement.explained < result_.explained - kSuddenlyHidden;
-  if (judge(registered, options_) == TrackingStatus::tracking && !is_hidden_at_once) {
-    return registered;
+/// Gates stay as narrow as ever: wide ones drag parts onto each other, many steps do not.
+const RegistrationResult& Tracker::come_to_rest(const RegistrationResult& registered) {
+  const RegistrationResult* result = &registered;
+  for (int round = 0; round < options_.most_rounds && result->last_move > options_.resting_move;
+       ++round) {
+    const Configuration start = result->configuration;
+    result =
+        &registration_.align(cloud_, start, {predictor_.spread(), options_.further_iterations});
   }
+  return *result;
+}
+
+bool Tracker::is_hidden_at_once(const RegistrationResult& registered) const {
+  return registered.agreement.explained < result_.explained - kSuddenlyHidden;
+}
+
+/// What leaps farther between two frames than the gate is wide is seen through where it was.
+bool Tracker::has_leapt(const RegistrationResult& registered) const {
+  return !is_believable(registered, options_) || is_hidden_at_once(registered);
+}
+
+/// Joints are sought over their ranges, then the base around where it was last believed to be.
+const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
+                                                      const RegistrationResult& registered) {
+  const bool is_hidden = is_hidden_at_once(registered);
   best_ = registered;
   list_contradicted_joints();
   if (!sought_joints_.empty()) {
@@ -114,7 +131,7 @@ const RegistrationResult& Tracker::with_leaps_followed(const DepthFrame& frame,
         registration_.align(cloud_, acquisition_.find_joints(best_.configuration, sought_joints_),
                             {options_.start_joint_spread, options_.start_joint_iterations}));
   }
-  if (is_hidden_at_once) {  // by the object itself, when the estimate lies behind it
+  if (is_hidden) {  // by the object itself, when the estimate lies behind it
     keep_if_better(acquisition_.find_near(frame, *guess_));
   }
   if (judge(best_, options_) != TrackingStatus::tracking && search_is_due(frames_searched_++)) {

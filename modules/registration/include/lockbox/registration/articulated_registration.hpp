@@ -51,6 +51,8 @@ struct RegistrationResult {
   double free_cost = 0.0;
   double collision_cost = 0.0;
   int iterations = 0;
+  /// Metres that the last iteration moved surfaces, at most, beyond what noise does: 0 at rest.
+  double last_move = 0.0;
   bool converged = false;
 };
 
@@ -81,6 +83,7 @@ class ArticulatedRegistration {
   void set_step_limits(bool hold_joints);
   void select_free_space(const TiledCloud& cloud, double spread);
   double largest_move(const Eigen::VectorXd& step) const;
+  double significant_move(const Eigen::VectorXd& step) const;
   double base_move(const Twist& twist) const;
 
   const ArticulatedModel& model_;
@@ -110,7 +113,8 @@ class ArticulatedRegistration {
   StepLimits limits_;
   BoundedStepSolver solver_;
   Configuration candidate_;
-  std::vector<bool> held_;  ///< by unknown
+  Eigen::VectorXd last_step_;  ///< zero if the last iteration found none worth taking
+  std::vector<bool> held_;     ///< by unknown
   CovarianceEstimator covariance_;
   std::vector<TileSystem> tile_systems_;
   AgreementMeter agreement_;

@@ -14,9 +14,12 @@ enum class TrackingStatus { initializing, tracking, uncertain, lost };
 /// The word for a states file.
 std::string to_string(TrackingStatus status);
 
-/// Of a registered configuration: `tracking`, `uncertain` or `lost`. A contradicted body, however
-/// small it is beside the others, makes it `uncertain` at best, and so does a surface that goes on
-/// beyond the model's outline.
+/// Whether enough of the model is explained, and nothing speaks against it: neither a contradicted
+/// body, however small it is beside the others, nor a surface that goes on beyond the outline.
+bool is_believable(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// Of a registered configuration: `tracking`, `uncertain` or `lost`. What is not believable, or was
+/// still on its way, is `uncertain` at best.
 TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options);
 
 /// A contradiction counts more than what remains unexplained: that may be hidden.

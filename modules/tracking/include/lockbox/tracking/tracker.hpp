@@ -57,8 +57,11 @@ class Tracker {
   void search(const DepthFrame& frame);
   void follow(const DepthFrame& frame);
   Configuration with_hidden_joints_sought(const Configuration& prediction);
-  const RegistrationResult& with_leaps_followed(const DepthFrame& frame,
-                                                const RegistrationResult& registered);
+  const RegistrationResult& come_to_rest(const RegistrationResult& registered);
+  bool is_hidden_at_once(const RegistrationResult& registered) const;
+  bool has_leapt(const RegistrationResult& registered) const;
+  const RegistrationResult& with_leap_followed(const DepthFrame& frame,
+                                               const RegistrationResult& registered);
   void keep_if_better(const RegistrationResult& registered);
   void list_contradicted_joints();
   void report(const RegistrationResult& registered);

@@ -21,6 +21,13 @@ struct TrackerOptions {
   int start_joint_iterations = 10;
   bool search_anywhere = true;  ///< where no guess helps, at the start and when lost
 
+  /// The iterations of a frame are few because predictions are good. After one that was not,
+  /// surfaces still move by more than noise moves them: then so many more follow, in as many
+  /// rounds, until the last one of a round moves them by less than that (metres).
+  double resting_move = 0.001;
+  int further_iterations = 6;
+  int most_rounds = 8;
+
   /// `tracking` needs at least these shares of the visible surface: explained of all of it, and of
   /// the part that is explained or contradicted; of each body, too, that shows at least so many of
   /// the samples taken for it (a quarter of its pixels). Right bodies reach 0.93.
@@ -29,7 +36,8 @@ struct TrackerOptions {
   double least_body_agreement = 0.75;
   int least_body_samples = 20;
   double most_continued = 0.85;  ///< of the outline: there the scene goes on as the model's surface
-  double lost_agreement = 0.60;  ///< below it, or below half of least_explained: `lost`
+  double most_last_move = 0.003;  ///< metres: surfaces that still move are not where they belong
+  double lost_agreement = 0.60;   ///< below it, or below half of least_explained: `lost`
 };
 
 }  // namespace lockbox
