@@ -93,7 +93,8 @@ class TrackCommand : public Command {
     options.add_option("--threads", tracker_.threads, "Threads; 0: all cores")
         ->check(not_negative());
     options
-        .add_option("--iterations", registration.max_iterations, "Linearisations a frame, at most")
+        .add_option("--iterations", registration.max_iterations,
+                    "Linearisations a frame; more follow while surfaces still move")
         ->check(positive());
     options.add_flag("--fixed-base", registration.fixed_base, "The base does not move");
     options.add_option("--lock-joint", locked_joints_, "Hold this joint (repeatable)")

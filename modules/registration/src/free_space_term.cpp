@@ -165,7 +165,7 @@ void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& 
                            double spread, const Executor& executor) {
   collect_seen_through(surface, T_camera_body, cloud, options, executor);
   const std::size_t samples = chunk_begins_.back();
-  const std::size_t stride = (samples + kMostSamples - 1) / kMostSamples;
+  const std::size_t stride = std::max<std::size_t>(1, (samples + kMostSamples - 1) / kMostSamples);
   weight_ = options.lambda_free * surface.pixels_per_sample() * static_cast<double>(stride);
   cut_ = options.cut;
   const PullFinder finder(model, surface, cloud, explained, options, spread);
@@ -174,7 +174,7 @@ void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& 
   executor.for_each(chunks, [&](std::size_t chunk) {
     chunk_pulls_[chunk].clear();
     const std::size_t first = chunk_begins_[chunk];
-    const std::size_t skipped = stride == 0 ? 0 : (stride - first % stride) % stride;
+    const std::size_t skipped = (stride - first % stride) % stride;  // counted through all chunks
     for (std::size_t i = skipped; i < chunk_seen_[chunk].size(); i += stride) {
       const Pixel& pixel = chunk_seen_[chunk][i];
       const VisibleSample sample = surface.sample(pixel.u, pixel.v);
