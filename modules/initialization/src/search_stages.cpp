@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of the search without a guess (docs/initialization.md).
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "climb.hpp"
+#include "joint_scan.hpp"
+#include "search_workspace.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kMedianNoise = 0.6;  // of the noise is left in the median of a block
+constexpr double kHalfNoise = 0.85;   // of the noise is left in its blocks
+constexpr double kFineSlack = 0.003;  // metres
+constexpr double kHardlyLess = 0.95;
+constexpr double kEnoughSamples = 20.0;
+constexpr double kFinePixel = 0.0028;  // metres: larger ones are worth looking at one by one
+constexpr std::size_t kLeastSamples = 20;
+constexpr std::size_t kMostRegions = 16;
+constexpr std::size_t kMatchesEach = 8;  // of one relief on one region
+constexpr int kAnchorPositions = 5;      // of a joint between base and a matched side
+
+// What stages keep: before joints are known, less says little.
+constexpr Selection kMatched{0.15, 96};
+constexpr Selection kPlaced{0.15, 24};
+constexpr Selection kPosed{0.3, 4};
+
+/// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
+std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
+  const VariableLimits limits = variable_limits(tree, variable);
+  const bool is_limited = std::isfinite(limits.upper - limits.lower);
+  const double lower = is_limited ? limits.lower : 0.0;
+  const double upper = is_limited ? limits.upper : 2.0 * std::numbers::pi;
+  std::vector<double> positions;
+  positions.reserve(kAnchorPositions);
+  for (int i = 0; i < kAnchorPositions; ++i) {
+    positions.push_back(lower + (upper - lower) * i / (kAnchorPositions - 1));
+  }
+  return positions;
+}
+
+/// Of the bodies for or against which enough speaks: one that stands elsewhere vanishes in the
+/// whole.
+double least_consent(const std::vector<Agreement>& bodies) {
+  double least = 1.0;
+  for (const Agreement& body : bodies) {
+    const double heard = (body.explained + body.contradicted) * body.samples;
+    if (heard >= kEnoughSamples) least = std::min(least, body.consent());
+  }
+  return least;
+}
+
+}  // namespace
+
+Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
+                                  const InitializerOptions& given, const Executor& workers)
+    : model(articulated_model),
+      options(given),
+      executor(workers),
+      reliefs(make_reliefs(model.tree, executor)),
+      all_variables(static_cast<std::size_t>(model.tree.variables())),
+      all_bodies(model.tree.bodies.size(), 1),
+      fine(model, options.registration, executor) {
+  std::iota(all_variables.begin(), all_variables.end(), 0);
+  RegistrationOptions coarse_options = options.registration;
+  coarse_options.collision = CollisionMode::off;
+  for (int worker = 0; worker < executor.threads(); ++worker) {
+    scores.emplace_back(model.tree, kMedianNoise * options.depth_noise);
+    halves.emplace_back(model.tree, kHalfNoise * options.depth_noise);
+    details.emplace_back(model.tree, options.depth_noise);
+    coarse.emplace_back(model, coarse_options, Executor(1));
+  }
+}
+
+/// The configurations at which the relief's body is where the match says.
+void Initializer::Workspace::add_matched(const ModelRelief& relief, const ReliefMatch& match,
+                                         std::vector<Hypothesis>& hypotheses) const {
+  const KinematicTree& tree = model.tree;
+  const auto body = static_cast<std::size_t>(relief.body);
+  Hypothesis hypothesis{rest_configuration(tree), std::vector<std::uint8_t>(tree.bodies.size(), 0)};
+  // Base and body alone: how other joints stand is not known yet.
+  hypothesis.bodies[0] = 1;
+  hypothesis.bodies[body] = 1;
+  const int joint = tree.bodies[body].parent_joint;
+  const int variable = joint < 0 ? -1 : tree.joints[static_cast<std::size_t>(joint)].variable;
+  std::vector<Eigen::Isometry3d> poses;
+  Configuration& configuration = hypothesis.configuration;
+  for (const double position :
+       variable < 0 ? std::vector<double>{0.0} : anchor_positions(tree, variable)) {
+    if (variable >= 0) configuration.q[variable] = position;
+    configuration.T_camera_base.setIdentity();
+    forward_kinematics(tree, configuration, poses);
+    configuration.T_camera_base = match.T_camera_body * poses[body].inverse();
+    hypotheses.push_back(hypothesis);
+  }
+}
+
+/// Flat sides of the model laid onto flat regions of the view.
+std::vector<Hypothesis> Initializer::Workspace::match(const CoarseView& view) {
+  const double noise = kMedianNoise * options.depth_noise;
+  const auto regions = find_planar_regions(view, noise, kLeastSamples, kMostRegions);
+  const std::size_t pairs = regions.size() * reliefs.size();
+  std::vector<std::vector<Hypothesis>> found(pairs);
+  executor.for_each(pairs, [&](std::size_t pair) {
+    const ModelRelief& relief = reliefs[pair % reliefs.size()];
+    const PlanarRegion& region = regions[pair / reliefs.size()];
+    for (const auto& match : match_relief(view, region, relief, noise, kMatchesEach)) {
+      add_matched(relief, match, found[pair]);
+    }
+    for (Hypothesis& hypothesis : found[pair]) hypothesis.score = judge(hypothesis, 0.02, 1.0);
+  });
+  std::vector<Hypothesis> all;
+  for (auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  return best_apart(std::move(all), kMatched);
+}
+
+/// Base poses made exact as far as the known bodies tell, and a glance at the joints.
+void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses) {
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis refined = hypotheses[i];
+    align_base(0.025, 4, refined.configuration);
+    refined.score = judge(refined, 0.01, 1.0);
+    hypotheses[i].score = judge(hypotheses[i], 0.01, 1.0);
+    // Joints that stand elsewhere than assumed may have pulled the base away.
+    if (refined.score > hypotheses[i].score) hypotheses[i] = std::move(refined);
+    hypotheses[i].bodies = all_bodies;
+    scan_joints(model.tree, score(), all_variables, 0.02, kGlance, hypotheses[i].configuration);
+    hypotheses[i].score = judge(hypotheses[i], 0.02, 0.5);
+  });
+  hypotheses = best_apart(std::move(hypotheses), kPlaced);
+}
+
+/// All joints sought over their ranges.
+void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses) {
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis& hypothesis = hypotheses[i];
+    scan_joints(model.tree, score(), all_variables, 0.01, kScan, hypothesis.configuration);
+    hypothesis.score = judge_closely(hypothesis.configuration, 0.006);
+    Hypothesis refined = hypothesis;
+    align_base(0.015, 5, refined.configuration);
+    scan_joints(model.tree, score(), all_variables, 0.006, kScan, refined.configuration);
+    refined.score = judge_closely(refined.configuration, 0.006);
+    if (refined.score > hypothesis.score) hypothesis = std::move(refined);
+  });
+  hypotheses = best_apart(std::move(hypotheses), kPosed);
+}
+
+/// Base and joints together, in the coarse view.
+void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses) {
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis& hypothesis = hypotheses[i];
+    Hypothesis refined = hypothesis;
+    refined.configuration = coarse[Executor::worker()]
+                                .align(coarse_cloud, hypothesis.configuration, {0.005, 6})
+                                .configuration;
+    scan_joints(model.tree, score(), all_variables, 0.004, kScan, refined.configuration);
+    refined.score = judge_closely(refined.configuration, kFineSlack);
+    hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
+    if (refined.score > hypothesis.score) hypothesis = std::move(refined);
+  });
+  hypotheses = best_apart(std::move(hypotheses), kPosed);
+}
+
+/// The same at full resolution.
+void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
+                                         std::vector<Hypothesis>& hypotheses) {
+  align_if_better(cloud, hypotheses);
+  for (Hypothesis& hypothesis : hypotheses) {
+    climb(model.tree, halves, executor, hypothesis.configuration);
+  }
+  align_if_better(cloud, hypotheses);
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis& hypothesis = hypotheses[i];
+    Configuration contrasted = hypothesis.configuration;
+    const double pixel = contrasted.T_camera_base.translation().z() / cloud.camera().fx;
+    const std::size_t worker = Executor::worker();
+    scan_joints_by_contrast(model.tree, pixel > kFinePixel ? details[worker] : halves[worker],
+                            all_variables, contrasted);
+    // Contrast knows where low relief is better than depth does, which hardly notices.
+    const double score = judge_closely(contrasted, kFineSlack);
+    hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
+    if (score > kHardlyLess * hypothesis.score) {
+      hypothesis.configuration = std::move(contrasted);
+      hypothesis.score = score;
+    }
+  });
+}
+
+void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
+                                             std::vector<Hypothesis>& hypotheses) {
+  std::vector<Configuration> aligned;
+  aligned.reserve(hypotheses.size());
+  for (const Hypothesis& hypothesis : hypotheses) {
+    aligned.push_back(fine.align(cloud, hypothesis.configuration, {0.005, 8}).configuration);
+  }
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis& hypothesis = hypotheses[i];
+    hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
+    const double score = judge_closely(aligned[i], kFineSlack);
+    if (score > kHardlyLess * hypothesis.score) {
+      hypothesis.configuration = std::move(aligned[i]);
+      hypothesis.score = score;
+    }
+  });
+  hypotheses = best_apart(std::move(hypotheses), kPosed);  // some have met
+}
+
+std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
+                                                    const std::vector<Hypothesis>& hypotheses) {
+  std::vector<Candidate> candidates;
+  for (const Hypothesis& hypothesis : hypotheses) {
+    if (hypothesis.score > 0.0) {
+      const auto& result = fine.align(cloud, hypothesis.configuration, {0.0, 0});
+      const double score = hypothesis.score * least_consent(result.body_agreement);
+      candidates.push_back({hypothesis.configuration, score, result.agreement});
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  candidates.resize(std::min(candidates.size(), options.most_candidates));
+  return candidates;
+}
+
+void Initializer::Workspace::align_base(double spread, int iterations,
+                                        Configuration& configuration) {
+  constexpr bool kHoldJoints = true;
+  configuration = coarse[Executor::worker()]
+                      .align(coarse_cloud, configuration, {spread, iterations, kHoldJoints})
+                      .configuration;
+}
+
+double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance) {
+  return score().evidence(hypothesis.configuration, slack, hypothesis.bodies).total(tolerance);
+}
+
+/// In a finer view, which shows more of what the camera saw through.
+double Initializer::Workspace::judge_closely(const Configuration& configuration, double slack) {
+  return halves[Executor::worker()].evidence(configuration, slack, all_bodies).total(0.0);
+}
+
+}  // namespace lockbox

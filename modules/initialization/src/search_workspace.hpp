@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "coarse_view.hpp"
+#include "hypothesis.hpp"
+#include "lockbox/initialization/initializer.hpp"
+#include "scene_relief.hpp"
+#include "view_score.hpp"
+
+namespace lockbox {
+
+/// The memory of the search, and its stages in their order.
+struct Initializer::Workspace {
+  const ArticulatedModel& model;
+  InitializerOptions options;
+  Executor executor;
+  std::vector<ModelRelief> reliefs;
+  std::vector<int> all_variables;
+  std::vector<std::uint8_t> all_bodies;
+  /// By worker.
+  std::vector<ViewScore> scores;
+  std::vector<ViewScore> halves;   ///< of a finer view
+  std::vector<ViewScore> details;  ///< of single pixels
+  std::vector<ArticulatedRegistration> coarse;
+  ArticulatedRegistration fine;
+  TiledCloud coarse_cloud;
+
+  Workspace(const ArticulatedModel& articulated_model, const InitializerOptions& given,
+            const Executor& workers);
+
+  std::vector<Hypothesis> match(const CoarseView& view);
+  void place(std::vector<Hypothesis>& hypotheses);
+  void pose(std::vector<Hypothesis>& hypotheses);
+  void fit(std::vector<Hypothesis>& hypotheses);
+  void fit_closely(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses);
+  std::vector<Candidate> rank(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses);
+
+ private:
+  void add_matched(const ModelRelief& relief, const ReliefMatch& match,
+                   std::vector<Hypothesis>& hypotheses) const;
+  void align_if_better(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses);
+  void align_base(double spread, int iterations, Configuration& configuration);
+  double judge(const Hypothesis& hypothesis, double slack, double tolerance);
+  double judge_closely(const Configuration& configuration, double slack);
+  ViewScore& score() { return scores[Executor::worker()]; }
+};
+
+}  // namespace lockbox
