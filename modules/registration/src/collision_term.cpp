@@ -22,7 +22,7 @@ constexpr double kThicknessShare = 0.125;   // of the thinner body: the largest 
 constexpr float kFarSideCosine = 0.2F;
 constexpr int kMaxTraceSteps = 200;
 constexpr float kSurfaceTolerance = 2e-6F;  // metres
-constexpr std::size_t kSamplesAtOnce = 256;
+constexpr std::size_t kSamplesInPatch = 128;
 constexpr float kRounding = 1e-5F;  // metres: more than single precision errs
 
 /// Where and how deep a sample sits in the other body, and which way is out.
@@ -164,7 +164,7 @@ std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body
   const double area = surface_area(mesh);
   const double spacing =
       std::clamp(std::sqrt(area / kSamplesPerBody), kFinestSpacing, kCoarsestSpacing);
-  ErodedSurface surface{body, erosion, {}, {}, {}, {}};
+  ErodedSurface surface{body, erosion, {}, {}, {}, {}, {}};
   double total = 0.0;
   for (const SurfaceSample& point : sample_surface(mesh, spacing)) {
     Eigen::Vector3f p = point.position.cast<float>();
@@ -190,8 +190,23 @@ std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body
   for (auto* axis : {&surface.x, &surface.y, &surface.z}) {
     axis->resize(kernels::padded(surface.samples.size()), kernels::kPadding);
   }
+  surface.patches = patches_of(surface.samples);
   surfaces_.push_back(std::move(surface));
   return surfaces_.size() - 1;
+}
+
+/// Samples follow each other along a space-filling curve.
+std::vector<CollisionTerm::Patch> CollisionTerm::patches_of(const std::vector<Sample>& samples) {
+  std::vector<Patch> patches;
+  for (std::size_t first = 0; first < samples.size(); first += kSamplesInPatch) {
+    const std::size_t size = std::min(kSamplesInPatch, samples.size() - first);
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = first; i < first + size; ++i) {
+      box.extend(samples[i].p_body.cast<double>());
+    }
+    patches.push_back({first, kernels::padded(size), box.center(), 0.5 * box.diagonal().norm()});
+  }
+  return patches;
 }
 
 void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface,
@@ -200,26 +215,31 @@ void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSur
   const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(other)];
   half.cost = 0.0;
   half.system = {};
-  if (half.clear_way.covers(T_other_body,
-                            model.fields[static_cast<std::size_t>(surface.body)]->bounds())) {
-    return;
-  }
-  half.clear_way = ClearWay(T_other_body, field);
+  half.clear_ways.resize(surface.patches.size());
   const Eigen::AlignedBox3f box = field.bounds().cast<float>();
   const Eigen::Isometry3f T = T_other_body.cast<float>();
   const auto eroded = static_cast<float>(erosion);
   const kernels::RigidMotion motion = to_rigid_motion(T_other_body);
-  std::array<float, kSamplesAtOnce> distance;
-  for (std::size_t first = 0; first < surface.x.size(); first += kSamplesAtOnce) {
-    const std::size_t size = std::min(kSamplesAtOnce, surface.x.size() - first);
-    kernels::look_up_distance(
-        field.view(), motion,
-        {surface.x.data() + first, surface.y.data() + first, surface.z.data() + first, size},
-        distance.data());
-    half.clear_way.note(*std::min_element(distance.begin(), distance.begin() + size) + eroded);
-    for (std::size_t i = 0; i < size; ++i) {
+  std::array<float, kSamplesInPatch> distance;
+  for (std::size_t k = 0; k < surface.patches.size(); ++k) {
+    const Patch& patch = surface.patches[k];
+    ClearWay& clear_way = half.clear_ways[k];
+    const double off = field.bounds().squaredExteriorDistance(T_other_body * patch.centre);
+    if (off > patch.radius * patch.radius ||
+        clear_way.covers(T_other_body, patch.centre, patch.radius)) {
+      continue;
+    }
+    kernels::look_up_distance(field.view(), motion,
+                              {surface.x.data() + patch.first, surface.y.data() + patch.first,
+                               surface.z.data() + patch.first, patch.size},
+                              distance.data());
+    clear_way = ClearWay(T_other_body, field);
+    clear_way.note(*std::min_element(distance.begin(),
+                                     distance.begin() + static_cast<std::ptrdiff_t>(patch.size)) +
+                   eroded);
+    for (std::size_t i = 0; i < patch.size; ++i) {
       if (distance[i] + eroded < kRounding) {
-        add_sample(field, box, T, surface.samples[first + i], eroded, with_system, half);
+        add_sample(field, box, T, surface.samples[patch.first + i], eroded, with_system, half);
       }
     }
   }

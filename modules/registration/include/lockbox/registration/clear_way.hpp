@@ -26,21 +26,17 @@ class ClearWay {
     way_ = std::min(way_, static_cast<double>(clearance) / kSteepest - kRounding);
   }
 
-  /// Whether no sample can touch at another relative pose either. body: bounds of the samples, in
-  /// their frame.
-  bool covers(const Eigen::Isometry3d& T_other_body, const Eigen::AlignedBox3d& body) const {
+  /// Whether no sample can touch at another relative pose either. The samples lie in a ball of
+  /// their body's frame.
+  bool covers(const Eigen::Isometry3d& T_other_body, const Eigen::Vector3d& centre,
+              double radius) const {
     if (way_ <= 0.0) {
       return false;
     }
     const Eigen::Matrix4d change = T_other_body.matrix() - T_other_body_;
-    double farthest2 = 0.0;  // an affine map moves no point of a box farther than its corners
-    for (int i = 0; i < 8; ++i) {
-      const Eigen::Vector3d corner = body.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-      const Eigen::Vector3d move =
-          change.topLeftCorner<3, 3>() * corner + change.topRightCorner<3, 1>();
-      farthest2 = std::max(farthest2, move.squaredNorm());
-    }
-    return farthest2 < way_ * way_;
+    const Eigen::Matrix3d turn = change.topLeftCorner<3, 3>();
+    const Eigen::Vector3d move = turn * centre + change.topRightCorner<3, 1>();
+    return move.norm() + turn.norm() * radius < way_;
   }
 
  private:

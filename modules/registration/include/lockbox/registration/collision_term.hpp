@@ -51,6 +51,13 @@ class CollisionTerm {
     Eigen::Vector3f normal;
     double share;  ///< of the body's surface
   };
+  /// Consecutive samples, which are neighbours, and the ball that they lie in.
+  struct Patch {
+    std::size_t first;
+    std::size_t size;  ///< padded
+    Eigen::Vector3d centre;
+    double radius;
+  };
   struct ErodedSurface {
     int body;
     double erosion;
@@ -58,18 +65,20 @@ class CollisionTerm {
     std::vector<float> x;  ///< their p_body, padded, as the kernels read them
     std::vector<float> y;
     std::vector<float> z;
+    std::vector<Patch> patches;
   };
 
   /// Of a pair, one body's samples in the other's field.
   struct Half {
     double cost = 0.0;
     BodySystem system;
-    ClearWay clear_way;
+    std::vector<ClearWay> clear_ways;  ///< by patch of the surface
   };
 
   std::size_t surface_index(const ArticulatedModel& model, int body, double erosion);
   void evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i,
                      bool with_systems);
+  static std::vector<Patch> patches_of(const std::vector<Sample>& samples);
   void evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface, int other,
                      double erosion, const Eigen::Isometry3d& T_other_body, bool with_system,
                      Half& half);
