@@ -19,6 +19,10 @@ std::string text(int value) {
   return std::to_string(value);
 }
 
+std::string text(std::size_t value) {
+  return std::to_string(value);
+}
+
 std::string text(bool value) {
   return value ? "true" : "false";
 }
@@ -65,6 +69,7 @@ NamedValues parameters_in_force(const TrackerOptions& options) {
   const RegistrationOptions& registration = options.registration;
   return {
       {"max_iterations", text(registration.max_iterations)},
+      {"point_budget", text(registration.point_budget)},
       {"noise_depth_floor", text(registration.noise.depth_floor)},
       {"noise_depth_quadratic", text(registration.noise.depth_quadratic)},
       {"noise_lateral_pixels", text(registration.noise.lateral_pixels)},

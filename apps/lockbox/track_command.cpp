@@ -96,6 +96,10 @@ class TrackCommand : public Command {
         .add_option("--iterations", registration.max_iterations,
                     "Linearisations a frame; more follow while surfaces still move")
         ->check(positive());
+    options
+        .add_option("--point-budget", registration.point_budget,
+                    "Points used a frame, about, those that tell most; 0: all")
+        ->check(not_negative());
     options.add_flag("--fixed-base", registration.fixed_base, "The base does not move");
     options.add_option("--lock-joint", locked_joints_, "Hold this joint (repeatable)")
         ->type_name("NAME")

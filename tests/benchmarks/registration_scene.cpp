@@ -80,8 +80,11 @@ RegistrationScene shipped_lockbox(const PinholeCamera& camera) {
   return make_scene(std::move(model), truths, camera);
 }
 
-void time_registration(benchmark::State& state, const RegistrationScene& scene, int threads) {
-  ArticulatedRegistration registration(scene.model, RegistrationOptions{}, Executor(threads));
+void time_registration(benchmark::State& state, const RegistrationScene& scene, int threads,
+                       std::size_t point_budget) {
+  RegistrationOptions options;
+  options.point_budget = point_budget;
+  ArticulatedRegistration registration(scene.model, options, Executor(threads));
   const Annealing annealing{kPredictedSpread, kIterations};
   const RegistrationResult* result = nullptr;
   std::size_t i = 0;

@@ -44,7 +44,9 @@ const RegistrationScene& shipped_lockbox();
 RegistrationScene shipped_lockbox(const PinholeCamera& camera);
 
 /// Times registrations of the views in turn from their predictions; counts the points in the sums.
-void time_registration(benchmark::State& state, const RegistrationScene& scene, int threads);
+/// point_budget: as in RegistrationOptions; 0: all points.
+void time_registration(benchmark::State& state, const RegistrationScene& scene, int threads,
+                       std::size_t point_budget = 0);
 
 /// Benchmarks whose argument is the number of threads.
 void on_one_and_two_threads(benchmark::internal::Benchmark* benchmark);

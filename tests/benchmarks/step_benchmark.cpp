@@ -11,6 +11,11 @@ void registration_step(benchmark::State& state) {
   time_registration(state, shipped_lockbox(), static_cast<int>(state.range(0)));
 }
 
+/// On one thread, by point budget.
+void budgeted_step(benchmark::State& state) {
+  time_registration(state, shipped_lockbox(), 1, static_cast<std::size_t>(state.range(0)));
+}
+
 void look_up_floor(benchmark::State& state) {
   const auto threads = static_cast<int>(state.range(0));
   const Executor executor(threads);
@@ -29,6 +34,14 @@ void look_up_floor(benchmark::State& state) {
 
 BENCHMARK(look_up_floor)->Apply(on_one_and_two_threads);
 BENCHMARK(registration_step)->Apply(on_one_and_two_threads);
+BENCHMARK(budgeted_step)
+    ->ArgName("points")
+    ->Arg(40000)
+    ->Arg(20000)
+    ->Arg(10000)
+    ->Arg(5000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace lockbox

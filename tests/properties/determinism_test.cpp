@@ -35,16 +35,21 @@ TEST(Determinism, OfFields) {
   }
 }
 
-TEST(Determinism, OfOneRegistration) {
+class DeterminismOfOneRegistration : public ::testing::TestWithParam<std::size_t> {};
+
+/// By point budget; 0: all points.
+TEST_P(DeterminismOfOneRegistration, OnAnyNumberOfThreads) {
+  RegistrationOptions options;
+  options.point_budget = GetParam();
   const ArticulatedModel& model = mechanism();
   const Configuration truth = mechanism_start(model);
   const TiledCloud cloud = cloud_of(measured(model, truth, "primesense"));
   Eigen::VectorXd step = Eigen::VectorXd::Constant(6 + model.tree.variables(), 0.005);
   step.segment<3>(3).setConstant(0.02);
-  ArticulatedRegistration alone(model, {}, Executor(1));
+  ArticulatedRegistration alone(model, options, Executor(1));
   const RegistrationResult first = alone.align(cloud, stepped(truth, step), {0.01, 5});
   for (const int threads : kThreads) {
-    ArticulatedRegistration registration(model, {}, Executor(threads));
+    ArticulatedRegistration registration(model, options, Executor(threads));
     registration.align(cloud, truth, {0.02, 3});  // leaves its traces in the workspace
     const RegistrationResult& again = registration.align(cloud, stepped(truth, step), {0.01, 5});
     expect_same_bits(again.configuration, first.configuration);
@@ -55,6 +60,8 @@ TEST(Determinism, OfOneRegistration) {
     EXPECT_EQ(again.free_cost, first.free_cost);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Budgets, DeterminismOfOneRegistration, ::testing::Values(0, 1500, 40000));
 
 TEST(Determinism, OfTheSearchWithoutAGuess) {
   const ArticulatedModel& model = shipped("rigid_block");

@@ -9,6 +9,8 @@
 #include "lockbox/registration/collision_term.hpp"
 #include "lockbox/registration/free_space_term.hpp"
 #include "lockbox/registration/model_term.hpp"
+#include "lockbox/registration/sampling_plan.hpp"
+#include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 #include "overlaps.hpp"
 #include "registration/mechanism.hpp"
@@ -73,11 +75,11 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
   std::vector<float> visible;
   for (const double spread : {0.0, 0.01}) {
     const Configuration at = displaced(0.7);
-    surface.render(model, poses(at), cloud.camera(), executor);
+    surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
     surface.label(cloud, options.cut * options.noise.lateral_pixels, executor, visible);
     ModelTerm term;
     std::vector<BodySystem> systems(model.tree.bodies.size());
-    const ModelTerm::Scene scene{model, cloud, visible, options, executor};
+    const ModelTerm::Scene scene{model, cloud, cloud.camera(), visible, options, executor};
     const double cost = term.linearize(scene, poses(at), spread, systems);
     EXPECT_NEAR(term.cost(scene, poses(at)), cost, 1e-5 * std::abs(cost));
     const NormalEquations analytic = mapped(systems, at);
@@ -95,17 +97,17 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
 TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
   const RegistrationOptions options;
-  // All that was measured before the wall is the object.
-  std::vector<float> explained(cloud.x().size());
-  std::transform(cloud.z().begin(), cloud.z().end(), explained.begin(),
-                 [](float z) { return z < 1.0F ? 2.0F : 0.0F; });
   const Configuration at = displaced(1.5);
   VisibleSurface surface;
-  surface.render(model, poses(at), cloud.camera(), executor);
+  surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
+  SamplingPlan plan;
+  plan.plan(surface.view(), 1, cloud.camera().fx, 0.0, surface.view().id.size(), executor);
+  ViewSamples samples;
+  samples.collect(surface, plan.density());
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
   constexpr double kSpread = 0.005;
-  term.select(model, surface, poses(at), cloud, explained, options, kSpread, executor);
+  term.select(model, surface, samples, poses(at), cloud, options, kSpread, executor);
   const double cost = term.linearize(poses(at), kSpread, systems);
   ASSERT_GT(term.pulled_samples(), 50U);
   EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));

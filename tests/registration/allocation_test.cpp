@@ -59,7 +59,7 @@ int allocations_of(ArticulatedRegistration& registration, const TiledCloud& clou
   return allocations;
 }
 
-TEST(Allocation, IsCounted) {
+TEST(CountingAllocations, SeesOne) {
   allocations = 0;
   counting = true;
   Eigen::VectorXd vector = Eigen::VectorXd::Zero(100);
@@ -67,19 +67,26 @@ TEST(Allocation, IsCounted) {
   EXPECT_EQ(allocations, 1) << vector.size();
 }
 
-TEST(Allocation, AWarmRegistrationTakesNoMemory) {
+class Allocation : public ::testing::TestWithParam<std::size_t> {};
+
+/// By point budget; 0: all points.
+TEST_P(Allocation, AWarmRegistrationTakesNoMemory) {
   const ArticulatedModel& model = mechanism();
   const Configuration truth = mechanism_start(model);
   const TiledCloud first = cloud_of(measured(model, truth, "primesense", 1));
   const TiledCloud second = cloud_of(measured(model, truth, "primesense", 2));
   Configuration start = truth;
   start.q[0] += 0.003;
-  ArticulatedRegistration registration(model, {}, Executor(1));
+  RegistrationOptions options;
+  options.point_budget = GetParam();
+  ArticulatedRegistration registration(model, options, Executor(1));
   const Annealing annealing{0.005, 5};
   registration.align(second, start, annealing);
   registration.align(first, start, annealing);
   EXPECT_EQ(allocations_of(registration, second, start, annealing), 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(OfPoints, Allocation, ::testing::Values(0, 2000, 40000));
 
 }  // namespace
 }  // namespace lockbox

@@ -73,5 +73,27 @@ TEST(Information, AHandleTellsTheAngle) {
   }
 }
 
+TEST(Information, WrongNormalsFeignWhatTheirMeanOverAllDirectionsSays) {
+  const std::vector<Eigen::Vector3d> points{{0.1, -0.2, 0.3}, {-0.05, 0.4, 0.02}, {0.3, 0.3, -0.1}};
+  constexpr double kWeight = 2.0;
+  constexpr double kVariance = 1e-3;
+  Matrix6 expected = Matrix6::Zero();
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : points) {
+    for (int axis = 0; axis < 3; ++axis) {  // any three orthogonal ones have the mean of all
+      const Eigen::Vector3d e = Eigen::Vector3d::Unit(axis);
+      Twist row;
+      row << e, p.cross(e);
+      expected += kWeight * kVariance * row * row.transpose();
+    }
+    first += kWeight * p;
+    second += kWeight * p * p.transpose();
+  }
+  BodySystem system;
+  system.add_feigned(kWeight * static_cast<double>(points.size()), first, second, kVariance);
+  EXPECT_LT((system.feigned - expected).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace lockbox

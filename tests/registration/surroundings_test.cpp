@@ -60,25 +60,25 @@ TEST(Surroundings, PointsAreLabelledByTheirDistanceFromTheOutline) {
   BodyPoses poses;
   forward_kinematics(model.tree, truth, poses);
   VisibleSurface surface;
-  surface.render(model, poses, cloud.camera(), Executor());
+  surface.render(model, poses, cloud.camera(), cloud.camera().width, Executor());
   constexpr double kLateral = 2.5;  // pixels
   std::vector<float> labels;
   surface.label(cloud, kLateral, Executor(), labels);
   int beside = 0;
-  for (int v = 40; v < cloud.camera().height; v += 60) {
-    for (int u = 3; u < cloud.camera().width; u += 16) {
-      const auto point = cloud.point_at(u, v);
-      if (!point) continue;
-      const int steps = std::min(steps_to_model(surface.view(), u, v), 255);
-      if (steps == 0) {
-        EXPECT_EQ(labels[*point], 0.0F);
-        continue;
-      }
-      const double pixels = std::sqrt(std::max(0.0, steps * steps - kLateral * kLateral));
-      const double metres = pixels / cloud.camera().fx * cloud.z()[*point];
-      EXPECT_NEAR(labels[*point], kernels::label_beside(static_cast<float>(metres)), 1e-6);
-      beside += steps < 100 ? 1 : 0;
+  for (std::size_t t = 0; t < cloud.tiles().size(); t += 7) {
+    if (cloud.tiles()[t].count == 0) continue;
+    const std::size_t point = cloud.tiles()[t].first;
+    const auto pixel = static_cast<int>(cloud.pixel()[point]);
+    const int width = cloud.camera().width;
+    const int steps = std::min(steps_to_model(surface.view(), pixel % width, pixel / width), 255);
+    if (steps == 0) {
+      EXPECT_EQ(labels[point], 0.0F);
+      continue;
     }
+    const double pixels = std::sqrt(std::max(0.0, steps * steps - kLateral * kLateral));
+    const double metres = pixels / cloud.camera().fx * cloud.z()[point];
+    EXPECT_NEAR(labels[point], kernels::label_beside(static_cast<float>(metres)), 1e-6);
+    beside += steps < 100 ? 1 : 0;
   }
   EXPECT_GT(beside, 20);
 }

@@ -6,7 +6,7 @@
 
 #include "check_frame.hpp"
 #include "lockbox/core/error.hpp"
-#include "lockbox/kernels/point_to_field.hpp"
+#include "pixel_rays.hpp"
 
 namespace lockbox {
 namespace {
@@ -22,21 +22,13 @@ bool hangs_between(float before, float depth, float after, float jump) {
 
 void TiledCloud::resize(const PinholeCamera& camera) {
   camera_ = camera;
+  mask_.clear();
   const auto pixels =
       static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
   depth_.resize(pixels);
   tile_columns_ = (camera.width + kTileSize - 1) / kTileSize;
   const int tile_rows = (camera.height + kTileSize - 1) / kTileSize;
   resize_tiles(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>(tile_rows));
-}
-
-void TiledCloud::resize_tiles(std::size_t count) {
-  tiles_.resize(count);
-  const std::size_t slots = tiles_.size() * kTilePoints;
-  x_.resize(slots);
-  y_.resize(slots);
-  z_.resize(slots);
-  pixel_.resize(slots);
 }
 
 void TiledCloud::assign(const DepthFrame& frame, const CloudOptions& options,
@@ -103,21 +95,18 @@ void TiledCloud::fill_tile(int column, int row) {
   Tile& tile = tiles_[index];
   tile.first = index * kTilePoints;
   tile.count = 0;
-  const auto fx = static_cast<float>(1.0 / camera_.fx);
-  const auto fy = static_cast<float>(1.0 / camera_.fy);
-  const auto cx = static_cast<float>(camera_.cx);
-  const auto cy = static_cast<float>(camera_.cy);
+  const PixelRays rays(camera_);
   const int last_u = std::min((column + 1) * kTileSize, camera_.width);
   const int last_v = std::min((row + 1) * kTileSize, camera_.height);
   std::size_t slot = tile.first;
   for (int v = row * kTileSize; v < last_v; ++v) {
-    const float ray_y = (static_cast<float>(v) - cy) * fy;
+    const float ray_y = rays.y(v);
     for (int u = column * kTileSize; u < last_u; ++u) {
       const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) +
                          static_cast<std::size_t>(u);
       const float z = depth_[pixel];
       if (z > 0.0F) {
-        x_[slot] = (static_cast<float>(u) - cx) * fx * z;
+        x_[slot] = rays.x(u) * z;
         y_[slot] = ray_y * z;
         z_[slot] = z;
         pixel_[slot] = static_cast<std::uint32_t>(pixel);
@@ -129,21 +118,17 @@ void TiledCloud::fill_tile(int column, int row) {
   finish_tile(tile);
 }
 
-void TiledCloud::finish_tile(Tile& tile) {
-  tile.bounds.setEmpty();
-  for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-    tile.bounds.extend(Eigen::Vector3f(x_[i], y_[i], z_[i]));
-  }
-  tile.padded = kernels::padded(tile.count);
-  for (std::size_t i = tile.first + tile.count; i < tile.first + tile.padded; ++i) {
-    x_[i] = y_[i] = z_[i] = kernels::kPadding;
-    pixel_[i] = 0;
-  }
-}
-
 void TiledCloud::keep(const std::vector<std::uint8_t>& mask) {
   if (mask.size() != depth_.size()) {
     throw InputError("mask of points to keep", "it does not have the size of the image");
+  }
+  if (mask_.empty()) {
+    mask_ = mask;
+  } else {
+    std::transform(mask.begin(), mask.end(), mask_.begin(), mask_.begin(),
+                   [](std::uint8_t now, std::uint8_t before) {
+                     return static_cast<std::uint8_t>(now != 0 && before != 0);
+                   });
   }
   for (Tile& tile : tiles_) {
     std::size_t slot = tile.first;
@@ -159,29 +144,6 @@ void TiledCloud::keep(const std::vector<std::uint8_t>& mask) {
     tile.count = slot - tile.first;
     finish_tile(tile);
   }
-}
-
-std::optional<std::size_t> TiledCloud::point_at(int u, int v) const {
-  const Tile& tile =
-      tiles_[static_cast<std::size_t>(v / kTileSize) * static_cast<std::size_t>(tile_columns_) +
-             static_cast<std::size_t>(u / kTileSize)];
-  if (tile.count == kTilePoints) {
-    return tile.first + static_cast<std::size_t>(v % kTileSize * kTileSize + u % kTileSize);
-  }
-  const auto pixel = static_cast<std::uint32_t>(v * camera_.width + u);
-  const auto begin = pixel_.begin() + static_cast<std::ptrdiff_t>(tile.first);
-  const auto end = begin + static_cast<std::ptrdiff_t>(tile.count);
-  const auto found = std::lower_bound(begin, end, pixel);  // a tile's pixels are in image order
-  if (found == end || *found != pixel) return std::nullopt;
-  return static_cast<std::size_t>(found - pixel_.begin());
-}
-
-std::size_t TiledCloud::valid_points() const {
-  std::size_t count = 0;
-  for (const Tile& tile : tiles_) {
-    count += tile.count;
-  }
-  return count;
 }
 
 }  // namespace lockbox

@@ -46,6 +46,7 @@ void TiledCloud::assign_unorganized(std::span<const Eigen::Vector3f> points,
                                     const PinholeCamera& camera) {
   camera_ = camera;
   depth_.clear();
+  mask_.clear();
   tile_columns_ = 0;
   std::vector<std::uint32_t> order;
   order.reserve(points.size());

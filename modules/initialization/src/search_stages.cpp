@@ -16,7 +16,7 @@ constexpr double kMedianNoise = 0.6;  // of the noise is left in the median of a
 constexpr double kHalfNoise = 0.85;   // of the noise is left in its blocks
 constexpr double kFineSlack = 0.003;  // metres
 constexpr double kHardlyLess = 0.95;
-constexpr double kEnoughSamples = 20.0;
+constexpr double kEnoughPixels = 80.0;
 constexpr double kFinePixel = 0.0028;  // metres: larger ones are worth looking at one by one
 constexpr std::size_t kLeastSamples = 20;
 constexpr std::size_t kMostRegions = 16;
@@ -47,8 +47,8 @@ std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
 double least_consent(const std::vector<Agreement>& bodies) {
   double least = 1.0;
   for (const Agreement& body : bodies) {
-    const double heard = (body.explained + body.contradicted) * body.samples;
-    if (heard >= kEnoughSamples) least = std::min(least, body.consent());
+    const double heard = (body.explained + body.contradicted) * body.pixels;
+    if (heard >= kEnoughPixels) least = std::min(least, body.consent());
   }
   return least;
 }

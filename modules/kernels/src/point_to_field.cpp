@@ -88,8 +88,7 @@ HWY_INLINE Float likelihood(const Float distance, const Float inverse_variance) 
 }
 
 template <bool WithWeights>
-double associate_points_with(const Candidates& candidates, std::span<float* const> weight,
-                             float* explained) {
+double associate_points_with(const Candidates& candidates, std::span<float* const> weight) {
   const FloatTag df;
   const float outlier_cost = 0.5F * candidates.cut * candidates.cut;
   const Float c = hn::Set(df, outlier_cost);
@@ -122,19 +121,17 @@ double associate_points_with(const Candidates& candidates, std::span<float* cons
         const Float w = hn::Mul(hn::LoadU(df, weight[l] + i), hn::Mul(inverse_sum, iv));
         hn::StoreU(w, df, weight[l] + i);
       }
-      hn::StoreU(gain, df, explained + i);
     }
   }
   return sum_of_lanes(total);
 }
 
-double associate_points(const Candidates& candidates, std::span<float* const> weight,
-                        float* explained) {
-  return associate_points_with<true>(candidates, weight, explained);
+double associate_points(const Candidates& candidates, std::span<float* const> weight) {
+  return associate_points_with<true>(candidates, weight);
 }
 
 double total_association_cost(const Candidates& candidates) {
-  return associate_points_with<false>(candidates, {}, nullptr);
+  return associate_points_with<false>(candidates, {});
 }
 
 NormalSums accumulate_points(std::size_t size, const FieldHits& hits, const float* weight) {
@@ -143,6 +140,9 @@ NormalSums accumulate_points(std::size_t size, const FieldHits& hits, const floa
   lanes.set_zero();
   Float squares = hn::Zero(df);
   Float count = hn::Zero(df);
+  Float mass = hn::Zero(df);
+  Float first[3] = {mass, mass, mass};
+  Float second[6] = {mass, mass, mass, mass, mass, mass};
   for (std::size_t i = 0; i < size; i += hn::Lanes(df)) {
     const Float w = hn::LoadU(df, weight + i);
     const Float d = hn::LoadU(df, hits.distance + i);
@@ -154,12 +154,23 @@ NormalSums accumulate_points(std::size_t size, const FieldHits& hits, const floa
     }
     const Float wd = hn::IfThenElseZero(hn::Gt(w, hn::Zero(df)), hn::Mul(w, d));
     lanes.add(p, n, w, wd);
+    mass = hn::Add(mass, w);
+    for (int row = 0, k = 0; row < 3; ++row) {
+      const Float wp = hn::IfThenElseZero(hn::Gt(w, hn::Zero(df)), hn::Mul(w, p[row]));
+      first[row] = hn::Add(first[row], wp);
+      for (int column = row; column < 3; ++column, ++k) {
+        second[k] = hn::MulAdd(wp, p[column], second[k]);
+      }
+    }
     squares = hn::MulAdd(wd, d, squares);
     const Float iv = hn::LoadU(df, hits.inverse_variance + i);
     count = hn::Add(count, hn::IfThenElseZero(hn::Gt(iv, hn::Zero(df)), hn::Div(w, iv)));
   }
   NormalSums sums{};
   lanes.write(sums);
+  sums.mass = sum_of_lanes(mass);
+  for (int k = 0; k < 3; ++k) sums.first_moment[k] = sum_of_lanes(first[k]);
+  for (int k = 0; k < 6; ++k) sums.second_moment[k] = sum_of_lanes(second[k]);
   sums.weighted_squares = sum_of_lanes(squares);
   sums.weight = sum_of_lanes(count);
   return sums;
@@ -187,8 +198,8 @@ void look_up_distance(const FieldView& field, const RigidMotion& body_from_camer
   HWY_DYNAMIC_DISPATCH(look_up_point_distances)(field, body_from_camera, points, distance);
 }
 
-double associate(const Candidates& candidates, std::span<float* const> weight, float* explained) {
-  return HWY_DYNAMIC_DISPATCH(associate_points)(candidates, weight, explained);
+double associate(const Candidates& candidates, std::span<float* const> weight) {
+  return HWY_DYNAMIC_DISPATCH(associate_points)(candidates, weight);
 }
 
 double association_cost(const Candidates& candidates) {

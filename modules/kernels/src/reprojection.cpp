@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/kernels/reprojection.hpp"
 
-#include <algorithm>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "reprojection.cpp"
 #include "hwy/foreach_target.h"
@@ -31,7 +29,7 @@ HWY_INLINE Float load_or_gather(const float* values, const Int index) {
 }
 
 /// p: points in the camera's frame.
-HWY_INLINE Landing land(const MeasuredDepth& image, const Float p[3]) {
+HWY_INLINE Landing land_lanes(const MeasuredDepth& image, const Float p[3]) {
   const FloatTag df;
   const IntTag di;
   const Intrinsics& camera = image.camera;
@@ -61,78 +59,41 @@ HWY_INLINE Landing land(const MeasuredDepth& image, const Float p[3]) {
           hn::IfThenElse(hn::RebindMask(di, undecided), hn::Set(di, kUndecided), pixel)};
 }
 
-/// One vector of columns from u on; depth and id are those of its lanes.
-HWY_INLINE void reproject_lanes(const float* depth, const std::int16_t* id, std::size_t u,
-                                std::int32_t row, const Intrinsics& drawn,
-                                std::span<const RigidMotion> motion, const MeasuredDepth& image,
-                                const Reprojected& result) {
+void land_points(const PointSpan& points, const RigidMotion& camera_from_body,
+                 const MeasuredDepth& image, const Landings& result) {
   const FloatTag df;
   const IntTag di;
-  const hn::Rebind<std::int16_t, IntTag> di16;
-  const Int bodies = hn::PromoteTo(di, hn::LoadU(di16, id));
-  auto left = hn::Gt(bodies, hn::Set(di, -1));
-  const Float z = hn::IfThenElse(hn::RebindMask(df, left), hn::LoadU(df, depth), hn::Set(df, 1.0F));
-  const Float column = hn::ConvertTo(df, hn::Iota(di, static_cast<std::int32_t>(u)));
-  const float ray_y = (static_cast<float>(row) - drawn.cy) / drawn.fy;
-  const Float ray_x = hn::Mul(hn::Sub(column, hn::Set(df, drawn.cx)), hn::Set(df, 1.0F / drawn.fx));
-  const Float p[3] = {hn::Mul(ray_x, z), hn::Mul(hn::Set(df, ray_y), z), z};
-  Float expected = hn::Zero(df);
-  Float measured = hn::Zero(df);
-  Int pixel = hn::Set(di, kOutside);
-  while (!hn::AllFalse(di, left)) {  // mostly once: neighbours show the same body
-    const std::int16_t body = id[hn::FindFirstTrue(di, left)];
-    const auto here = hn::Eq(bodies, hn::Set(di, body));
+  for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
+    const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
+                        hn::LoadU(df, points.z + i)};
     Float moved[3];
-    transform(motion[static_cast<std::size_t>(body)], p, moved);
-    const Landing landing = land(image, moved);
-    const auto here_f = hn::RebindMask(df, here);
-    expected = hn::IfThenElse(here_f, landing.depth, expected);
-    measured = hn::IfThenElse(here_f, landing.measured, measured);
-    pixel = hn::IfThenElse(here, landing.pixel, pixel);
-    left = hn::AndNot(here, left);
-  }
-  hn::StoreU(expected, df, result.expected + u);
-  hn::StoreU(measured, df, result.measured + u);
-  hn::StoreU(pixel, di, result.pixel + u);
-}
-
-void reproject_columns(const DrawnRow& row, const Intrinsics& drawn,
-                       std::span<const RigidMotion> motion, const MeasuredDepth& image,
-                       const Reprojected& result) {
-  const std::size_t lanes = hn::Lanes(FloatTag());
-  std::size_t u = 0;
-  for (; u + lanes <= row.columns; u += lanes) {
-    reproject_lanes(row.depth + u, row.id + u, u, row.row, drawn, motion, image, result);
-  }
-  if (u < row.columns) {
-    float depth[kLanes] = {};
-    std::int16_t id[kLanes];
-    std::fill_n(id, kLanes, std::int16_t{-1});
-    std::copy(row.depth + u, row.depth + row.columns, depth);
-    std::copy(row.id + u, row.id + row.columns, id);
-    reproject_lanes(depth, id, u, row.row, drawn, motion, image, result);
+    transform(camera_from_body, p, moved);
+    const Landing landing = land_lanes(image, moved);
+    hn::StoreU(landing.depth, df, result.expected + i);
+    hn::StoreU(landing.measured, df, result.measured + i);
+    hn::StoreU(landing.pixel, di, result.pixel + i);
   }
 }
 
-std::size_t columns_seen_through(const Reprojected& row, std::size_t columns,
-                                 const PointNoise& noise, float zone, std::uint32_t* result) {
+std::size_t points_seen_through(const Landings& landings, std::size_t size, const PointNoise& noise,
+                                float zone, std::uint32_t* result) {
   const FloatTag df;
   const IntTag di;
   std::size_t count = 0;
-  for (std::size_t u = 0; u < columns; u += hn::Lanes(df)) {
-    const Float z = hn::LoadU(df, row.expected + u);
-    const Int pixel = hn::LoadU(di, row.pixel + u);
+  for (std::size_t i = 0; i < size; i += hn::Lanes(df)) {
+    const Float z = hn::LoadU(df, landings.expected + i);
+    const Int pixel = hn::LoadU(di, landings.pixel + i);
     const Float sigma = hn::MulAdd(hn::Set(df, noise.depth_quadratic), hn::Mul(z, z),
                                    hn::Set(df, noise.depth_floor));
-    const Float behind = hn::Sub(hn::LoadU(df, row.measured + u), z);
+    const Float behind = hn::Sub(hn::LoadU(df, landings.measured + i), z);
     const auto deeper =
         hn::And(hn::RebindMask(di, hn::Gt(behind, hn::Mul(hn::Set(df, zone), sigma))),
                 hn::Gt(pixel, hn::Set(di, -1)));
     auto wanted = hn::Or(deeper, hn::Eq(pixel, hn::Set(di, kUndecided)));
     while (!hn::AllFalse(di, wanted)) {  // few are
       const std::size_t lane = static_cast<std::size_t>(hn::FindFirstTrue(di, wanted));
-      if (u + lane < columns) {
-        result[count++] = static_cast<std::uint32_t>(u + lane);
+      if (i + lane < size) {
+        result[count++] = static_cast<std::uint32_t>(i + lane);
       }
       wanted =
           hn::AndNot(hn::Eq(hn::Iota(di, 0), hn::Set(di, static_cast<std::int32_t>(lane))), wanted);
@@ -147,17 +108,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lockbox::kernels {
 
-HWY_EXPORT(reproject_columns);
-HWY_EXPORT(columns_seen_through);
+HWY_EXPORT(land_points);
+HWY_EXPORT(points_seen_through);
 
-void reproject(const DrawnRow& row, const Intrinsics& drawn, std::span<const RigidMotion> motion,
-               const MeasuredDepth& image, const Reprojected& result) {
-  HWY_DYNAMIC_DISPATCH(reproject_columns)(row, drawn, motion, image, result);
+void land(const PointSpan& points, const RigidMotion& camera_from_body, const MeasuredDepth& image,
+          const Landings& result) {
+  HWY_DYNAMIC_DISPATCH(land_points)(points, camera_from_body, image, result);
 }
 
-std::size_t seen_through(const Reprojected& row, std::size_t columns, const PointNoise& noise,
+std::size_t seen_through(const Landings& landings, std::size_t count, const PointNoise& noise,
                          float zone, std::uint32_t* result) {
-  return HWY_DYNAMIC_DISPATCH(columns_seen_through)(row, columns, noise, zone, result);
+  return HWY_DYNAMIC_DISPATCH(points_seen_through)(landings, count, noise, zone, result);
 }
 
 }  // namespace lockbox::kernels

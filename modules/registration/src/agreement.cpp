@@ -11,8 +11,6 @@
 namespace lockbox {
 namespace {
 
-constexpr std::size_t kStride = 4;  // of the visible samples; a share needs no more
-constexpr std::size_t kRowsPerChunk = 8;
 constexpr int kBeyond = 3;          // pixels of the view, across an outline
 constexpr float kRounding = 1e-5F;  // metres: more than single precision errs
 
@@ -22,7 +20,7 @@ std::size_t index(int width, int u, int v) {
 }
 
 /// Adds one sample to what it says of its body; nothing if it lies outside the image.
-void count(const ArticulatedModel& model, const VisibleSample& sample,
+void count(const ArticulatedModel& model, const ViewSample& sample,
            const Eigen::Isometry3d& T_camera_body, const TiledCloud& cloud,
            const RegistrationOptions& options, Agreement& counts) {
   const Eigen::Vector3d p = T_camera_body * sample.p_body.cast<double>();
@@ -31,10 +29,10 @@ void count(const ArticulatedModel& model, const VisibleSample& sample,
   if (!pixel) {
     return;
   }
-  ++counts.samples;
+  counts.pixels += sample.pixels;
   const auto measured = static_cast<double>(cloud.depth()[index(camera.width, pixel->u, pixel->v)]);
   if (measured <= 0.0) {
-    ++counts.unknown;
+    counts.unknown += sample.pixels;
     return;
   }
   const Eigen::Vector3d q = camera.back_project(pixel->u, pixel->v, measured);
@@ -43,9 +41,9 @@ void count(const ArticulatedModel& model, const VisibleSample& sample,
                               ->sample((T_camera_body.inverse() * q).cast<float>())
                               .distance);
   if (std::abs(distance) < options.cut * options.noise.sigma_z(p.z())) {
-    ++counts.explained;
+    counts.explained += sample.pixels;
   } else {
-    ++(measured > p.z() ? counts.contradicted : counts.occluded);
+    (measured > p.z() ? counts.contradicted : counts.occluded) += sample.pixels;
   }
 }
 
@@ -61,8 +59,9 @@ void look_beyond(const VisibleSurface& surface, const Pixel& sample, const Tiled
         view.id[index(view.width, u, v)] != kNothing) {
       continue;
     }
-    const double measured = static_cast<double>(cloud.depth()[index(
-        cloud.camera().width, u * surface.reduction(), v * surface.reduction())]);
+    const Pixel seen = surface.camera_pixel(u, v);
+    const double measured =
+        static_cast<double>(cloud.depth()[index(cloud.camera().width, seen.u, seen.v)]);
     const TangentPlane plane(view, sample.u, sample.v);
     const double expected = static_cast<double>(view.depth[index(view.width, sample.u, sample.v)]) *
                             plane.relative_depth(kBeyond * du, kBeyond * dv);
@@ -81,56 +80,50 @@ void add(const Agreement& counts, Agreement& sum) {
   sum.contradicted += counts.contradicted;
   sum.occluded += counts.occluded;
   sum.unknown += counts.unknown;
-  sum.samples += counts.samples;
+  sum.pixels += counts.pixels;
 }
 
 void make_shares(Agreement& counts) {
-  if (counts.samples == 0) {
+  if (counts.pixels == 0.0) {
     return;
   }
   for (double* share :
        {&counts.explained, &counts.contradicted, &counts.occluded, &counts.unknown}) {
-    *share /= counts.samples;
+    *share /= counts.pixels;
   }
 }
 
 }  // namespace
 
+struct AgreementMeter::Scene {
+  const ArticulatedModel& model;
+  const VisibleSurface& surface;
+  const ViewSamples& samples;
+  const BodyPoses& T_camera_body;
+  const TiledCloud& cloud;
+  const RegistrationOptions& options;
+};
+
 void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface& surface,
-                             const BodyPoses& T_camera_body, const TiledCloud& cloud,
-                             const RegistrationOptions& options, const Executor& executor) {
-  const std::size_t bodies = T_camera_body.size();
+                             const ViewSamples& samples, const BodyPoses& T_camera_body,
+                             const TiledCloud& cloud, const RegistrationOptions& options,
+                             const Executor& executor) {
   total_ = {};
-  bodies_.assign(bodies, {});
+  bodies_.assign(T_camera_body.size(), {});
   outline_ = {};
   if (!cloud.has_image()) {
     return;
   }
-  const auto rows = static_cast<std::size_t>(surface.view().height);
-  const std::size_t chunks = chunk_count(rows, kRowsPerChunk);
-  chunk_bodies_.assign(chunks * bodies, {});
+  reserve(executor);
+  const std::size_t chunks = samples.chunks().size();
+  chunk_counts_.assign(chunks, {});
   chunk_outlines_.assign(chunks, {});
-  const ReprojectedView reprojected(surface, T_camera_body, cloud, executor, scratch_);
-  reserve(executor, bodies, kRowsPerChunk * static_cast<std::size_t>(surface.view().width));
-  executor.for_each_chunk(
-      rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        const std::span<Agreement> counts(chunk_bodies_.data() + chunk * bodies, bodies);
-        const std::span<MeasuredPoints> points(points_.data() + Executor::worker() * bodies,
-                                               bodies);
-        for (auto v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
-          look_at_row(model, surface, T_camera_body, cloud, options, reprojected, v, points, counts,
-                      chunk_outlines_[chunk]);
-        }
-        for (std::size_t b = 0; b < bodies; ++b) {
-          count_points(model, surface, b, T_camera_body[b], cloud, options, points[b], counts[b]);
-        }
-      });
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-    for (std::size_t b = 0; b < bodies; ++b) {
-      add(chunk_bodies_[chunk * bodies + b], bodies_[b]);
-    }
-    outline_.samples += chunk_outlines_[chunk].samples;
-    outline_.goes_on += chunk_outlines_[chunk].goes_on;
+  const Scene scene{model, surface, samples, T_camera_body, cloud, options};
+  executor.for_each(chunks, [&](std::size_t chunk) { look_at_chunk(scene, chunk); });
+  for (std::size_t i = 0; i < chunks; ++i) {
+    add(chunk_counts_[i], bodies_[static_cast<std::size_t>(samples.chunks()[i].body)]);
+    outline_.samples += chunk_outlines_[i].samples;
+    outline_.goes_on += chunk_outlines_[i].goes_on;
   }
   for (Agreement& body : bodies_) {
     add(body, total_);
@@ -139,95 +132,81 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
   make_shares(total_);
 }
 
-void AgreementMeter::reserve(const Executor& executor, std::size_t bodies, std::size_t points) {
-  const std::size_t workers = static_cast<std::size_t>(executor.threads()) + 1;
-  points_.resize(workers * bodies);
-  for (MeasuredPoints& of_body : points_) {
-    of_body.size = 0;
-    of_body.view_pixel.resize(points);
-    for (auto* array : {&of_body.x, &of_body.y, &of_body.z, &of_body.expected, &of_body.distance}) {
-      array->resize(kernels::padded(points));
+void AgreementMeter::reserve(const Executor& executor) {
+  landings_.reserve(executor);
+  points_.resize(static_cast<std::size_t>(executor.threads()) + 1);
+  for (MeasuredPoints& points : points_) {
+    points.number.resize(ViewSamples::kMostInChunk);
+    for (auto* array : {&points.x, &points.y, &points.z, &points.expected, &points.distance}) {
+      array->resize(ViewSamples::kMostInChunk);
     }
   }
 }
 
 /// Counts what needs no field, and collects the measured points of which a field has to tell how
 /// far they lie from the body.
-void AgreementMeter::look_at_row(const ArticulatedModel& model, const VisibleSurface& surface,
-                                 const BodyPoses& T_camera_body, const TiledCloud& cloud,
-                                 const RegistrationOptions& options,
-                                 const ReprojectedView& reprojected, int v,
-                                 std::span<MeasuredPoints> points, std::span<Agreement> counts,
-                                 OutlineAgreement& outline) {
-  const RenderedDepth& view = surface.view();
-  const PinholeCamera& camera = cloud.camera();
-  const kernels::Reprojected row = reprojected.row(v);
-  std::size_t sample = surface.samples_before(v);
-  for (int u = 0; u < view.width; ++u) {
-    const std::size_t pixel = index(view.width, u, v);
-    if (view.id[pixel] == kNothing || sample++ % kStride != 0) {
-      continue;
-    }
-    look_beyond(surface, {u, v}, cloud, options, outline);
-    const auto body = static_cast<std::size_t>(view.id[pixel]);
-    const std::int32_t seen = row.pixel[u];
+void AgreementMeter::look_at_chunk(const Scene& scene, std::size_t chunk_index) {
+  const ViewSamples::Chunk& chunk = scene.samples.chunks()[chunk_index];
+  const auto& T_camera_body = scene.T_camera_body[static_cast<std::size_t>(chunk.body)];
+  const PinholeCamera& camera = scene.cloud.camera();
+  const kernels::Landings landings =
+      landings_.land(scene.samples, chunk, scene.T_camera_body, scene.cloud);
+  MeasuredPoints& points = points_[Executor::worker()];
+  points.size = 0;
+  Agreement& counts = chunk_counts_[chunk_index];
+  for (std::size_t k = 0; k < chunk.count; ++k) {
+    const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + k);
+    look_beyond(scene.surface, sample.pixel, scene.cloud, scene.options,
+                chunk_outlines_[chunk_index]);
+    const std::int32_t seen = landings.pixel[k];
     if (seen == kernels::kUndecided) {
-      count(model, surface.sample(u, v), T_camera_body[body], cloud, options, counts[body]);
-    } else if (seen != kernels::kOutside && row.measured[u] <= 0.0F) {
-      ++counts[body].samples;
-      ++counts[body].unknown;
+      count(scene.model, sample, T_camera_body, scene.cloud, scene.options, counts);
+    } else if (seen != kernels::kOutside && landings.measured[k] <= 0.0F) {
+      counts.pixels += sample.pixels;
+      counts.unknown += sample.pixels;
     } else if (seen != kernels::kOutside) {
-      MeasuredPoints& of_body = points[body];
-      const std::size_t i = of_body.size++;
-      const float z = row.measured[u];
+      const std::size_t i = points.size++;
+      const float z = landings.measured[k];
       const std::int32_t seen_row = seen / camera.width;
       const std::int32_t seen_column = seen % camera.width;
-      of_body.x[i] = (static_cast<float>(seen_column) - static_cast<float>(camera.cx)) /
-                     static_cast<float>(camera.fx) * z;
-      of_body.y[i] = (static_cast<float>(seen_row) - static_cast<float>(camera.cy)) /
-                     static_cast<float>(camera.fy) * z;
-      of_body.z[i] = z;
-      of_body.expected[i] = row.expected[u];
-      of_body.view_pixel[i] = static_cast<std::uint32_t>(pixel);
+      points.x[i] = (static_cast<float>(seen_column) - static_cast<float>(camera.cx)) /
+                    static_cast<float>(camera.fx) * z;
+      points.y[i] = (static_cast<float>(seen_row) - static_cast<float>(camera.cy)) /
+                    static_cast<float>(camera.fy) * z;
+      points.z[i] = z;
+      points.expected[i] = landings.expected[k];
+      points.number[i] = static_cast<std::uint32_t>(k);
     }
   }
+  count_points(scene, chunk, points, counts);
 }
 
-/// Counts the points collected, and forgets them.
-void AgreementMeter::count_points(const ArticulatedModel& model, const VisibleSurface& surface,
-                                  std::size_t body, const Eigen::Isometry3d& T_camera_body,
-                                  const TiledCloud& cloud, const RegistrationOptions& options,
+void AgreementMeter::count_points(const Scene& scene, const ViewSamples::Chunk& chunk,
                                   MeasuredPoints& points, Agreement& counts) {
-  const std::size_t size = points.size;
-  if (size == 0) {
-    return;
-  }
-  points.size = 0;
-  const std::size_t padded = kernels::padded(size);
+  const auto body = static_cast<std::size_t>(chunk.body);
+  const Eigen::Isometry3d& T_camera_body = scene.T_camera_body[body];
+  const std::size_t padded = kernels::padded(points.size);
   for (auto* array : {&points.x, &points.y, &points.z}) {
-    std::fill(array->begin() + static_cast<std::ptrdiff_t>(size),
+    std::fill(array->begin() + static_cast<std::ptrdiff_t>(points.size),
               array->begin() + static_cast<std::ptrdiff_t>(padded), kernels::kPadding);
   }
-  kernels::look_up_distance(model.fields[body]->view(), to_rigid_motion(T_camera_body.inverse()),
-                            {points.x.data(), points.y.data(), points.z.data(), padded},
-                            points.distance.data());
-  for (std::size_t i = 0; i < size; ++i) {
+  kernels::look_up_distance(
+      scene.model.fields[body]->view(), to_rigid_motion(T_camera_body.inverse()),
+      {points.x.data(), points.y.data(), points.z.data(), padded}, points.distance.data());
+  for (std::size_t i = 0; i < points.size; ++i) {
     const float gate = static_cast<float>(
-        options.cut * options.noise.sigma_z(static_cast<double>(points.expected[i])));
+        scene.options.cut * scene.options.noise.sigma_z(static_cast<double>(points.expected[i])));
     const float distance = std::abs(points.distance[i]);
     const float behind = points.z[i] - points.expected[i];
+    const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + points.number[i]);
     if (distance < gate - kRounding) {
-      ++counts.samples;
-      ++counts.explained;
+      counts.pixels += sample.pixels;
+      counts.explained += sample.pixels;
     } else if (distance > gate + kRounding && std::abs(behind) > kRounding) {
-      ++counts.samples;
-      ++(behind > 0.0F ? counts.contradicted : counts.occluded);
+      counts.pixels += sample.pixels;
+      (behind > 0.0F ? counts.contradicted : counts.occluded) += sample.pixels;
     } else {
-      const auto width = static_cast<std::uint32_t>(surface.view().width);
-      count(model,
-            surface.sample(static_cast<int>(points.view_pixel[i] % width),
-                           static_cast<int>(points.view_pixel[i] / width)),
-            T_camera_body, cloud, options, counts);
+      count(scene.model, sample, T_camera_body, scene.cloud, scene.options, counts);
     }
   }
 }

@@ -20,6 +20,11 @@ constexpr double kStaleView = 0.002;  // metres that surfaces may move before th
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
+constexpr std::size_t kViewSamples = 40000;  // of the visible surface, where points have no budget
+// One ray a pixel for common sensors: where parts end is decided by few. That takes so many points.
+constexpr int kFineColumns = 640;
+constexpr int kCoarseColumns = 320;
+constexpr std::size_t kLeastForFineView = 15000;
 constexpr double kSignificant = 2.0;  // standard deviations: more than noise mostly moves
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
@@ -99,7 +104,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   selected_spread_ = kNeverSelected;
   linearized_spread_.reset();
   ahead_spread_.reset();
-  look_at(cloud, start);
+  look_at(cloud, start, annealing.spread);
   const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
   bool go_on = true;
   const auto spread_of = [&](int k) {
@@ -121,7 +126,9 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   tile_systems_.clear();
   model_term_.append_tile_systems(tile_systems_);
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
-    free_term_.append_tile_systems(poses_, tile_systems_);
+    // Thinned points have tiles of their own.
+    const std::size_t first_tile = points_ == &thinned_ ? thinned_.tiles().size() : 0;
+    free_term_.append_tile_systems(poses_, first_tile, tile_systems_);
   }
   covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
                        scale_, levers_, held_);
@@ -129,7 +136,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();
   result_.last_move = significant_move(last_step_);
-  agreement_.measure(model_, surface_, poses_, cloud, options_, executor_);
+  agreement_.measure(model_, surface_, samples_, poses_, cloud, options_, executor_);
   result_.agreement = agreement_.total();
   result_.body_agreement = agreement_.bodies();
   result_.outline = agreement_.outline();
@@ -140,17 +147,34 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   return result_;
 }
 
-/// Draws what the configuration shows. What lies farther beside that than it may be off is
-/// something else: the wall that it hangs on, the table that it stands on.
-void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configuration& configuration) {
+/// Draws what the configuration shows, and chooses where to look. What lies farther beside that
+/// than it may be off is something else: the wall that it hangs on, the table that it stands on.
+void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configuration& configuration,
+                                      double spread) {
   rendered_ = configuration;
+  points_ = &cloud;
   if (!cloud.has_image()) {
     visible_.assign(cloud.x().size(), kernels::label_beside(0.0F));
     return;
   }
   forward_kinematics(model_.tree, configuration, poses_);
-  surface_.render(model_, poses_, cloud.camera(), executor_);
-  surface_.label(cloud, options_.cut * options_.noise.lateral_pixels, executor_, visible_);
+  const bool is_thinned = options_.point_budget > 0;
+  const bool is_coarse = is_thinned && options_.point_budget < kLeastForFineView;
+  surface_.render(model_, poses_, cloud.camera(), is_coarse ? kCoarseColumns : kFineColumns,
+                  executor_);
+  const double lateral = options_.cut * options_.noise.lateral_pixels;
+  plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx,
+             options_.cut * spread, is_thinned ? options_.point_budget : kViewSamples, executor_);
+  samples_.collect(surface_, plan_.density());
+  if (is_thinned) {
+    thinned_.assign(cloud, plan_.density());
+    points_ = &thinned_;
+  }
+  surface_.label(*points_, lateral, executor_, visible_);
+}
+
+ModelTerm::Scene ArticulatedRegistration::scene(const TiledCloud& cloud) const {
+  return {model_, *points_, cloud.camera(), visible_, options_, executor_};
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
@@ -158,15 +182,14 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
     return cost_;  // the last step was not taken
   }
   if (surface_distance(rendered_, result_.configuration) > kStaleView) {
-    look_at(cloud, result_.configuration);
+    look_at(cloud, result_.configuration, spread);
   }
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
   std::fill(systems_.begin(), systems_.end(), BodySystem{});
   result_.model_cost = ahead_spread_ == spread
                            ? model_term_.take_ahead(systems_)
-                           : model_term_.linearize({model_, cloud, visible_, options_, executor_},
-                                                   poses_, spread, systems_);
+                           : model_term_.linearize(scene(cloud), poses_, spread, systems_);
   ahead_spread_.reset();
   result_.free_cost = 0.0;
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
@@ -192,8 +215,7 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
       surface_distance(selected_, result_.configuration) < kStaleSelection) {
     return;
   }
-  free_term_.select(model_, surface_, poses_, cloud, model_term_.explained(), options_, spread,
-                    executor_);
+  free_term_.select(model_, surface_, samples_, poses_, cloud, options_, spread, executor_);
   selected_ = result_.configuration;
   selected_spread_ = spread;
 }
@@ -201,10 +223,9 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
 /// With next_spread, the model term is linearised there on the way.
 double ArticulatedRegistration::cost_at(const TiledCloud& cloud, const Configuration& configuration,
                                         std::optional<double> next_spread) {
-  const ModelTerm::Scene scene{model_, cloud, visible_, options_, executor_};
   forward_kinematics(model_.tree, configuration, trial_poses_);
-  double cost = next_spread ? model_term_.cost_ahead(scene, trial_poses_, *next_spread)
-                            : model_term_.cost(scene, trial_poses_);
+  double cost = next_spread ? model_term_.cost_ahead(scene(cloud), trial_poses_, *next_spread)
+                            : model_term_.cost(scene(cloud), trial_poses_);
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
     cost += free_term_.cost(trial_poses_);
   }

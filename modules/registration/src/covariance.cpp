@@ -16,6 +16,8 @@ constexpr double kBaseFloor = 0.05e-3;                             // metres
 constexpr double kBaseTurnFloor = 0.005 * std::numbers::pi / 180;  // radians
 constexpr double kJointFloor = 0.15e-3;                            // metres at a part's far end
 
+constexpr int kEnoughTiles = 8;  // to tell how much they vary
+
 constexpr double kObservableShare = 0.1;  // of a unit: where the solver, too, draws the line
 
 /// lever: metres that surfaces move for a unit of the unknown, at most.
@@ -26,14 +28,18 @@ double systematic_floor(Index unknown, double lever) {
   return lever > 0.0 ? kJointFloor / lever : 0.0;
 }
 
+bool is_same_part(const TileSystem& a, const TileSystem& b) {
+  return a.tile == b.tile && a.body == b.body && a.pixels == b.pixels;
+}
+
 /// Brings all that speaks for the same body in the same tile together.
 void merge(std::vector<TileSystem>& tiles) {
   std::sort(tiles.begin(), tiles.end(), [](const TileSystem& a, const TileSystem& b) {
-    return std::tie(a.tile, a.body) < std::tie(b.tile, b.body);
+    return std::tie(a.tile, a.body, a.pixels) < std::tie(b.tile, b.body, b.pixels);
   });
   std::size_t last = 0;
   for (std::size_t i = 1; i < tiles.size(); ++i) {
-    if (tiles[i].tile == tiles[last].tile && tiles[i].body == tiles[last].body) {
+    if (is_same_part(tiles[i], tiles[last])) {
       tiles[last].hessian += tiles[i].hessian;
       tiles[last].gradient += tiles[i].gradient;
     } else {
@@ -43,19 +49,32 @@ void merge(std::vector<TileSystem>& tiles) {
   tiles.resize(std::min(tiles.size(), last + 1));
 }
 
-/// How much more the mean residual of a tile varies than if all its residuals were independent and
-/// as large as assumed.
-double dispersion(const std::vector<TileSystem>& tiles) {
-  double squares = 0.0;
-  double expected = 0.0;
+}  // namespace
+
+/// Residuals that stand for many pixels lie far apart, and err more independently.
+void CovarianceEstimator::measure_dispersion(const std::vector<TileSystem>& tiles) {
+  dispersions_.assign(1, {0.0, 0.0, 0.0, 0});
   for (const TileSystem& tile : tiles) {
-    squares += tile.gradient.head<3>().squaredNorm();
-    expected += tile.hessian.topLeftCorner<3, 3>().trace();
+    auto own = std::find_if(dispersions_.begin() + 1, dispersions_.end(),
+                            [&](const Dispersion& d) { return d.pixels == tile.pixels; });
+    if (own == dispersions_.end()) {
+      own = dispersions_.insert(own, {tile.pixels, 0.0, 0.0, 0});
+    }
+    for (Dispersion* sum : {&dispersions_.front(), &*own}) {
+      sum->squares += tile.gradient.head<3>().squaredNorm();
+      sum->expected += tile.hessian.topLeftCorner<3, 3>().trace();
+      ++sum->tiles;
+    }
   }
-  return expected > 0.0 ? squares / expected : 0.0;
 }
 
-}  // namespace
+double CovarianceEstimator::dispersion(double pixels) const {
+  const auto own = std::find_if(
+      dispersions_.begin() + 1, dispersions_.end(),
+      [&](const Dispersion& d) { return d.pixels == pixels && d.tiles >= kEnoughTiles; });
+  const Dispersion& found = own != dispersions_.end() ? *own : dispersions_.front();
+  return found.expected > 0.0 ? found.squares / found.expected : 0.0;
+}
 
 /// bread_: the inverse of the information, without the directions of which there is too little;
 /// unknown_modes_: 1 for those.
@@ -109,15 +128,14 @@ void CovarianceEstimator::restore_what_was_followed(const std::vector<TileSystem
     body_covariances_[b].noalias() = image_.lazyProduct(jacobians[b].transpose());
     body_covariances_[b] /= noise_correlation;
   }
+  measure_dispersion(tiles);
   followed_.assign(jacobians.size(), Matrix6::Zero());
   for (const TileSystem& tile : tiles) {
     const auto body = static_cast<std::size_t>(tile.body);
-    const Matrix6 response = tile.hessian * body_covariances_[body];
+    const Matrix6 response = dispersion(tile.pixels) * tile.hessian * body_covariances_[body];
     followed_[body].noalias() += response * tile.hessian;
   }
-  const double factor = dispersion(tiles);
   for (std::size_t b = 0; b < jacobians.size(); ++b) {
-    followed_[b] *= factor;
     image_.noalias() = followed_[b].lazyProduct(jacobians[b]);
     scatter_.noalias() += jacobians[b].transpose().lazyProduct(image_);
   }

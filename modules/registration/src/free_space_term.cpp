@@ -10,7 +10,6 @@
 namespace lockbox {
 namespace {
 
-constexpr std::size_t kRowsPerChunk = 8;
 constexpr double kLeastWeight = 1e-3;  // below it a sample is not worth keeping
 constexpr double kSurely = 0.99;       // of the dead zone
 /// Samples seen through that are looked at: near the solution all of them, for there each counts.
@@ -45,16 +44,18 @@ Eigen::Vector3d across_ray(const Eigen::Vector3d& p, const PinholeCamera& camera
 /// Selects and aims the pulls of one linearisation.
 class PullFinder {
  public:
-  PullFinder(const ArticulatedModel& model, const VisibleSurface& surface, const TiledCloud& cloud,
-             const std::vector<float>& explained, const RegistrationOptions& options, double spread)
+  PullFinder(const ArticulatedModel& model, const VisibleSurface& surface,
+             const BodyPoses& T_body_camera, const TiledCloud& cloud,
+             const RegistrationOptions& options, double spread)
       : model_(model),
         surface_(surface),
         camera_(cloud.camera()),
-        observed_(cloud, explained, options),
-        cut_(options.cut),
+        observed_(model, surface, T_body_camera, cloud, options, spread),
+        options_(options),
         spread_(spread) {}
 
-  std::optional<FreeSpacePull> find(const VisibleSample& sample,
+  /// weight: how many samples this one stands for.
+  std::optional<FreeSpacePull> find(const ViewSample& sample, double weight,
                                     const Eigen::Isometry3d& T_camera_body) const {
     const Eigen::Vector3d p_body = sample.p_body.cast<double>();
     const Eigen::Vector3d p = T_camera_body * p_body;
@@ -62,12 +63,13 @@ class PullFinder {
     if (!pixel || !observed_.sees_through(*pixel, p.z(), 0.0)) {
       return std::nullopt;
     }
-    const TangentPlane plane(surface_.view(), sample.u, sample.v);
+    const TangentPlane plane(surface_.view(), sample.pixel.u, sample.pixel.v);
     if (!observed_.sees_through(*pixel, p.z(), plane.steepness() / surface_.reduction())) {
       return std::nullopt;
     }
     return aim(sample, plane, T_camera_body,
-               {p_body, p, Eigen::Vector3d::Zero(), 0.0, 0.0, sample.body, tile_of(*pixel)},
+               {p_body, p, Eigen::Vector3d::Zero(), 0.0, 0.0, sample.pixels * weight, sample.body,
+                tile_of(*pixel)},
                *pixel);
   }
 
@@ -81,20 +83,20 @@ class PullFinder {
   /// pull goes along the outline's normal: the nearest observed pixel lies in a direction that the
   /// grid decides, and would hold the body against sliding along its own outline. Elsewhere the
   /// pull goes to the nearest observed point.
-  std::optional<FreeSpacePull> aim(const VisibleSample& sample, const TangentPlane& plane,
+  std::optional<FreeSpacePull> aim(const ViewSample& sample, const TangentPlane& plane,
                                    const Eigen::Isometry3d& T_camera_body, FreeSpacePull pull,
                                    const Pixel& pixel) const {
     const Eigen::Vector3d p = pull.target;
     const Eigen::Vector2d normal =
-        outline_normal(surface_.view(), plane, sample.u, sample.v,
+        outline_normal(surface_.view(), plane, sample.pixel.u, sample.pixel.v,
                        static_cast<double>(surface_.reduction()) / camera_.fx);
     if (!normal.isZero()) {
       return aim_beyond_outline(T_camera_body, pull, across_ray(p, camera_, normal));
     }
-    if (observed_.shows_object(pixel)) {
+    if (observed_.shows_object(pixel, pull.body)) {
       return std::nullopt;  // the tail of the noise: this point has its say in the model term
     }
-    const auto nearest = observed_.nearest(p, pixel);
+    const auto nearest = observed_.nearest(p, pixel, pull.body);
     if (!nearest || (p - *nearest).norm() < 1e-9) {
       return std::nullopt;
     }
@@ -145,74 +147,78 @@ class PullFinder {
     pull.direction_variance = kNormalVariance;
     const double residual = pull.direction.dot(p - pull.target);
     const double inverse_variance = 1.0 / (pull.variance + spread_ * spread_);
-    return loss(residual, inverse_variance, cut_).weight > kLeastWeight ? std::optional(pull)
-                                                                        : std::nullopt;
+    return loss(residual, inverse_variance, options_.cut).weight > kLeastWeight
+               ? std::optional(pull)
+               : std::nullopt;
   }
 
   const ArticulatedModel& model_;
   const VisibleSurface& surface_;
   const PinholeCamera& camera_;
   const ObservedSurface observed_;
-  double cut_;
+  const RegistrationOptions& options_;
   double spread_;
 };
 
 }  // namespace
 
 void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& surface,
-                           const BodyPoses& T_camera_body, const TiledCloud& cloud,
-                           const std::vector<float>& explained, const RegistrationOptions& options,
+                           const ViewSamples& samples, const BodyPoses& T_camera_body,
+                           const TiledCloud& cloud, const RegistrationOptions& options,
                            double spread, const Executor& executor) {
-  collect_seen_through(surface, T_camera_body, cloud, options, executor);
-  const std::size_t samples = chunk_begins_.back();
-  const std::size_t stride = std::max<std::size_t>(1, (samples + kMostSamples - 1) / kMostSamples);
-  weight_ = options.lambda_free * surface.pixels_per_sample() * static_cast<double>(stride);
+  collect_seen_through(samples, T_camera_body, cloud, options, executor);
+  const std::size_t seen = chunk_begins_.back();
+  const std::size_t stride = std::max<std::size_t>(1, (seen + kMostSamples - 1) / kMostSamples);
+  lambda_ = options.lambda_free;
   cut_ = options.cut;
-  const PullFinder finder(model, surface, cloud, explained, options, spread);
-  const std::size_t chunks = chunk_begins_.size() - 1;
+  T_body_camera_.resize(T_camera_body.size());
+  for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
+    T_body_camera_[b] = T_camera_body[b].inverse();
+  }
+  const PullFinder finder(model, surface, T_body_camera_, cloud, options, spread);
+  const std::size_t chunks = samples.chunks().size();
   chunk_pulls_.resize(std::max(chunk_pulls_.size(), chunks));
-  executor.for_each(chunks, [&](std::size_t chunk) {
-    chunk_pulls_[chunk].clear();
-    const std::size_t first = chunk_begins_[chunk];
-    const std::size_t skipped = (stride - first % stride) % stride;  // counted through all chunks
-    for (std::size_t i = skipped; i < chunk_seen_[chunk].size(); i += stride) {
-      const Pixel& pixel = chunk_seen_[chunk][i];
-      const VisibleSample sample = surface.sample(pixel.u, pixel.v);
-      if (const auto pull =
-              finder.find(sample, T_camera_body[static_cast<std::size_t>(sample.body)])) {
-        chunk_pulls_[chunk].push_back(*pull);
+  executor.for_each(chunks, [&](std::size_t i) {
+    const ViewSamples::Chunk& chunk = samples.chunks()[i];
+    const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(chunk.body)];
+    chunk_pulls_[i].clear();
+    const std::size_t skipped = (stride - chunk_begins_[i] % stride) % stride;
+    for (std::size_t k = skipped; k < chunk_seen_[i].size(); k += stride) {
+      const ViewSample sample = samples.sample(chunk.body, chunk.first + chunk_seen_[i][k]);
+      if (const auto pull = finder.find(sample, static_cast<double>(stride), T)) {
+        chunk_pulls_[i].push_back(*pull);
       }
     }
   });
   pulls_.clear();
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-    pulls_.insert(pulls_.end(), chunk_pulls_[chunk].begin(), chunk_pulls_[chunk].end());
+  for (std::size_t i = 0; i < chunks; ++i) {
+    pulls_.insert(pulls_.end(), chunk_pulls_[i].begin(), chunk_pulls_[i].end());
   }
 }
 
-/// Which pixels of the view the camera sees through, chunk by chunk.
-void FreeSpaceTerm::collect_seen_through(const VisibleSurface& surface,
-                                         const BodyPoses& T_camera_body, const TiledCloud& cloud,
+/// Which samples the camera sees through, chunk by chunk.
+void FreeSpaceTerm::collect_seen_through(const ViewSamples& samples, const BodyPoses& T_camera_body,
+                                         const TiledCloud& cloud,
                                          const RegistrationOptions& options,
                                          const Executor& executor) {
-  const ReprojectedView reprojected(surface, T_camera_body, cloud, executor, scratch_);
-  const auto rows = static_cast<std::size_t>(surface.view().height);
-  const std::size_t chunks = chunk_count(rows, kRowsPerChunk);
+  landings_.reserve(executor);
+  const std::size_t chunks = samples.chunks().size();
   chunk_seen_.resize(std::max(chunk_seen_.size(), chunks));
-  executor.for_each_chunk(
-      rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        chunk_seen_[chunk].clear();
-        for (auto v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
-          // Somewhat fewer deviations than the dead zone: single precision errs by less.
-          for (const std::uint32_t u :
-               reprojected.seen_through(v, options.noise, kSurely * options.free_space_dead_zone)) {
-            chunk_seen_[chunk].push_back({static_cast<int>(u), v});
-          }
-        }
-      });
+  const kernels::PointNoise along_ray{static_cast<float>(options.noise.depth_floor),
+                                      static_cast<float>(options.noise.depth_quadratic), 0.0F,
+                                      0.0F};
+  executor.for_each(chunks, [&](std::size_t i) {
+    const ViewSamples::Chunk& chunk = samples.chunks()[i];
+    const kernels::Landings landings = landings_.land(samples, chunk, T_camera_body, cloud);
+    chunk_seen_[i].resize(chunk.count);
+    // Somewhat fewer deviations than the dead zone: single precision errs by less.
+    chunk_seen_[i].resize(kernels::seen_through(
+        landings, chunk.count, along_ray,
+        static_cast<float>(kSurely * options.free_space_dead_zone), chunk_seen_[i].data()));
+  });
   chunk_begins_.assign(1, 0);
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-    chunk_begins_.push_back(chunk_begins_.back() + chunk_seen_[chunk].size());
+  for (std::size_t i = 0; i < chunks; ++i) {
+    chunk_begins_.push_back(chunk_begins_.back() + chunk_seen_[i].size());
   }
 }
 
@@ -224,7 +230,8 @@ double FreeSpaceTerm::linearize(const BodyPoses& T_camera_body, double spread,
     BodySystem& system = systems[static_cast<std::size_t>(pull.body)];
     system.hessian += own.hessian;
     system.gradient += own.gradient;
-    system.add_feigned(pull.p_body, own.hessian.topLeftCorner<3, 3>().trace(),
+    const double mass = own.hessian.topLeftCorner<3, 3>().trace();
+    system.add_feigned(mass, mass * pull.p_body, mass * pull.p_body * pull.p_body.transpose(),
                        pull.direction_variance);
   }
   return cost(T_camera_body);
@@ -235,17 +242,19 @@ TileSystem FreeSpaceTerm::system_of(const FreeSpacePull& pull,
   const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
   const double residual = pull.direction.dot(T * pull.p_body - pull.target);
   const double inverse_variance = 1.0 / (pull.variance + spread2_);
-  const double w = weight_ * loss(residual, inverse_variance, cut_).weight * inverse_variance;
+  const double w =
+      lambda_ * pull.pixels * loss(residual, inverse_variance, cut_).weight * inverse_variance;
   const Eigen::Vector3d n_body = T.linear().transpose() * pull.direction;
   Twist row;
   row << n_body, pull.p_body.cross(n_body);
-  return {pull.tile, pull.body, w * row * row.transpose(), w * residual * row};
+  return {pull.tile, pull.body, pull.pixels, w * row * row.transpose(), w * residual * row};
 }
 
-void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body,
+void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
                                         std::vector<TileSystem>& systems) const {
   for (const FreeSpacePull& pull : pulls_) {
     systems.push_back(system_of(pull, T_camera_body));
+    systems.back().tile += first_tile;
   }
 }
 
@@ -254,7 +263,8 @@ double FreeSpaceTerm::cost(const BodyPoses& T_camera_body) const {
   for (const FreeSpacePull& pull : pulls_) {
     const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
     const double residual = pull.direction.dot(T * pull.p_body - pull.target);
-    total -= weight_ * loss(residual, 1.0 / (pull.variance + spread2_), cut_).explained;
+    total -=
+        lambda_ * pull.pixels * loss(residual, 1.0 / (pull.variance + spread2_), cut_).explained;
   }
   return total;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/registration/rigid_motion.hpp"
@@ -14,9 +15,9 @@ namespace {
 constexpr std::size_t kMaxCandidates = 16;  // bodies that may compete for the points of a tile
 constexpr std::size_t kArraysPerCandidate = 9;
 
-kernels::PointSpan points_of(const TiledCloud& cloud, const Tile& tile) {
-  return {cloud.x().data() + tile.first, cloud.y().data() + tile.first,
-          cloud.z().data() + tile.first, tile.padded};
+kernels::PointSpan points_of(const PointTiles& points, const Tile& tile) {
+  return {points.x().data() + tile.first, points.y().data() + tile.first,
+          points.z().data() + tile.first, tile.padded};
 }
 
 kernels::PointNoise point_noise(const SensorNoise& noise, const PinholeCamera& camera,
@@ -34,15 +35,21 @@ double gate_of(const Tile& tile, const PinholeCamera& camera, const Registration
   return options.cut * std::hypot(sigma, spread);
 }
 
-BodySystem to_system(const kernels::NormalSums& sums) {
+BodySystem to_system(const kernels::NormalSums& sums, double weight) {
   BodySystem system;
   int k = 0;
   for (int row = 0; row < 6; ++row) {
     for (int column = row; column < 6; ++column) {
-      system.hessian(row, column) = system.hessian(column, row) = sums.hessian[k++];
+      system.hessian(row, column) = system.hessian(column, row) = weight * sums.hessian[k++];
     }
-    system.gradient[row] = sums.gradient[row];
+    system.gradient[row] = weight * sums.gradient[row];
   }
+  const double* second = sums.second_moment;
+  Eigen::Matrix3d second_moment;
+  second_moment << second[0], second[1], second[2], second[1], second[3], second[4], second[2],
+      second[4], second[5];
+  system.add_feigned(weight * sums.mass, weight * Eigen::Vector3d(sums.first_moment),
+                     weight * second_moment, kNormalVariance);
   return system;
 }
 
@@ -53,8 +60,8 @@ BodySystem& sum_of(std::vector<std::pair<int, BodySystem>>& sums, int body) {
   return found != sums.end() ? found->second : sums.emplace_back(body, BodySystem{}).second;
 }
 
-std::size_t tiles_in_chunk(const TiledCloud& cloud, std::size_t first, std::size_t most) {
-  return std::min(most, cloud.tiles().size() - first);
+std::size_t tiles_in_chunk(const PointTiles& points, std::size_t first, std::size_t most) {
+  return std::min(most, points.tiles().size() - first);
 }
 
 }  // namespace
@@ -111,17 +118,16 @@ void ModelTerm::begin(const Scene& scene, const BodyPoses& T_camera_body) {
     body.from_camera = to_rigid_motion(body.T_body_camera);
     body.box = OrientedBox(field ? field->bounds() : Eigen::AlignedBox3d(), T_camera_body[b]);
   }
-  const std::size_t chunks = chunk_count(scene.cloud.tiles().size(), kTilesPerChunk);
-  chunk_costs_.assign(chunks, 0.0);
+  chunks_ = chunk_count(scene.points.tiles().size(), kTilesPerChunk);
+  chunk_costs_.assign(chunks_, 0.0);
   scratch_.resize(static_cast<std::size_t>(scene.executor.threads()) + 1);
 }
 
 /// Makes room for whatever may be selected, so that nothing is allocated later.
-void ModelTerm::prepare(const Scene& scene, Linearization& linearization) const {
-  linearization.chunks.resize(chunk_count(scene.cloud.tiles().size(), kTilesPerChunk));
-  linearization.explained.resize(scene.cloud.x().size());
+void ModelTerm::prepare(Linearization& linearization) const {
+  linearization.resize(std::max(linearization.size(), chunks_));
   const std::size_t most = kTilesPerChunk * std::min(kMaxCandidates, bodies_.size());
-  for (Chunk& chunk : linearization.chunks) {
+  for (Chunk& chunk : linearization) {
     chunk.bodies.reserve(most);
     chunk.body_numbers.reserve(most);
     chunk.inverse_variance.reserve(most * kTilePoints);
@@ -132,16 +138,16 @@ void ModelTerm::prepare(const Scene& scene, Linearization& linearization) const 
 
 void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index, double spread,
                                   Chunk& chunk) const {
-  const TiledCloud& cloud = scene.cloud;
+  const PointTiles& points = scene.points;
   const std::size_t first = chunk_index * kTilesPerChunk;
-  const std::size_t tiles = tiles_in_chunk(cloud, first, kTilesPerChunk);
+  const std::size_t tiles = tiles_in_chunk(points, first, kTilesPerChunk);
   Eigen::AlignedBox3f bounds;
   std::array<double, kTilesPerChunk> gates{};
   for (std::size_t k = 0; k < tiles; ++k) {
-    const Tile& tile = cloud.tiles()[first + k];
+    const Tile& tile = points.tiles()[first + k];
     if (tile.count > 0) {
       bounds.extend(tile.bounds);
-      gates[k] = gate_of(tile, cloud.camera(), scene.options, spread);
+      gates[k] = gate_of(tile, scene.camera, scene.options, spread);
     }
   }
   const double widest = *std::max_element(gates.begin(), gates.end());
@@ -154,7 +160,7 @@ void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index, d
   chunk.bodies.clear();
   for (std::size_t k = 0; k < tiles; ++k) {
     chunk.first[k] = chunk.bodies.size();
-    const Tile& tile = cloud.tiles()[first + k];
+    const Tile& tile = points.tiles()[first + k];
     for (const auto& [body, sum] : chunk.sums) {
       if (tile.count > 0 && chunk.bodies.size() - chunk.first[k] < kMaxCandidates &&
           bodies_[static_cast<std::size_t>(body)].box.may_touch(tile.bounds, gates[k])) {
@@ -172,62 +178,58 @@ void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index, d
 
 double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index, double spread,
                                   const Chunk* frozen, Linearization& linearization) {
-  const TiledCloud& cloud = scene.cloud;
+  const PointTiles& points = scene.points;
   Scratch scratch(scratch_[Executor::worker()]);
-  Chunk& chunk = linearization.chunks[chunk_index];
+  Chunk& chunk = linearization[chunk_index];
   select_candidates(scene, chunk_index, spread, chunk);
   chunk.spread = spread;
   chunk.cost = 0.0;
   chunk.totals = {};
-  const kernels::PointNoise noise = point_noise(scene.options.noise, cloud.camera(), spread);
+  const kernels::PointNoise noise = point_noise(scene.options.noise, scene.camera, spread);
   const std::size_t first_tile = chunk_index * kTilesPerChunk;
   double cost = 0.0;
-  for (std::size_t k = 0; k < tiles_in_chunk(cloud, first_tile, kTilesPerChunk); ++k) {
-    const Tile& tile = cloud.tiles()[first_tile + k];
+  for (std::size_t k = 0; k < tiles_in_chunk(points, first_tile, kTilesPerChunk); ++k) {
+    const Tile& tile = points.tiles()[first_tile + k];
     for (std::size_t c = chunk.first[k]; c < chunk.first[k + 1]; ++c) {
       const auto body = static_cast<std::size_t>(chunk.bodies[c]);
       kernels::FieldHits& hits = scratch.hits[c - chunk.first[k]];
       hits.inverse_variance = chunk.inverse_variance.data() + c * kTilePoints;
       kernels::look_up(scene.model.fields[body]->view(), bodies_[body].from_camera, noise,
-                       points_of(cloud, tile), hits);
+                       points_of(points, tile), hits);
     }
     if (frozen != nullptr) {
       cost += frozen_cost(scene, first_tile + k, k, *frozen, &chunk, scratch);
     }
-    linearize_tile(scene, first_tile + k, k, scratch, chunk,
-                   linearization.explained.data() + tile.first);
+    linearize_tile(scene, first_tile + k, k, scratch, chunk);
   }
   return cost;
 }
 
 /// What the candidates' look-ups, in the scratch memory, say of the tile.
 void ModelTerm::linearize_tile(const Scene& scene, std::size_t tile_index,
-                               std::size_t tile_of_chunk, Scratch& scratch, Chunk& chunk,
-                               float* explained) const {
-  const Tile& tile = scene.cloud.tiles()[tile_index];
+                               std::size_t tile_of_chunk, Scratch& scratch, Chunk& chunk) const {
+  const Tile& tile = scene.points.tiles()[tile_index];
   const std::size_t first = chunk.first[tile_of_chunk];
   const std::size_t count = chunk.first[tile_of_chunk + 1] - first;
   if (count == 0) {
-    std::fill_n(explained, tile.padded, 0.0F);
     return;
   }
   for (std::size_t l = 0; l < count; ++l) {
     scratch.distance[l] = scratch.hits[l].distance;
   }
-  chunk.cost += kernels::associate(scratch.candidates(scene, chunk, first, count, tile),
-                                   {scratch.weight.data(), count}, explained);
+  chunk.cost +=
+      tile.weight * kernels::associate(scratch.candidates(scene, chunk, first, count, tile),
+                                       {scratch.weight.data(), count});
   for (std::size_t l = 0; l < count; ++l) {
     const int body = chunk.bodies[first + l];
     const kernels::NormalSums tile_sums =
         kernels::accumulate(tile.padded, scratch.hits[l], scratch.weight[l]);
-    BodySystem system = to_system(tile_sums);
-    system.add_feigned(
-        bodies_[static_cast<std::size_t>(body)].T_body_camera * tile.bounds.center().cast<double>(),
-        system.hessian.topLeftCorner<3, 3>().trace(), kNormalVariance);
+    const BodySystem system = to_system(tile_sums, tile.weight);
     sum_of(chunk.sums, body) += system;
-    chunk.tile_systems[first + l] = {tile_index, body, system.hessian, system.gradient};
-    chunk.totals.weighted_squares += tile_sums.weighted_squares;
-    chunk.totals.points += tile_sums.weight;
+    chunk.tile_systems[first + l] = {tile_index, body, tile.weight, system.hessian,
+                                     system.gradient};
+    chunk.totals.weighted_squares += tile.weight * tile_sums.weighted_squares;
+    chunk.totals.points += tile.weight * tile_sums.weight;
   }
 }
 
@@ -238,7 +240,7 @@ double ModelTerm::frozen_cost(const Scene& scene, std::size_t tile_index, std::s
   if (count == 0) {
     return 0.0;
   }
-  const Tile& tile = scene.cloud.tiles()[tile_index];
+  const Tile& tile = scene.points.tiles()[tile_index];
   for (std::size_t l = 0; l < count; ++l) {
     const int body = frozen.bodies[first + l];
     scratch.distance[l] = nullptr;
@@ -254,31 +256,30 @@ double ModelTerm::frozen_cost(const Scene& scene, std::size_t tile_index, std::s
     if (scratch.distance[l] == nullptr) {
       const auto b = static_cast<std::size_t>(body);
       kernels::look_up_distance(scene.model.fields[b]->view(), bodies_[b].from_camera,
-                                points_of(scene.cloud, tile), scratch.frozen_distance[l]);
+                                points_of(scene.points, tile), scratch.frozen_distance[l]);
       scratch.distance[l] = scratch.frozen_distance[l];
     }
   }
-  return kernels::association_cost(scratch.candidates(scene, frozen, first, count, tile));
+  return tile.weight *
+         kernels::association_cost(scratch.candidates(scene, frozen, first, count, tile));
 }
 
 double ModelTerm::linearize(const Scene& scene, const BodyPoses& T_camera_body, double spread,
                             std::vector<BodySystem>& systems) {
   begin(scene, T_camera_body);
-  prepare(scene, last_);
-  scene.executor.for_each(last_.chunks.size(), [&](std::size_t chunk) {
-    linearize_chunk(scene, chunk, spread, nullptr, last_);
-  });
+  prepare(last_);
+  scene.executor.for_each(
+      chunks_, [&](std::size_t chunk) { linearize_chunk(scene, chunk, spread, nullptr, last_); });
   return sum_up(systems);
 }
 
 double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body) {
   begin(scene, T_camera_body);
-  scene.executor.for_each(last_.chunks.size(), [&](std::size_t chunk) {
+  scene.executor.for_each(chunks_, [&](std::size_t chunk) {
     Scratch scratch(scratch_[Executor::worker()]);
     const std::size_t first = chunk * kTilesPerChunk;
-    for (std::size_t k = 0; k < tiles_in_chunk(scene.cloud, first, kTilesPerChunk); ++k) {
-      chunk_costs_[chunk] +=
-          frozen_cost(scene, first + k, k, last_.chunks[chunk], nullptr, scratch);
+    for (std::size_t k = 0; k < tiles_in_chunk(scene.points, first, kTilesPerChunk); ++k) {
+      chunk_costs_[chunk] += frozen_cost(scene, first + k, k, last_[chunk], nullptr, scratch);
     }
   });
   return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
@@ -286,9 +287,9 @@ double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body) {
 
 double ModelTerm::cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double spread) {
   begin(scene, T_camera_body);
-  prepare(scene, ahead_);
-  scene.executor.for_each(last_.chunks.size(), [&](std::size_t chunk) {
-    chunk_costs_[chunk] = linearize_chunk(scene, chunk, spread, &last_.chunks[chunk], ahead_);
+  prepare(ahead_);
+  scene.executor.for_each(chunks_, [&](std::size_t chunk) {
+    chunk_costs_[chunk] = linearize_chunk(scene, chunk, spread, &last_[chunk], ahead_);
   });
   return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
 }
@@ -302,7 +303,7 @@ double ModelTerm::take_ahead(std::vector<BodySystem>& systems) {
 double ModelTerm::sum_up(std::vector<BodySystem>& systems) {
   totals_ = {};
   double cost = 0.0;
-  for (const Chunk& chunk : last_.chunks) {
+  for (const Chunk& chunk : std::span(last_.data(), chunks_)) {
     cost += chunk.cost;
     totals_.weighted_squares += chunk.totals.weighted_squares;
     totals_.points += chunk.totals.points;
@@ -314,7 +315,7 @@ double ModelTerm::sum_up(std::vector<BodySystem>& systems) {
 }
 
 void ModelTerm::append_tile_systems(std::vector<TileSystem>& systems) const {
-  for (const Chunk& chunk : last_.chunks) {
+  for (const Chunk& chunk : std::span(last_.data(), chunks_)) {
     systems.insert(systems.end(), chunk.tile_systems.begin(), chunk.tile_systems.end());
   }
 }

@@ -17,13 +17,16 @@ void add_mapped(const Matrix6& A, const BodyJacobian& jacobian, double weight,
 
 }  // namespace
 
-void BodySystem::add_feigned(const Eigen::Vector3d& p, double weight, double normal_variance) {
-  const Eigen::Matrix3d P = hat(p);
-  const double w = weight * normal_variance;
-  feigned.topLeftCorner<3, 3>() += w * Eigen::Matrix3d::Identity();
-  feigned.topRightCorner<3, 3>() -= w * P;
-  feigned.bottomLeftCorner<3, 3>() += w * P;
-  feigned.bottomRightCorner<3, 3>() -= w * P * P;
+/// For normals that err in any direction, sum w a a' with a = (e, p x e) is, over all directions e,
+/// sum w [I, -P; P, |p|^2 I - p p'] with P = hat(p).
+void BodySystem::add_feigned(double mass, const Eigen::Vector3d& first_moment,
+                             const Eigen::Matrix3d& second_moment, double normal_variance) {
+  const Eigen::Matrix3d P = normal_variance * hat(first_moment);
+  feigned.topLeftCorner<3, 3>() += normal_variance * mass * Eigen::Matrix3d::Identity();
+  feigned.topRightCorner<3, 3>() -= P;
+  feigned.bottomLeftCorner<3, 3>() += P;
+  feigned.bottomRightCorner<3, 3>() +=
+      normal_variance * (second_moment.trace() * Eigen::Matrix3d::Identity() - second_moment);
 }
 
 void NormalEquations::set_zero(Eigen::Index unknowns) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "observed_surface.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 namespace lockbox {
 namespace {
-
-constexpr float kObjectGain = 1.0F;  // of the outlier cost: within the cut
 
 /// Distances in pixels at which the neighbourhood is probed: dense near the sample, where outlines
 /// are decided, sparse far from it, where a direction is all that is needed.
@@ -19,20 +18,40 @@ constexpr std::array<std::array<int, 2>, 8> kProbeDirections{
 }  // namespace
 
 bool ObservedSurface::sees_through(const Pixel& pixel, double expected, double steepness) const {
-  const double behind = static_cast<double>(cloud_.depth()[index(pixel.u, pixel.v)]) - expected;
+  const double behind = measured(pixel) - expected;
   const double lateral = options_.noise.lateral_pixels * steepness * expected;
   const double zone = options_.free_space_dead_zone;
   const double sigma = sigma_z(expected);
   return behind > 0.0 && behind * behind > zone * zone * (sigma * sigma + lateral * lateral);
 }
 
-bool ObservedSurface::shows_object(const Pixel& pixel) const {
-  const auto point = cloud_.point_at(pixel.u, pixel.v);
-  return point && explained_[*point] > kObjectGain;
+int ObservedSurface::drawn_body(const Pixel& pixel) const {
+  const RenderedDepth& view = surface_.view();
+  // What a reduced view cuts off at the right and below is as its last column and row.
+  const int u = std::min(pixel.u / surface_.reduction(), view.width - 1);
+  const int v = std::min(pixel.v / surface_.reduction(), view.height - 1);
+  return view.id[view.index(u, v)];
+}
+
+bool ObservedSurface::belongs_to(int body, const Eigen::Vector3d& p_camera) const {
+  const auto b = static_cast<std::size_t>(body);
+  const DistanceSample at = model_.fields[b]->sample((T_body_camera_[b] * p_camera).cast<float>());
+  return std::abs(static_cast<double>(at.distance)) <
+         options_.cut * std::hypot(sigma_z(p_camera.z()), spread_);
+}
+
+bool ObservedSurface::shows_object(const Pixel& pixel, int body) const {
+  const double depth = measured(pixel);
+  if (depth <= 0.0) {
+    return false;
+  }
+  const Eigen::Vector3d p = cloud_.camera().back_project(pixel.u, pixel.v, depth);
+  const int drawn = drawn_body(pixel);
+  return belongs_to(body, p) || (drawn != kNothing && drawn != body && belongs_to(drawn, p));
 }
 
 std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p_camera,
-                                                        const Pixel& pixel) const {
+                                                        const Pixel& pixel, int body) const {
   double least = std::numeric_limits<double>::infinity();
   Eigen::Vector3d best;
   const double inverse_lateral2 = 1.0 / std::pow(sigma_lateral(p_camera.z()), 2);
@@ -43,12 +62,12 @@ std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p
     if (!inside(pu, pv)) {
       return;
     }
-    const auto measured = static_cast<double>(cloud_.depth()[index(pu, pv)]);
-    const Eigen::Vector3d q = cloud_.camera().back_project(pu, pv, measured);
+    const double depth = measured({pu, pv});
+    const Eigen::Vector3d q = cloud_.camera().back_project(pu, pv, depth);
     const double along = q.z() - p_camera.z();
     const double across2 = (q - p_camera - along * ray).squaredNorm();
     const double distance2 = along * along * inverse_depth2 + across2 * inverse_lateral2;
-    if (measured > 0.0 && distance2 < least && shows_object({pu, pv})) {
+    if (depth > 0.0 && distance2 < least && shows_object({pu, pv}, body)) {
       least = distance2;
       best = q;
     }

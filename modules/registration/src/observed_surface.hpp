@@ -3,21 +3,28 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
 
 class ObservedSurface {
  public:
-  /// explained: by point of the cloud, how much of the outlier cost the model spares it.
-  ObservedSurface(const TiledCloud& cloud, const std::vector<float>& explained,
-                  const RegistrationOptions& options)
-      : cloud_(cloud), explained_(explained), options_(options) {}
+  /// All of these must outlive the object. T_body_camera: where the bodies are now, which may
+  /// differ a little from what the view shows. spread: metres that they may be off.
+  ObservedSurface(const ArticulatedModel& model, const VisibleSurface& surface,
+                  const BodyPoses& T_body_camera, const TiledCloud& cloud,
+                  const RegistrationOptions& options, double spread)
+      : model_(model),
+        surface_(surface),
+        T_body_camera_(T_body_camera),
+        cloud_(cloud),
+        options_(options),
+        spread_(spread) {}
 
   double sigma_z(double z) const { return options_.noise.sigma_z(z); }
   double sigma_lateral(double z) const {
@@ -29,24 +36,33 @@ class ObservedSurface {
   /// reads as depth.
   bool sees_through(const Pixel& pixel, double expected, double steepness) const;
 
-  /// Whether what was measured in the pixel is as good as explained by the model.
-  bool shows_object(const Pixel& pixel) const;
+  /// Whether what was measured in the pixel belongs to that body, or to the one that the view shows
+  /// there.
+  bool shows_object(const Pixel& pixel, int body) const;
 
   /// The object's observed point nearest to p_camera, in units of the noise, around its pixel.
-  std::optional<Eigen::Vector3d> nearest(const Eigen::Vector3d& p_camera, const Pixel& pixel) const;
+  /// body: whose point p_camera is.
+  std::optional<Eigen::Vector3d> nearest(const Eigen::Vector3d& p_camera, const Pixel& pixel,
+                                         int body) const;
 
  private:
   bool inside(int u, int v) const {
     return u >= 0 && v >= 0 && u < cloud_.camera().width && v < cloud_.camera().height;
   }
-  std::size_t index(int u, int v) const {
-    return static_cast<std::size_t>(v) * static_cast<std::size_t>(cloud_.camera().width) +
-           static_cast<std::size_t>(u);
+  double measured(const Pixel& pixel) const {
+    const auto width = static_cast<std::size_t>(cloud_.camera().width);
+    return static_cast<double>(cloud_.depth()[static_cast<std::size_t>(pixel.v) * width +
+                                              static_cast<std::size_t>(pixel.u)]);
   }
+  int drawn_body(const Pixel& pixel) const;
+  bool belongs_to(int body, const Eigen::Vector3d& p_camera) const;
 
+  const ArticulatedModel& model_;
+  const VisibleSurface& surface_;
+  const BodyPoses& T_body_camera_;
   const TiledCloud& cloud_;
-  const std::vector<float>& explained_;
   const RegistrationOptions& options_;
+  double spread_;
 };
 
 }  // namespace lockbox

@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "lockbox/kernels/point_to_field.hpp"
 
 namespace lockbox {
 namespace {
 
-// One sample a pixel for common sensors: outlines are decided by few samples, so none is spared.
-constexpr int kSampleColumns = 640;
 constexpr std::size_t kRowsPerChunk = 16;
 constexpr std::size_t kColumnsPerChunk = 64;
-constexpr std::size_t kPointsPerChunk = 16384;
+constexpr std::size_t kTilesPerChunk = 64;
 constexpr std::uint8_t kFarthest = 255;
 
 /// distance <- min(distance, neighbour + 1), where neighbour is a pixel's distance. Without a
@@ -49,15 +46,23 @@ void measure_row_distance(const std::int16_t* id, std::size_t width, std::uint8_
   }
 }
 
+/// Pixel (u, v) has the ray of the camera's pixel (n u + n / 2, n v + n / 2).
+PinholeCamera every_nth_pixel(const PinholeCamera& camera, int n) {
+  const int first = n / 2;
+  return {camera.width / n, camera.height / n,       camera.fx / n,
+          camera.fy / n,    (camera.cx - first) / n, (camera.cy - first) / n};
+}
+
 }  // namespace
 
 void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                            const PinholeCamera& camera, const Executor& executor) {
-  if (!renderer_ || !(camera == full_camera_)) {
-    const int factor = std::max(1, (camera.width + kSampleColumns / 2) / kSampleColumns);
+                            const PinholeCamera& camera, int most_columns,
+                            const Executor& executor) {
+  const int reduction = std::max(1, (camera.width + most_columns / 2) / most_columns);
+  if (!renderer_ || !(camera == full_camera_) || reduction != reduction_) {
     full_camera_ = camera;
-    reduction_ = factor;
-    renderer_ = std::make_unique<DepthRenderer>(reduced(camera, factor), executor);
+    reduction_ = reduction;
+    renderer_ = std::make_unique<DepthRenderer>(every_nth_pixel(camera, reduction), executor);
   }
   items_.clear();
   for (std::size_t b = 0; b < model.tree.bodies.size(); ++b) {
@@ -71,30 +76,7 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
   for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
     T_body_camera_[b] = T_camera_body[b].inverse();
   }
-  count_samples(executor);
   measure_outline_distance(executor);
-}
-
-void VisibleSurface::count_samples(const Executor& executor) {
-  const auto width = static_cast<std::size_t>(image_.width);
-  const auto rows = static_cast<std::size_t>(image_.height);
-  row_begins_.assign(rows + 1, 0);
-  executor.for_each_chunk(rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const auto row = image_.id.begin() + static_cast<std::ptrdiff_t>(v * width);
-      row_begins_[v + 1] =
-          width - static_cast<std::size_t>(std::count(row, row + image_.width, kNothing));
-    }
-  });
-  std::partial_sum(row_begins_.begin(), row_begins_.end(), row_begins_.begin());
-}
-
-VisibleSample VisibleSurface::sample(int u, int v) const {
-  const std::size_t pixel = image_.index(u, v);
-  const int body = image_.id[pixel];
-  const Eigen::Vector3d p_camera =
-      view_camera().back_project(u, v, static_cast<double>(image_.depth[pixel]));
-  return {(T_body_camera_[static_cast<std::size_t>(body)] * p_camera).cast<float>(), body, u, v};
 }
 
 /// City-block distances, which are separable: along rows, then along columns.
@@ -120,30 +102,38 @@ void VisibleSurface::measure_outline_distance(const Executor& executor) {
   });
 }
 
-void VisibleSurface::label(const TiledCloud& cloud, double lateral, const Executor& executor,
+void VisibleSurface::label(const PointTiles& points, double lateral, const Executor& executor,
                            std::vector<float>& visible) const {
-  visible.resize(cloud.x().size());
-  const auto width = static_cast<std::size_t>(cloud.camera().width);
-  const auto reduction = static_cast<std::size_t>(reduction_);
-  const auto columns = static_cast<std::size_t>(image_.width);
-  const auto rows = static_cast<std::size_t>(image_.height);
+  visible.resize(points.x().size());
+  const auto width = static_cast<std::uint32_t>(full_camera_.width);
+  const auto reduction = static_cast<std::uint32_t>(reduction_);
+  const auto columns = static_cast<std::uint32_t>(image_.width);
+  const auto rows = static_cast<std::uint32_t>(image_.height);
+  const auto view_pixel = [=](std::uint32_t pixel) {
+    if (reduction == 1) return pixel;
+    // What a reduced view cuts off at the right and below is as its last column and row.
+    const std::uint32_t u = std::min(pixel % width / reduction, columns - 1);
+    const std::uint32_t v = std::min(pixel / width / reduction, rows - 1);
+    return v * columns + u;
+  };
   const auto free = static_cast<float>(lateral / static_cast<double>(reduction_));
-  const auto pixel_size = static_cast<float>(static_cast<double>(reduction_) / cloud.camera().fx);
-  executor.for_each_chunk(
-      visible.size(), kPointsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const std::size_t pixel = cloud.pixel()[i];
-          // What a reduced view cuts off at the right and below is as its last column and row.
-          const std::size_t u = std::min(pixel % width / reduction, columns - 1);
-          const std::size_t v = std::min(pixel / width / reduction, rows - 1);
-          const std::size_t at = reduction == 1 ? pixel : v * columns + u;
-          visible[i] = static_cast<float>(image_.id[at]);
-          if (image_.id[at] != kNothing) continue;
-          const auto distance = static_cast<float>(outline_distance_[at]);
-          const float rest = std::sqrt(std::max(0.0F, distance * distance - free * free));
-          visible[i] = kernels::label_beside(rest * pixel_size * cloud.z()[i]);
-        }
-      });
+  const auto pixel_size = static_cast<float>(static_cast<double>(reduction_) / full_camera_.fx);
+  const auto label_of = [&](std::size_t i) {
+    const std::size_t at = view_pixel(points.pixel()[i]);
+    if (image_.id[at] != kNothing) return static_cast<float>(image_.id[at]);
+    const auto distance = static_cast<float>(outline_distance_[at]);
+    const float rest = std::sqrt(std::max(0.0F, distance * distance - free * free));
+    return kernels::label_beside(rest * pixel_size * points.z()[i]);
+  };
+  executor.for_each_chunk(points.tiles().size(), kTilesPerChunk,
+                          [&](std::size_t begin, std::size_t end, auto) {
+                            for (std::size_t t = begin; t < end; ++t) {
+                              const Tile& tile = points.tiles()[t];
+                              for (std::size_t i = tile.first; i < tile.first + tile.padded; ++i) {
+                                visible[i] = label_of(i);
+                              }
+                            }
+                          });
 }
 
 }  // namespace lockbox

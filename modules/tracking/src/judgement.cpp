@@ -25,8 +25,8 @@ bool is_more_convincing(const Agreement& agreement, const Agreement& than) {
 }
 
 bool is_contradicted(const Agreement& body, const TrackerOptions& options) {
-  const double decided = (body.explained + body.contradicted) * body.samples;
-  return decided >= options.least_body_samples && body.consent() < options.least_body_agreement;
+  const double decided = (body.explained + body.contradicted) * body.pixels;
+  return decided >= options.least_body_pixels && body.consent() < options.least_body_agreement;
 }
 
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options) {

@@ -93,9 +93,8 @@ struct Candidates {
 /// visibility tells which one was measured. Points beyond reach have odds 0: no body can be there.
 ///
 /// Returns sum (E - c) over the points, so that an unexplained point counts zero, and writes
-/// weight[l][i] = 2 dE / d(distance_l^2), the weight of the point in body l's normal equations, and
-/// explained[i] = c - E.
-double associate(const Candidates& candidates, std::span<float* const> weight, float* explained);
+/// weight[l][i] = 2 dE / d(distance_l^2), the weight of the point in body l's normal equations.
+double associate(const Candidates& candidates, std::span<float* const> weight);
 
 /// The cost alone, as associate returns it.
 double association_cost(const Candidates& candidates);
@@ -105,6 +104,9 @@ double association_cost(const Candidates& candidates);
 struct NormalSums {
   double hessian[21];       ///< sum w a a', upper triangle row by row
   double gradient[6];       ///< sum w distance a
+  double mass;              ///< sum w
+  double first_moment[3];   ///< sum w p
+  double second_moment[6];  ///< sum w p p', upper triangle row by row
   double weighted_squares;  ///< sum w distance^2
   double weight;            ///< sum w / inverse_variance: how many points speak for the body
 };

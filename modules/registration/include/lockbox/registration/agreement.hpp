@@ -9,7 +9,7 @@
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/registration_options.hpp"
-#include "lockbox/registration/reprojected_view.hpp"
+#include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
@@ -21,7 +21,7 @@ struct Agreement {
   double contradicted = 0.0;  ///< seen through
   double occluded = 0.0;      ///< something else in front
   double unknown = 0.0;       ///< not measured
-  int samples = 0;            ///< of which these are shares
+  double pixels = 0.0;        ///< of the camera, of which these are shares
 
   /// Of what speaks for or against the model, the share that speaks for it; 0 if nothing does.
   double consent() const { return explained > 0.0 ? explained / (explained + contradicted) : 0.0; }
@@ -41,7 +41,7 @@ struct OutlineAgreement {
 class AgreementMeter {
  public:
   void measure(const ArticulatedModel& model, const VisibleSurface& surface,
-               const BodyPoses& T_camera_body, const TiledCloud& cloud,
+               const ViewSamples& samples, const BodyPoses& T_camera_body, const TiledCloud& cloud,
                const RegistrationOptions& options, const Executor& executor);
 
   const Agreement& total() const { return total_; }
@@ -49,35 +49,30 @@ class AgreementMeter {
   const OutlineAgreement& outline() const { return outline_; }
 
  private:
-  /// What was measured where samples of a body are, camera's frame.
+  /// What was measured where samples of a body are, camera's frame: memory of a worker.
   struct MeasuredPoints {
     std::size_t size = 0;
     std::vector<float> x;
     std::vector<float> y;
     std::vector<float> z;
-    std::vector<float> expected;            ///< depth of the sample
-    std::vector<float> distance;            ///< of the point from the body
-    std::vector<std::uint32_t> view_pixel;  ///< of the sample
+    std::vector<float> expected;        ///< depth of the sample
+    std::vector<float> distance;        ///< of the point from the body
+    std::vector<std::uint32_t> number;  ///< of the sample, in its chunk
   };
+  struct Scene;
 
-  void reserve(const Executor& executor, std::size_t bodies, std::size_t points);
-  static void look_at_row(const ArticulatedModel& model, const VisibleSurface& surface,
-                          const BodyPoses& T_camera_body, const TiledCloud& cloud,
-                          const RegistrationOptions& options, const ReprojectedView& reprojected,
-                          int v, std::span<MeasuredPoints> points, std::span<Agreement> counts,
-                          OutlineAgreement& outline);
-  static void count_points(const ArticulatedModel& model, const VisibleSurface& surface,
-                           std::size_t body, const Eigen::Isometry3d& T_camera_body,
-                           const TiledCloud& cloud, const RegistrationOptions& options,
+  void reserve(const Executor& executor);
+  void look_at_chunk(const Scene& scene, std::size_t chunk);
+  static void count_points(const Scene& scene, const ViewSamples::Chunk& chunk,
                            MeasuredPoints& points, Agreement& counts);
 
   Agreement total_;
-  std::vector<Agreement> bodies_;        ///< by body
-  std::vector<Agreement> chunk_bodies_;  ///< by chunk of samples and body
-  std::vector<OutlineAgreement> chunk_outlines_;
+  std::vector<Agreement> bodies_;  ///< by body
   OutlineAgreement outline_;
-  ReprojectedView::Scratch scratch_;
-  std::vector<MeasuredPoints> points_;  ///< by worker and body
+  std::vector<Agreement> chunk_counts_;  ///< by chunk of samples
+  std::vector<OutlineAgreement> chunk_outlines_;
+  SampleLandings landings_;
+  std::vector<MeasuredPoints> points_;  ///< by worker
 };
 
 }  // namespace lockbox

@@ -22,6 +22,8 @@
 #include "lockbox/registration/free_space_term.hpp"
 #include "lockbox/registration/model_term.hpp"
 #include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/sampling_plan.hpp"
+#include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
@@ -75,7 +77,8 @@ class ArticulatedRegistration {
   const ArticulatedModel& model() const { return model_; }
 
  private:
-  void look_at(const TiledCloud& cloud, const Configuration& configuration);
+  void look_at(const TiledCloud& cloud, const Configuration& configuration, double spread);
+  ModelTerm::Scene scene(const TiledCloud& cloud) const;
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
                  std::optional<double> next_spread);
@@ -93,6 +96,10 @@ class ArticulatedRegistration {
   FreeSpaceTerm free_term_;
   CollisionTerm collision_;
   VisibleSurface surface_;
+  SamplingPlan plan_;
+  ViewSamples samples_;                 ///< of surface_
+  ThinnedPoints thinned_;               ///< of the cloud, if there is a point budget
+  const PointTiles* points_ = nullptr;  ///< of the cloud: all, or the thinned ones
   StepScale scale_;
   Eigen::VectorXd levers_;  ///< by unknown: metres that surfaces move for a unit, at most
 

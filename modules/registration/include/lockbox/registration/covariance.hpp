@@ -37,6 +37,16 @@ class CovarianceEstimator {
   const std::vector<bool>& observable() const { return observable_; }
 
  private:
+  /// How much more the mean residual of a tile varies than if all its residuals were independent
+  /// and as large as assumed: of the tiles whose residuals stand for that many pixels.
+  struct Dispersion {
+    double pixels;
+    double squares;
+    double expected;
+    int tiles;
+  };
+  void measure_dispersion(const std::vector<TileSystem>& tiles);
+  double dispersion(double pixels) const;
   void invert_information(const NormalEquations& data, const StepScale& scale,
                           const std::vector<bool>& held);
   void sum_tiles(const std::vector<TileSystem>& tiles, const std::vector<BodyJacobian>& jacobians);
@@ -56,6 +66,7 @@ class CovarianceEstimator {
   BodyJacobian image_;
   Eigen::VectorXd inverse_;
   Eigen::VectorXd unknown_modes_;
+  std::vector<Dispersion> dispersions_;  ///< of all tiles, then by pixels
   std::vector<Matrix6> body_covariances_;
   std::vector<Matrix6> followed_;  ///< by body
   SymmetricModes modes_;

@@ -8,9 +8,11 @@
 // outline the pull is sideways.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "lockbox/registration/reprojected_view.hpp"
+#include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
@@ -23,6 +25,7 @@ struct FreeSpacePull {
   Eigen::Vector3d direction;  ///< unit vector, camera frame
   double variance;            ///< of the residual by the sensor's noise, m^2
   double direction_variance;  ///< squared radians
+  double pixels;              ///< that it stands for
   int body;
   std::size_t tile;  ///< of the cloud, that the sample is seen in
 };
@@ -30,11 +33,10 @@ struct FreeSpacePull {
 class FreeSpaceTerm {
  public:
   /// Selects the samples that are seen through at these poses, and what each is pulled to.
-  /// explained: by point of the cloud, as of the model term.
+  /// samples: of the surface. spread: metres that the poses may be off.
   void select(const ArticulatedModel& model, const VisibleSurface& surface,
-              const BodyPoses& T_camera_body, const TiledCloud& cloud,
-              const std::vector<float>& explained, const RegistrationOptions& options,
-              double spread, const Executor& executor);
+              const ViewSamples& samples, const BodyPoses& T_camera_body, const TiledCloud& cloud,
+              const RegistrationOptions& options, double spread, const Executor& executor);
 
   /// Adds each body's system, of the selected samples at these poses. spread: how far off the poses
   /// may still be, metres. Returns the cost relative to that of all selected samples being
@@ -44,25 +46,28 @@ class FreeSpaceTerm {
   /// The cost at other poses under the selection of the last linearisation.
   double cost(const BodyPoses& T_camera_body) const;
 
-  /// Appends what each pull of the last linearisation had to say.
-  void append_tile_systems(const BodyPoses& T_camera_body, std::vector<TileSystem>& systems) const;
+  /// Appends what each pull of the last linearisation had to say. first_tile: number of the first
+  /// tile of the image among the tiles of the systems.
+  void append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
+                           std::vector<TileSystem>& systems) const;
 
   std::size_t pulled_samples() const { return pulls_.size(); }
 
  private:
-  void collect_seen_through(const VisibleSurface& surface, const BodyPoses& T_camera_body,
+  void collect_seen_through(const ViewSamples& samples, const BodyPoses& T_camera_body,
                             const TiledCloud& cloud, const RegistrationOptions& options,
                             const Executor& executor);
   TileSystem system_of(const FreeSpacePull& pull, const BodyPoses& T_camera_body) const;
 
-  double weight_ = 1.0;
+  BodyPoses T_body_camera_;
+  double lambda_ = 1.0;
   double cut_ = 0.0;
-  double spread2_ = 0.0;                        ///< m^2, of the last linearisation
-  std::vector<std::vector<Pixel>> chunk_seen_;  ///< pixels of the view that are seen through
-  std::vector<std::size_t> chunk_begins_;       ///< their number before each chunk; that of all
+  double spread2_ = 0.0;                                ///< m^2, of the last linearisation
+  std::vector<std::vector<std::uint32_t>> chunk_seen_;  ///< seen through: numbers within the chunk
+  std::vector<std::size_t> chunk_begins_;               ///< how many before each chunk; all
   std::vector<std::vector<FreeSpacePull>> chunk_pulls_;
   std::vector<FreeSpacePull> pulls_;
-  ReprojectedView::Scratch scratch_;
+  SampleLandings landings_;
 };
 
 }  // namespace lockbox

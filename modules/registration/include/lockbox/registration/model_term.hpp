@@ -13,8 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/cloud/point_tiles.hpp"
 #include "lockbox/core/parallel.hpp"
+#include "lockbox/core/pinhole_camera.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/normal_equations.hpp"
@@ -31,8 +32,9 @@ class ModelTerm {
   /// What a linearisation is made from, by reference.
   struct Scene {
     const ArticulatedModel& model;
-    const TiledCloud& cloud;
-    const std::vector<float>& visible;  ///< by point of the cloud: see VisibleSurface::label
+    const PointTiles& points;
+    const PinholeCamera& camera;        ///< that measured them
+    const std::vector<float>& visible;  ///< by point: see VisibleSurface::label
     const RegistrationOptions& options;
     const Executor& executor;
   };
@@ -51,10 +53,6 @@ class ModelTerm {
 
   /// Makes the linearisation of cost_ahead the last one, as linearize would have done.
   double take_ahead(std::vector<BodySystem>& systems);
-
-  /// What the last linearisation found of each point of the cloud (its arrays' indices): how much
-  /// of the outlier cost c it is spared, 0 .. c.
-  const std::vector<float>& explained() const { return last_.explained; }
 
   /// How each tile pulls at each body: clusters of residuals for the covariance.
   void append_tile_systems(std::vector<TileSystem>& systems) const;
@@ -78,7 +76,7 @@ class ModelTerm {
     OrientedBox box;
   };
 
-  /// Consecutive tiles of the cloud, and the bodies that compete for their points.
+  /// Consecutive tiles of the points, and the bodies that compete for their points.
   struct Chunk {
     std::array<std::size_t, kTilesPerChunk + 1> first{};  ///< candidate of each tile
     std::vector<int> bodies;                              ///< by candidate, tile by tile
@@ -90,26 +88,24 @@ class ModelTerm {
     double cost = 0.0;
     Totals totals;
   };
-  struct Linearization {
-    std::vector<Chunk> chunks;
-    std::vector<float> explained;
-  };
+  using Linearization = std::vector<Chunk>;
 
   void begin(const Scene& scene, const BodyPoses& T_camera_body);
-  void prepare(const Scene& scene, Linearization& linearization) const;
+  void prepare(Linearization& linearization) const;
   void select_candidates(const Scene& scene, std::size_t chunk_index, double spread,
                          Chunk& chunk) const;
   /// Of one chunk; returns its cost under a frozen selection, if there is one.
   double linearize_chunk(const Scene& scene, std::size_t chunk_index, double spread,
                          const Chunk* frozen, Linearization& linearization);
   void linearize_tile(const Scene& scene, std::size_t tile, std::size_t tile_of_chunk,
-                      Scratch& scratch, Chunk& chunk, float* explained) const;
+                      Scratch& scratch, Chunk& chunk) const;
   /// current: whose look-ups the scratch memory holds, if any.
   double frozen_cost(const Scene& scene, std::size_t tile, std::size_t tile_of_chunk,
                      const Chunk& frozen, const Chunk* current, Scratch& scratch) const;
   double sum_up(std::vector<BodySystem>& systems);
 
   std::vector<PosedBody> bodies_;  ///< at the poses in hand
+  std::size_t chunks_ = 0;         ///< of the points in hand; there may have been more before
   Linearization last_;
   Linearization ahead_;
   std::vector<double> chunk_costs_;          ///< under the frozen selection

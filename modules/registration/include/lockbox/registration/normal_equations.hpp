@@ -28,9 +28,10 @@ struct BodySystem {
     return *this;
   }
 
-  /// Of points around p (body frame) whose weights sum to weight, and whose normals err by
-  /// normal_variance (squared radians).
-  void add_feigned(const Eigen::Vector3d& p, double weight, double normal_variance);
+  /// Of points with these sums of their weights w, of w p and of w p p' (p: body frame), whose
+  /// normals err by normal_variance (squared radians).
+  void add_feigned(double mass, const Eigen::Vector3d& first_moment,
+                   const Eigen::Matrix3d& second_moment, double normal_variance);
 
   /// The curvature less what wrong normals could feign. A disk that turns about its axis slides
   /// along itself; facets and the field's cells tilt its normals, and thousands of points would
@@ -42,6 +43,7 @@ struct BodySystem {
 struct TileSystem {
   std::size_t tile;
   int body;
+  double pixels;  ///< that each of its residuals stands for
   Matrix6 hessian;
   Twist gradient;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace lockbox {
@@ -23,6 +24,9 @@ enum class CollisionMode { off, literal, eroded };
 /// (docs/mathematics.md).
 struct RegistrationOptions {
   int max_iterations = 3;  ///< linearisations
+  /// Points of an image that are used, about, chosen for what they tell; 0: all. A cloud without an
+  /// image is used whole.
+  std::size_t point_budget = 40000;
   SensorNoise noise;
   double cut = 4.0;  ///< residuals beyond this many standard deviations count as outliers
 

@@ -29,12 +29,12 @@ struct TrackerOptions {
   int most_rounds = 8;
 
   /// `tracking` needs at least these shares of the visible surface: explained of all of it, and of
-  /// the part that is explained or contradicted; of each body, too, that shows at least so many of
-  /// the samples taken for it (a quarter of its pixels). Right bodies reach 0.93.
+  /// the part that is explained or contradicted; of each body, too, for or against which at least
+  /// so many pixels speak. Right bodies reach 0.93.
   double least_explained = 0.15;
   double least_agreement = 0.85;
   double least_body_agreement = 0.75;
-  int least_body_samples = 20;
+  double least_body_pixels = 80.0;
   double most_continued = 0.85;  ///< of the outline: there the scene goes on as the model's surface
   double most_last_move = 0.003;  ///< metres: surfaces that still move are not where they belong
   double lost_agreement = 0.60;   ///< below it, or below half of least_explained: `lost`

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points as the registration reads them: tiles of neighbours, structure of arrays. Neighbours
+// mostly see the same bodies, so bodies are matched to whole tiles.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace lockbox {
+
+inline constexpr int kTileSize = 16;  ///< pixels along each side of a full tile of an image
+inline constexpr std::size_t kTilePoints = std::size_t{kTileSize} * kTileSize;
+
+/// One tile: its valid points are [first, first + count) of the arrays, padded with points outside
+/// everything up to a multiple of kernels::kLanes.
+struct Tile {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::size_t padded = 0;
+  Eigen::AlignedBox3f bounds;  ///< of the valid points, camera frame
+  double weight = 1.0;         ///< pixels that each of its points stands for
+};
+
+class PointTiles {
+ public:
+  const std::vector<Tile>& tiles() const { return tiles_; }
+  const std::vector<float>& x() const { return x_; }  ///< metres, camera frame, as are y() and z()
+  const std::vector<float>& y() const { return y_; }
+  const std::vector<float>& z() const { return z_; }
+  /// Image index (v * width + u) of each point.
+  const std::vector<std::uint32_t>& pixel() const { return pixel_; }
+  std::size_t valid_points() const;
+
+ protected:
+  PointTiles() = default;
+
+  /// Room for so many tiles of kTilePoints each.
+  void resize_tiles(std::size_t count);
+  /// Bounds and padding of a tile whose points are in place.
+  void finish_tile(Tile& tile);
+
+  std::vector<Tile> tiles_;
+  std::vector<float> x_;
+  std::vector<float> y_;
+  std::vector<float> z_;
+  std::vector<std::uint32_t> pixel_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the view of a model tells most: at the outlines and the relief of its parts. In the middle
+// of a plane one point says what its neighbours say, and of the plane's own motion nothing; what
+// tells how far a slider has gone are the few points at its ends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lockbox/cloud/thinned_points.hpp"
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/rendering/depth_renderer.hpp"
+
+namespace lockbox {
+
+class SamplingPlan {
+ public:
+  /// Spends about that many samples on the cells that show the model, edges first, those of small
+  /// bodies before those of large ones. scale: pixels of the camera along a pixel of the view,
+  /// whose focal length is fx. reach: metres beside the model where its points may be; there
+  /// samples are few.
+  void plan(const RenderedDepth& view, int scale, double fx, double reach, std::size_t budget,
+            const Executor& executor);
+
+  const SamplingDensity& density() const { return density_; }
+
+ private:
+  /// A pixel at an edge of that body.
+  struct Edge {
+    std::uint32_t cell;
+    std::int16_t body;
+  };
+  /// A row of cells.
+  struct Band {
+    std::vector<Edge> edges;
+    std::vector<std::int16_t> ends;  ///< by column of the row of pixels in hand: not 0 at an end
+    std::vector<int> bends;
+    float nearest = 0.0F;  ///< metres, of its edges
+  };
+
+  static void mark_edges(const RenderedDepth& view, int v, Band& band);
+  static void collect_edges(const RenderedDepth& view, int v, std::size_t begin, std::uint32_t cell,
+                            Band& band);
+  void find_edges(const RenderedDepth& view, std::size_t row_of_cells);
+  void score_cells();
+  void mark_cells_beside(int cells);
+  void spend(std::size_t budget);
+
+  SamplingDensity density_;
+  std::vector<Band> bands_;
+  std::vector<std::uint8_t> shows_model_;  ///< by cell
+  std::vector<std::uint8_t> is_beside_;    ///< by cell: near the model, or showing it
+  std::vector<float> scores_;              ///< by cell: 0 without edges
+  std::vector<std::uint32_t> edge_cells_;
+  std::vector<std::size_t> edges_of_body_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points of the model's visible surface, fixed to their bodies, and what the camera measured where
+// they are now.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "lockbox/cloud/thinned_points.hpp"
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/kernels/reprojection.hpp"
+#include "lockbox/registration/visible_surface.hpp"
+
+namespace lockbox {
+
+struct ViewSample {
+  Eigen::Vector3f p_body;  ///< metres, body frame
+  int body;
+  Pixel pixel;    ///< of the view
+  double pixels;  ///< of the camera, that it stands for
+};
+
+/// Reuses its buffers.
+class ViewSamples {
+ public:
+  static constexpr std::size_t kMostInChunk = 1024;
+
+  /// Samples of one body: numbers [first, first + count), padded for the kernels.
+  struct Chunk {
+    int body;
+    std::size_t first;
+    std::size_t count;
+  };
+
+  /// Of the surface as it was drawn; the density must be one for its view.
+  void collect(const VisibleSurface& surface, const SamplingDensity& density);
+
+  const std::vector<Chunk>& chunks() const { return chunks_; }
+  kernels::PointSpan points(const Chunk& chunk) const {
+    return {x_.data() + chunk.first, y_.data() + chunk.first, z_.data() + chunk.first,
+            kernels::padded(chunk.count)};
+  }
+  ViewSample sample(int body, std::size_t number) const;
+
+ private:
+  void lay_out();
+
+  std::vector<float> x_;  ///< by number, metres, body frame
+  std::vector<float> y_;
+  std::vector<float> z_;
+  std::vector<std::uint32_t> pixel_;  ///< index in the view
+  std::vector<std::uint8_t> spacing_;
+  std::vector<Chunk> chunks_;
+  int view_width_ = 0;
+  int scale_ = 1;
+
+  std::vector<std::uint32_t> chosen_;  ///< pixels of the view, cell by cell
+  std::vector<std::uint8_t> chosen_spacing_;
+  std::vector<std::size_t> next_;  ///< by body: the number of its next sample
+};
+
+/// Where a chunk of samples lands in the image: memory of its own for each worker.
+class SampleLandings {
+ public:
+  void reserve(const Executor& executor);
+
+  /// Valid until the same worker asks for the next chunk.
+  kernels::Landings land(const ViewSamples& samples, const ViewSamples::Chunk& chunk,
+                         const BodyPoses& T_camera_body, const TiledCloud& cloud);
+
+ private:
+  struct Buffers {
+    std::vector<float> expected;
+    std::vector<float> measured;
+    std::vector<std::int32_t> pixel;
+  };
+  std::vector<Buffers> buffers_;  ///< by worker
+};
+
+}  // namespace lockbox

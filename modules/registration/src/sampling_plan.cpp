@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/registration/sampling_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace lockbox {
+namespace {
+
+constexpr int kCell = SamplingDensity::kCellSize;
+constexpr float kRelief = 1.5e-3F;  // of the depth: a bend or a step within a body
+
+/// From one sample to the next, pixels of the view: in cells with edges, and in others.
+struct Spacing {
+  std::uint8_t edges;
+  std::uint8_t others;
+  std::size_t samples(std::size_t cells_with_edges, std::size_t other_cells) const {
+    return cells_with_edges * in_a_cell(edges) + other_cells * in_a_cell(others);
+  }
+  static std::size_t in_a_cell(std::uint8_t spacing) {
+    const auto along = static_cast<std::size_t>(kCell / spacing);
+    return along * along;
+  }
+};
+constexpr std::uint8_t kCoarsest = kCell;
+/// What more samples are spent on, in order.
+constexpr std::array<Spacing, 7> kSpacings{
+    {{8, kCoarsest}, {4, kCoarsest}, {2, kCoarsest}, {1, kCoarsest}, {1, 4}, {1, 2}, {1, 1}}};
+
+/// Whether the depth bends or jumps from one neighbour to the opposite one. Next to nothing it does
+/// neither: there the bodies differ.
+int has_relief(float before, float here, float after) {
+  return static_cast<int>(std::abs(before - 2.0F * here + after) > kRelief * here);
+}
+
+/// The body in the pixel, or next to it where the pixel shows nothing.
+std::int16_t body_at(const RenderedDepth& view, int u, int v) {
+  return std::max({view.id[view.index(u, v)], view.id[view.index(u - 1, v)],
+                   view.id[view.index(u + 1, v)], view.id[view.index(u, std::max(v - 1, 0))],
+                   view.id[view.index(u, std::min(v + 1, view.height - 1))]});
+}
+
+}  // namespace
+
+void SamplingPlan::plan(const RenderedDepth& view, int scale, double fx, double reach,
+                        std::size_t budget, const Executor& executor) {
+  density_.columns = (view.width + kCell - 1) / kCell;
+  density_.rows = (view.height + kCell - 1) / kCell;
+  density_.scale = scale;
+  const auto cells =
+      static_cast<std::size_t>(density_.columns) * static_cast<std::size_t>(density_.rows);
+  shows_model_.assign(cells, 0);
+  bands_.resize(static_cast<std::size_t>(density_.rows));
+  executor.for_each(bands_.size(), [&](std::size_t row) { find_edges(view, row); });
+  score_cells();
+  float nearest = std::numeric_limits<float>::infinity();
+  for (const Band& band : bands_) nearest = std::min(nearest, band.nearest);
+  const double pixels = reach * fx / static_cast<double>(nearest);
+  mark_cells_beside(static_cast<int>(std::ceil(std::min(pixels, 1.0 * view.width) / kCell)));
+  spend(budget);
+}
+
+/// Of row v of the view: where bodies end, and where their depth bends. Without branches, so that
+/// it is done for many pixels at once. An edge at the border of the image is seen from within.
+void SamplingPlan::mark_edges(const RenderedDepth& view, int v, Band& band) {
+  const auto width = static_cast<std::size_t>(view.width);
+  const std::int16_t* id = view.id.data() + view.index(0, v);
+  const std::int16_t* id_above = view.id.data() + view.index(0, std::max(v - 1, 0));
+  const std::int16_t* id_below = view.id.data() + view.index(0, std::min(v + 1, view.height - 1));
+  const float* z = view.depth.data() + view.index(0, v);
+  const float* z_above = view.depth.data() + view.index(0, std::max(v - 1, 0));
+  const float* z_below = view.depth.data() + view.index(0, std::min(v + 1, view.height - 1));
+  std::int16_t* __restrict ends = band.ends.data();
+  int* __restrict bends = band.bends.data();
+  for (std::size_t u = 1; u + 1 < width; ++u) {
+    ends[u] = static_cast<std::int16_t>((id[u] ^ id[u - 1]) | (id[u] ^ id[u + 1]) |
+                                        (id[u] ^ id_above[u]) | (id[u] ^ id_below[u]));
+  }
+  for (std::size_t u = 1; u + 1 < width; ++u) {
+    bends[u] = has_relief(z[u - 1], z[u], z[u + 1]) | has_relief(z_above[u], z[u], z_below[u]);
+  }
+}
+
+void SamplingPlan::find_edges(const RenderedDepth& view, std::size_t row_of_cells) {
+  Band& band = bands_[row_of_cells];
+  band.edges.clear();
+  band.nearest = std::numeric_limits<float>::infinity();
+  const auto width = static_cast<std::size_t>(view.width);
+  const std::size_t padded_width = static_cast<std::size_t>(density_.columns) * kCell;
+  band.ends.assign(padded_width, 0);
+  band.bends.assign(padded_width, 0);
+  const std::size_t first_cell = row_of_cells * static_cast<std::size_t>(density_.columns);
+  const int first = static_cast<int>(row_of_cells) * kCell;
+  for (int v = first; v < std::min(first + kCell, view.height); ++v) {
+    mark_edges(view, v, band);
+    const std::int16_t* id = view.id.data() + view.index(0, v);
+    for (std::size_t begin = 0; begin < width; begin += kCell) {
+      const std::size_t cell = first_cell + begin / kCell;
+      int any = 0;
+      for (std::size_t u = begin; u < begin + kCell; ++u) any |= band.ends[u] | band.bends[u];
+      // Without an edge all pixels of the cell's row show the same.
+      shows_model_[cell] |= static_cast<std::uint8_t>(any != 0 || id[begin] != kNothing);
+      if (any != 0) collect_edges(view, v, begin, static_cast<std::uint32_t>(cell), band);
+    }
+  }
+}
+
+void SamplingPlan::collect_edges(const RenderedDepth& view, int v, std::size_t begin,
+                                 std::uint32_t cell, Band& band) {
+  for (std::size_t u = begin; u < begin + kCell; ++u) {
+    if ((band.ends[u] | band.bends[u]) == 0) continue;
+    const auto column = static_cast<int>(u);
+    band.edges.push_back({cell, body_at(view, column, v)});
+    band.nearest = std::min(band.nearest, view.depth[view.index(column, v)]);
+  }
+}
+
+/// All edges of a body together score 1.
+void SamplingPlan::score_cells() {
+  edges_of_body_.clear();
+  for (const Band& band : bands_) {
+    for (const Edge& edge : band.edges) {
+      const auto body = static_cast<std::size_t>(edge.body);
+      if (body >= edges_of_body_.size()) edges_of_body_.resize(body + 1, 0);
+      ++edges_of_body_[body];
+    }
+  }
+  scores_.assign(shows_model_.size(), 0.0F);
+  edge_cells_.clear();
+  for (const Band& band : bands_) {
+    for (const Edge& edge : band.edges) {
+      if (scores_[edge.cell] == 0.0F) edge_cells_.push_back(edge.cell);
+      scores_[edge.cell] +=
+          1.0F / static_cast<float>(edges_of_body_[static_cast<std::size_t>(edge.body)]);
+    }
+  }
+}
+
+/// Those up to so many cells away, along rows and then along columns.
+void SamplingPlan::mark_cells_beside(int cells) {
+  const int columns = density_.columns;
+  const int rows = density_.rows;
+  const auto at = [columns](int c, int r) { return static_cast<std::size_t>(r * columns + c); };
+  density_.spacing.assign(shows_model_.size(), 0);
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) {
+      if (shows_model_[at(c, r)] == 0) continue;
+      for (int k = std::max(c - cells, 0); k <= std::min(c + cells, columns - 1); ++k) {
+        density_.spacing[at(k, r)] = kCoarsest;
+      }
+    }
+  }
+  is_beside_ = density_.spacing;
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) {
+      if (is_beside_[at(c, r)] == 0) continue;
+      for (int k = std::max(r - cells, 0); k <= std::min(r + cells, rows - 1); ++k) {
+        density_.spacing[at(c, k)] = kCoarsest;
+      }
+    }
+  }
+}
+
+void SamplingPlan::spend(std::size_t budget) {
+  const std::size_t with_edges = edge_cells_.size();
+  const auto showing =
+      static_cast<std::size_t>(std::count(shows_model_.begin(), shows_model_.end(), 1));
+  const std::size_t others = showing - std::min(showing, with_edges);
+  std::size_t k = 0;
+  while (k + 1 < kSpacings.size() && kSpacings[k + 1].samples(with_edges, others) <= budget) ++k;
+  const Spacing affordable = kSpacings[k];
+  for (std::size_t cell = 0; cell < shows_model_.size(); ++cell) {
+    if (shows_model_[cell] != 0) density_.spacing[cell] = affordable.others;
+  }
+  for (const std::uint32_t cell : edge_cells_) density_.spacing[cell] = affordable.edges;
+  if (k + 1 == kSpacings.size()) return;
+  const Spacing finer = kSpacings[k + 1];
+  const std::size_t price = Spacing::in_a_cell(finer.edges) - Spacing::in_a_cell(affordable.edges);
+  const std::size_t spent = affordable.samples(with_edges, others);
+  if (price == 0 || spent >= budget) return;
+  const std::size_t upgrades = std::min((budget - spent) / price, with_edges);
+  std::nth_element(edge_cells_.begin(), edge_cells_.begin() + static_cast<std::ptrdiff_t>(upgrades),
+                   edge_cells_.end(), [this](std::uint32_t a, std::uint32_t b) {
+                     return scores_[a] != scores_[b] ? scores_[a] > scores_[b] : a < b;
+                   });
+  for (std::size_t i = 0; i < upgrades; ++i) density_.spacing[edge_cells_[i]] = finer.edges;
+}
+
+}  // namespace lockbox
