@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace lockbox {
@@ -67,6 +68,37 @@ TEST(ExecutorTest, ExceptionsReachTheCaller) {
                                    if (i == 5) throw std::runtime_error("five");
                                  }),
                std::runtime_error);
+}
+
+TEST(ExecutorTest, AStoppedLoopLeavesOutWhatHasNotBegun) {
+  const Executor executor(2);
+  std::atomic<int> begun{0};
+  EXPECT_THROW(executor.for_each(1000,
+                                 [&](std::size_t) {
+                                   ++begun;
+                                   executor.stop();
+                                 }),
+               Stopped);
+  EXPECT_LE(begun.load(), 2);
+}
+
+TEST(ExecutorTest, StaysStoppedUntilItIsResumed) {
+  const Executor executor(2);
+  const Executor copy = executor;
+  executor.stop();
+  EXPECT_THROW(copy.for_each(1, [](std::size_t) {}), Stopped);
+  executor.resume();
+  EXPECT_NO_THROW(copy.for_each(1, [](std::size_t) {}));
+}
+
+TEST(ExecutorTest, OneOfLowPriorityVisitsEveryIndexBesideAnother) {
+  const Executor executor(2);
+  const Executor beside(2, Priority::low);
+  std::vector<std::atomic<int>> visits(1000);
+  std::thread other([&] { beside.for_each(visits.size(), [&](std::size_t i) { ++visits[i]; }); });
+  executor.for_each(visits.size(), [&](std::size_t i) { ++visits[i]; });
+  other.join();
+  for (const auto& count : visits) EXPECT_EQ(count.load(), 2);
 }
 
 }  // namespace

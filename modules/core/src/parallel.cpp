@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "hand_over.hpp"
 
@@ -12,10 +13,14 @@ namespace lockbox {
 
 struct Executor::Impl {
   tbb::task_arena arena;
+  std::atomic<bool> is_stopped{false};
 };
 
-Executor::Executor(int threads) : impl_(std::make_shared<Impl>()) {
-  impl_->arena.initialize(threads > 0 ? threads : tbb::this_task_arena::max_concurrency());
+Executor::Executor(int threads, Priority priority) : impl_(std::make_shared<Impl>()) {
+  constexpr unsigned kCallers = 1;
+  impl_->arena.initialize(threads > 0 ? threads : tbb::this_task_arena::max_concurrency(), kCallers,
+                          priority == Priority::low ? tbb::task_arena::priority::low
+                                                    : tbb::task_arena::priority::normal);
 }
 
 int Executor::threads() const {
@@ -31,6 +36,7 @@ void Executor::for_each(std::size_t count, FunctionRef<void(std::size_t)> body) 
   const HandOver to_bodies;
   const HandOver to_caller;
   const auto observed_body = [&](std::size_t i) {
+    if (impl_->is_stopped) return;
     to_bodies.receive();
     body(i);
     to_caller.give();
@@ -39,6 +45,15 @@ void Executor::for_each(std::size_t count, FunctionRef<void(std::size_t)> body) 
   impl_->arena.execute(
       [&] { tbb::parallel_for(std::size_t{0}, count, observed_body, tbb::simple_partitioner()); });
   to_caller.receive();
+  if (impl_->is_stopped) throw Stopped();
+}
+
+void Executor::stop() const {
+  impl_->is_stopped = true;
+}
+
+void Executor::resume() const {
+  impl_->is_stopped = false;
 }
 
 void Executor::for_each_chunk(std::size_t count, std::size_t chunk_size,

@@ -4,17 +4,28 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <memory>
 
 #include "lockbox/core/function_ref.hpp"
 
 namespace lockbox {
 
+/// Whose loops get the workers when there are not enough for all.
+enum class Priority { normal, low };
+
+/// What a loop throws that was stopped.
+class Stopped : public std::exception {
+ public:
+  const char* what() const noexcept override { return "stopped"; }
+};
+
 /// A group of worker threads. Copyable; copies share the workers. Calls may not be nested.
 class Executor {
  public:
-  /// threads: how many work at the same time, the caller included; 0 means all cores.
-  explicit Executor(int threads = 0);
+  /// threads: how many work at the same time, the caller included; 0 means all cores. priority: of
+  /// the workers; that of the caller is its own.
+  explicit Executor(int threads = 0, Priority priority = Priority::normal);
 
   int threads() const;
 
@@ -22,13 +33,18 @@ class Executor {
   static std::size_t worker();
 
   /// Calls body(i) once for each i in [0, count), in any order, and returns when all are done.
-  /// An exception of a body reaches the caller.
+  /// An exception of a body reaches the caller. Throws Stopped if it was stopped.
   void for_each(std::size_t count, FunctionRef<void(std::size_t)> body) const;
 
   /// Calls body(begin, end, chunk) for the consecutive ranges of chunk_size that cover [0, count).
   void for_each_chunk(
       std::size_t count, std::size_t chunk_size,
       FunctionRef<void(std::size_t begin, std::size_t end, std::size_t chunk)> body) const;
+
+  /// Called by any thread: the loop under way ends soon, without the bodies that have not begun,
+  /// and so do all later ones until resume(). What loops were filling is left half done.
+  void stop() const;
+  void resume() const;
 
  private:
   struct Impl;
