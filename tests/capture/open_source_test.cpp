@@ -70,6 +70,8 @@ TEST(OpenSource, RealTimeKeepsThePaceOfTheRecording) {
   options.realtime = true;
   const std::unique_ptr<FrameSource> source = open_source((folder / "a.oni").string(), options);
   DepthFrame frame;
+  EXPECT_TRUE(source->is_realtime());
+  EXPECT_FALSE(open_source((folder / "a.oni").string())->is_realtime());
   ASSERT_TRUE(source->next(frame));
   const auto start = std::chrono::steady_clock::now();
   while (source->next(frame)) {

@@ -25,6 +25,9 @@ class FrameSource {
   /// Number of frames of a recording; nothing for a live source.
   virtual std::optional<std::size_t> frame_count() const = 0;
 
+  /// Whether frames come when their time has come, and those not taken by then are dropped.
+  virtual bool is_realtime() const { return false; }
+
   virtual std::string description() const = 0;
 };
 

@@ -17,6 +17,7 @@ class LiveDevice : public FrameSource {
   /// Throws DeviceError if the device is unplugged or delivers nothing for five seconds.
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override { return std::nullopt; }
+  bool is_realtime() const override { return true; }
   std::string description() const override;
 
  private:
