@@ -90,6 +90,7 @@ NamedValues parameters_in_force(const TrackerOptions& options) {
       {"threads", text(options.threads)},
       {"start_spread", text(options.start_spread)},
       {"start_iterations", text(options.start_iterations)},
+      {"background_search", text(options.background_search)},
       {"resting_move", text(options.resting_move)},
       {"further_iterations", text(options.further_iterations)},
       {"most_rounds", text(options.most_rounds)},

@@ -48,7 +48,8 @@ class TrackCommand : public Command {
     }
     const ArticulatedModel model = model_.load();
     const auto source = source_.open();
-    const TrackerOptions tracker_options = make_tracker_options(model.tree);
+    TrackerOptions tracker_options = make_tracker_options(model.tree);
+    tracker_options.background_search = source->is_realtime();
     Tracker tracker(model, tracker_options);
     if (initial_state_ != "auto") tracker.start(first_state(initial_state_, model.tree));
     if (!settings_.quiet) {

@@ -18,24 +18,42 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
                                                     const std::optional<Configuration>& guess,
                                                     bool anywhere) {
   best_.reset();
-  const Annealing narrow{options_.start_joint_spread, options_.start_joint_iterations};
-  if (guess) {
-    if (consider(registration_.align(cloud_, *guess, narrow))) {
-      return best_;
-    }
-    if (consider(find_near(frame, *guess))) {
-      return best_;
-    }
+  if (guess && find_from(frame, *guess)) {
+    return best_;
   }
   if (anywhere) {
     ++searches_;
     for (const Candidate& candidate : initializer().find(cloud_)) {
-      if (consider(registration_.align(cloud_, candidate.configuration, narrow))) {
+      if (consider(registration_.align(cloud_, candidate.configuration, narrow()))) {
         return best_;
       }
     }
   }
   return best_;
+}
+
+bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess) {
+  if (consider(registration_.align(cloud_, guess, narrow())) || consider(find_near(frame, guess))) {
+    return true;
+  }
+  // Frames that did not wait for a search went by, and joints may have moved anywhere in them.
+  return options_.background_search && consider(with_joints_sought(best_->configuration));
+}
+
+const RegistrationResult& Acquisition::with_joints_sought(const Configuration& start) {
+  std::vector<int> variables;
+  for (int v = 0; v < model_.tree.variables(); ++v) {
+    const auto& locked = options_.registration.locked;
+    const auto index = static_cast<std::size_t>(v);
+    if (index >= locked.size() || !locked[index]) {
+      variables.push_back(v);
+    }
+  }
+  return registration_.align(cloud_, find_joints(start, variables), narrow());
+}
+
+Annealing Acquisition::narrow() const {
+  return {options_.start_joint_spread, options_.start_joint_iterations};
 }
 
 /// Keeps it if it is the best so far; true if it is judged `tracking`.
@@ -53,8 +71,7 @@ const RegistrationResult& Acquisition::find_near(const DepthFrame& frame,
       registration_.align(cloud_, guess, {options_.start_spread, options_.start_iterations, true})
           .configuration;
   cloud_.assign(frame, options_.cloud, executor_);
-  return registration_.align(cloud_, placed,
-                             {options_.start_joint_spread, options_.start_joint_iterations});
+  return registration_.align(cloud_, placed, narrow());
 }
 
 /// Only the points that may be the object: table, walls and clutter would pull at wide gates.

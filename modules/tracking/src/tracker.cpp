@@ -17,6 +17,12 @@ bool search_is_due(int frames_searched) {
   return frames_searched % kLongestSearchPause == 0;
 }
 
+void keep_better(const RegistrationResult& registered, RegistrationResult& best) {
+  if (is_more_convincing(registered.agreement, best.agreement)) {
+    best = registered;
+  }
+}
+
 }  // namespace
 
 Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
@@ -28,12 +34,14 @@ Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
       predictor_(model.tree) {
   result_.configuration = unknown_configuration(model.tree);
   options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
+  if (options_.background_search) acquisition_.prepare();  // no frame waits for it then
 }
 
 void Tracker::start(const Configuration& configuration) {
   guess_ = configuration;
   frames_searched_ = 0;
   result_.status = TrackingStatus::initializing;
+  stop_searching();
 }
 
 bool Tracker::is_known() const {
@@ -51,18 +59,14 @@ const TrackingResult& Tracker::process(const DepthFrame& frame) {
   } else {
     search(frame);
   }
+  if (result_.status == TrackingStatus::tracking) stop_searching();
   result_.step_time = step_watch.elapsed();
   result_.latency_ms = result_.cloud_time.wall_ms + result_.step_time.wall_ms;
   return result_;
 }
 
 void Tracker::search(const DepthFrame& frame) {
-  const bool due = search_is_due(frames_searched_++);
-  if (!due) {
-    return;
-  }
-  const auto found = acquisition_.find(frame, guess_, options_.search_anywhere);
-  result_.searches = acquisition_.searches();
+  const auto found = sought(frame, options_.search_anywhere);
   if (!found) {
     return;
   }
@@ -77,6 +81,77 @@ void Tracker::search(const DepthFrame& frame) {
     frames_in_sight_.assign(static_cast<std::size_t>(model_.tree.variables()), kFramesToKnowMotion);
     guess_ = found->configuration;
   }
+}
+
+/// What is found in this frame, if a search is due, or one in the background has ended.
+std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, bool anywhere) {
+  const bool is_due = search_is_due(frames_searched_++);
+  if (options_.background_search) {
+    return sought_in_background(frame, anywhere, is_due);
+  }
+  if (!is_due) {
+    return std::nullopt;
+  }
+  auto found = acquisition_.find(frame, guess_, anywhere);
+  result_.searches = acquisition_.searches();
+  return found;
+}
+
+/// Nothing here takes longer than it may take to follow a leap.
+std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame& frame,
+                                                                bool anywhere, bool is_due) {
+  if (!background_) {
+    background_ = std::make_unique<BackgroundSearch>(model_, options_);
+  }
+  std::optional<RegistrationResult> found;
+  if (const auto answer = background_->take()) {
+    found = brought_up_to_date(*answer);
+  } else if (is_due && !is_known()) {
+    found = where_it_was();
+  }
+  result_.searches = background_->searches();
+  const bool is_found = found && judge(*found, options_) == TrackingStatus::tracking;
+  if (!is_found && !background_->is_busy()) {
+    background_->start(frame, guess_, anywhere);
+  }
+  return found;
+}
+
+/// The answer is about an earlier frame, and joints may be anywhere by now. If the base has gone
+/// too far since, the next search begins at the answer: that takes less time, in which it goes less
+/// far.
+std::optional<RegistrationResult> Tracker::brought_up_to_date(const RegistrationResult& answer) {
+  RegistrationResult here = registration_.align(
+      cloud_, answer.configuration, {options_.start_joint_spread, options_.start_joint_iterations});
+  const auto is_tracking = [this](const RegistrationResult& registered) {
+    return judge(registered, options_) == TrackingStatus::tracking;
+  };
+  if (is_tracking(here) || !is_tracking(answer)) {
+    return here;
+  }
+  seek_contradicted_joints(here);
+  if (is_tracking(here)) {
+    return here;
+  }
+  guess_ = answer.configuration;
+  return std::nullopt;
+}
+
+/// What only stood between comes back into view where it was, whatever a search is busy with.
+std::optional<RegistrationResult> Tracker::where_it_was() {
+  if (!guess_) {
+    return std::nullopt;
+  }
+  const RegistrationResult& here = registration_.align(
+      cloud_, *guess_, {options_.start_joint_spread, options_.registration.max_iterations});
+  if (judge(here, options_) != TrackingStatus::tracking) {
+    return std::nullopt;
+  }
+  return here;
+}
+
+void Tracker::stop_searching() {
+  if (background_) background_->cancel();
 }
 
 void Tracker::follow(const DepthFrame& frame) {
@@ -125,37 +200,36 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
                                                       const RegistrationResult& registered) {
   const bool is_hidden = is_hidden_at_once(registered);
   best_ = registered;
-  list_contradicted_joints();
-  if (!sought_joints_.empty()) {
-    keep_if_better(
-        registration_.align(cloud_, acquisition_.find_joints(best_.configuration, sought_joints_),
-                            {options_.start_joint_spread, options_.start_joint_iterations}));
-  }
+  seek_contradicted_joints(best_);
   if (is_hidden) {  // by the object itself, when the estimate lies behind it
-    keep_if_better(acquisition_.find_near(frame, *guess_));
+    keep_better(acquisition_.find_near(frame, *guess_), best_);
   }
-  if (judge(best_, options_) != TrackingStatus::tracking && search_is_due(frames_searched_++)) {
-    const bool anywhere = options_.search_anywhere && frames_searched_ > kFramesOfDoubt;
-    if (const auto found = acquisition_.find(frame, guess_, anywhere)) {
-      keep_if_better(*found);
+  if (judge(best_, options_) != TrackingStatus::tracking) {
+    const bool anywhere = options_.search_anywhere && frames_searched_ >= kFramesOfDoubt;
+    if (const auto found = sought(frame, anywhere)) {
+      keep_better(*found, best_);
     }
-    result_.searches = acquisition_.searches();
   }
   return best_;
 }
 
-void Tracker::keep_if_better(const RegistrationResult& registered) {
-  if (is_more_convincing(registered.agreement, best_.agreement)) {
-    best_ = registered;
+/// Over their whole ranges.
+void Tracker::seek_contradicted_joints(RegistrationResult& best) {
+  list_contradicted_joints(best);
+  if (!sought_joints_.empty()) {
+    keep_better(
+        registration_.align(cloud_, acquisition_.find_joints(best.configuration, sought_joints_),
+                            {options_.start_joint_spread, options_.start_joint_iterations}),
+        best);
   }
 }
 
 /// Those whose own body is seen through.
-void Tracker::list_contradicted_joints() {
+void Tracker::list_contradicted_joints(const RegistrationResult& registered) {
   sought_joints_.clear();
-  for (std::size_t b = 0; b < best_.body_agreement.size(); ++b) {
+  for (std::size_t b = 0; b < registered.body_agreement.size(); ++b) {
     const int joint = model_.tree.bodies[b].parent_joint;
-    if (joint < 0 || !is_contradicted(best_.body_agreement[b], options_)) {
+    if (joint < 0 || !is_contradicted(registered.body_agreement[b], options_)) {
       continue;
     }
     const int variable = model_.tree.joints[static_cast<std::size_t>(joint)].variable;

@@ -25,6 +25,9 @@ class Acquisition {
   /// Registers the base alone within a wide gate, then everything within a narrow one.
   const RegistrationResult& find_near(const DepthFrame& frame, const Configuration& guess);
 
+  /// Makes what the first search would take its time for.
+  void prepare() { initializer(); }
+
   /// How often find() has looked anywhere.
   int searches() const { return searches_; }
 
@@ -32,7 +35,10 @@ class Acquisition {
   Configuration find_joints(const Configuration& start, const std::vector<int>& variables);
 
  private:
+  bool find_from(const DepthFrame& frame, const Configuration& guess);
+  const RegistrationResult& with_joints_sought(const Configuration& start);
   bool consider(const RegistrationResult& found);
+  Annealing narrow() const;
   void keep_object(const Configuration& start);
   Initializer& initializer();
 

@@ -13,6 +13,7 @@
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/tracking/acquisition.hpp"
+#include "lockbox/tracking/background_search.hpp"
 #include "lockbox/tracking/judgement.hpp"
 #include "lockbox/tracking/motion_predictor.hpp"
 #include "lockbox/tracking/tracker_options.hpp"
@@ -55,6 +56,12 @@ class Tracker {
  private:
   bool is_known() const;
   void search(const DepthFrame& frame);
+  std::optional<RegistrationResult> sought(const DepthFrame& frame, bool anywhere);
+  std::optional<RegistrationResult> sought_in_background(const DepthFrame& frame, bool anywhere,
+                                                         bool is_due);
+  std::optional<RegistrationResult> brought_up_to_date(const RegistrationResult& answer);
+  std::optional<RegistrationResult> where_it_was();
+  void stop_searching();
   void follow(const DepthFrame& frame);
   Configuration with_hidden_joints_sought(const Configuration& prediction);
   const RegistrationResult& come_to_rest(const RegistrationResult& registered);
@@ -62,8 +69,8 @@ class Tracker {
   bool has_leapt(const RegistrationResult& registered) const;
   const RegistrationResult& with_leap_followed(const DepthFrame& frame,
                                                const RegistrationResult& registered);
-  void keep_if_better(const RegistrationResult& registered);
-  void list_contradicted_joints();
+  void seek_contradicted_joints(RegistrationResult& best);
+  void list_contradicted_joints(const RegistrationResult& registered);
   void report(const RegistrationResult& registered);
 
   const ArticulatedModel& model_;
@@ -79,6 +86,7 @@ class Tracker {
   RegistrationResult best_;           ///< of several tries at the same frame
   std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
   TrackingResult result_;
+  std::unique_ptr<BackgroundSearch> background_;  ///< made when it is first needed
 };
 
 }  // namespace lockbox

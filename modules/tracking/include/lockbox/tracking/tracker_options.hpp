@@ -20,6 +20,9 @@ struct TrackerOptions {
   double start_joint_spread = 0.005;
   int start_joint_iterations = 10;
   bool search_anywhere = true;  ///< where no guess helps, at the start and when lost
+  /// Frames do not wait for searches, which then go on in a thread of their own: for live sources.
+  /// What a recording gives depends on the clock with it, and not without.
+  bool background_search = false;
 
   /// The iterations of a frame are few because predictions are good. After one that was not,
   /// surfaces still move by more than noise moves them: then so many more follow, in as many

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the object in a thread of its own, while the tracker's goes on with the frames.
+#pragma once
+
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "lockbox/core/depth_frame.hpp"
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/tracking/tracker_options.hpp"
+
+namespace lockbox {
+
+/// One search at a time, in one frame each. The model must outlive it. All calls come from one
+/// thread, and none of them waits for the search but the destructor, which stops it first.
+class BackgroundSearch {
+ public:
+  BackgroundSearch(const ArticulatedModel& model, const TrackerOptions& options);
+  ~BackgroundSearch();
+  BackgroundSearch(const BackgroundSearch&) = delete;
+  BackgroundSearch& operator=(const BackgroundSearch&) = delete;
+
+  /// From start() until take() has met its end.
+  bool is_busy() const { return running_.valid(); }
+
+  /// Begins what Acquisition::find() does, with a copy of the frame. Not while it is busy.
+  void start(const DepthFrame& frame, const std::optional<Configuration>& guess, bool anywhere);
+
+  /// What was found in the frame given to start(), once after each search; none before its end, if
+  /// nothing resembled the model, or if it was cancelled. An error of the search comes out here.
+  std::optional<RegistrationResult> take();
+
+  /// Nobody needs the answer any more. It stays busy until the search has noticed.
+  void cancel();
+
+  /// How often the object was sought in the whole frame, in searches that ended.
+  int searches() const { return searches_; }
+
+ private:
+  struct Seeker;
+  using Answer = std::optional<RegistrationResult>;
+
+  const ArticulatedModel& model_;
+  TrackerOptions options_;
+  Executor executor_;
+  DepthFrame frame_;                ///< the search's own while it is busy
+  std::unique_ptr<Seeker> seeker_;  ///< likewise
+  bool is_cancelled_ = false;
+  int searches_ = 0;
+  std::future<Answer> running_;  ///< last: it goes first, and waits for the search
+};
+
+}  // namespace lockbox
