@@ -7,7 +7,8 @@ namespace {
 constexpr int kFramesToKnowMotion = 2;    // a joint that comes back into sight is sought until then
 constexpr int kLongestSearchPause = 8;    // frames
 constexpr double kSuddenlyHidden = 0.15;  // of the visible surface, from one frame to the next
-constexpr int kFramesOfDoubt = 4;         // until the object is sought anywhere
+constexpr int kMostAnswersPassed = 2;  // in a row by the object; after that, the answers are wrong
+constexpr int kFramesOfDoubt = 4;      // until the object is sought anywhere
 
 /// While nothing is found, the search of the whole frame pauses for longer and longer.
 bool search_is_due(int frames_searched) {
@@ -112,7 +113,9 @@ std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame
   result_.searches = background_->searches();
   const bool is_found = found && judge(*found, options_) == TrackingStatus::tracking;
   if (!is_found && !background_->is_busy()) {
-    background_->start(frame, guess_, anywhere);
+    const bool is_misled = answers_passed_ > kMostAnswersPassed;
+    background_->start(frame, is_misled ? std::nullopt : guess_, anywhere);
+    if (is_misled) answers_passed_ = 0;
   }
   return found;
 }
@@ -134,6 +137,7 @@ std::optional<RegistrationResult> Tracker::brought_up_to_date(const Registration
     return here;
   }
   guess_ = answer.configuration;
+  ++answers_passed_;
   return std::nullopt;
 }
 
@@ -152,6 +156,7 @@ std::optional<RegistrationResult> Tracker::where_it_was() {
 
 void Tracker::stop_searching() {
   if (background_) background_->cancel();
+  answers_passed_ = 0;
 }
 
 void Tracker::follow(const DepthFrame& frame) {

@@ -87,6 +87,7 @@ class Tracker {
   std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
   TrackingResult result_;
   std::unique_ptr<BackgroundSearch> background_;  ///< made when it is first needed
+  int answers_passed_ = 0;  ///< of it, in a row: right in their frames, not in the newest
 };
 
 }  // namespace lockbox
