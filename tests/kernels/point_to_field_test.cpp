@@ -83,20 +83,34 @@ class PointToFieldTest : public ::testing::Test {
     x[kPoints - 1] = y[kPoints - 1] = z[kPoints - 1] = kPadding;
   }
 
-  void look_up_all() { look_up(field.view, motion, noise, points(), hits()); }
+  void look_up_all() {
+    look_up(field.view, motion, noise, points(), {predicted_body.data(), predicted_depth.data()},
+            kBody, kCut, hits(), planes());
+  }
   PointSpan points() { return {x.data(), y.data(), z.data(), kPoints}; }
   FieldHits hits() {
     return {distance.data(),
+            nearest.data(),
             {normal[0].data(), normal[1].data(), normal[2].data()},
             {position[0].data(), position[1].data(), position[2].data()},
             inverse_variance.data()};
   }
 
   using Array = std::array<float, kPoints>;
+  static constexpr float kBody = 3.0F;
+  static constexpr float kCut = 4.0F;
+  Array predicted_body{};  ///< another body, unless a test says otherwise
+  Array predicted_depth{};
   SphereField field;
   RigidMotion motion{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, -0.5F}};
   PointNoise noise{0.0005F, 0.002F, 0.001F, 0.0F};
-  Array x, y, z, distance, inverse_variance, weight;
+  BodyPlanes planes() {
+    return {plane_offset.data(),
+            {plane_normal[0].data(), plane_normal[1].data(), plane_normal[2].data()}};
+  }
+
+  Array x, y, z, distance, nearest, inverse_variance, weight, plane_offset;
+  std::array<Array, 3> plane_normal;
   std::array<Array, 3> normal, position;
 };
 
@@ -168,6 +182,66 @@ TEST_F(PointToFieldTest, FarSideOfTheBodyExplainsNothing) {
   look_up_all();
   EXPECT_GT(inverse_variance[0], 0.0F);
   EXPECT_EQ(inverse_variance[1], 0.0F);
+}
+
+/// Points 2 mm inside the back of the sphere, whose pixels show its front.
+class FrontPredicted : public PointToFieldTest {
+ protected:
+  static constexpr float kFront = 0.44F;
+  static constexpr float kMeasured = 0.558F;
+
+  FrontPredicted() {
+    noise.depth_floor = 0.05F;
+    x.fill(0.0F);
+    y.fill(0.0F);
+    z.fill(kMeasured);
+    predicted_body.fill(kBody);
+    predicted_depth.fill(kFront);
+    plane_offset.fill(kNoPlane);
+  }
+};
+
+TEST_F(FrontPredicted, ThePlaneThatTheRayMeetsWinsOverAFarSide) {
+  look_up_all();
+  EXPECT_NEAR(nearest[0], -0.002F, 1e-3F);
+  EXPECT_NEAR(distance[0], kFront - kMeasured, 1e-3F);
+  EXPECT_NEAR(normal[2][0], -1.0F, 1e-2F);
+  EXPECT_NEAR(inverse_variance[0] * 0.0506F * 0.0506F, 1.0F, 0.05F);
+  EXPECT_LT(plane_offset[0], kNoPlane);
+}
+
+TEST_F(FrontPredicted, FrozenPlanesMoveWithTheirBody) {
+  look_up_all();
+  const float before = distance[0];
+  motion.translation[2] += 0.01F;  // the body comes nearer
+  frozen_distance(motion, points(), {predicted_body.data(), predicted_depth.data()}, kBody,
+                  planes(), nearest.data(), distance.data());
+  EXPECT_NEAR(distance[0], before + 0.01F * normal[2][0], 1e-5F);
+}
+
+TEST_F(FrontPredicted, OfOtherBodiesOrBeyondTheCutNothingCompetes) {
+  predicted_body[0] = kBody + 1.0F;
+  predicted_depth[1] = kMeasured - 1.1F * kCut * noise.depth_floor;
+  look_up_all();
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_EQ(distance[i], nearest[i]);
+    EXPECT_EQ(inverse_variance[i], 0.0F);
+    EXPECT_EQ(plane_offset[i], kNoPlane);
+  }
+}
+
+TEST_F(PointToFieldTest, WhereTheRayMeetsTheNearestSurfaceNothingChanges) {
+  for (std::size_t i = 0; i + 1 < kPoints; ++i) {
+    x[i] *= 0.1F;  // where the sphere is nearly flat
+    y[i] *= 0.1F;
+    z[i] = 0.44F + 0.1F * (z[i] - 0.5F);
+  }
+  look_up_all();
+  const Array alone = distance;
+  predicted_body.fill(kBody);
+  predicted_depth.fill(0.44F);
+  look_up_all();
+  for (std::size_t i = 0; i + 1 < kPoints; ++i) EXPECT_NEAR(distance[i], alone[i], 5e-4F);
 }
 
 TEST_F(PointToFieldTest, PointsOffTheFieldAndPaddingExplainNothing) {

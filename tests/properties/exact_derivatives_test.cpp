@@ -72,14 +72,14 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
   const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
   const RegistrationOptions options;
   VisibleSurface surface;
-  std::vector<float> visible;
+  PixelPrediction predicted;
   for (const double spread : {0.0, 0.01}) {
     const Configuration at = displaced(0.7);
     surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
-    surface.label(cloud, options.cut * options.noise.lateral_pixels, executor, visible);
+    surface.predict(cloud, executor, predicted);
     ModelTerm term;
     std::vector<BodySystem> systems(model.tree.bodies.size());
-    const ModelTerm::Scene scene{model, cloud, cloud.camera(), visible, options, executor};
+    const ModelTerm::Scene scene{model, cloud, cloud.camera(), predicted, options, executor};
     const double cost = term.linearize(scene, poses(at), spread, systems);
     EXPECT_NEAR(term.cost(scene, poses(at)), cost, 1e-5 * std::abs(cost));
     const NormalEquations analytic = mapped(systems, at);

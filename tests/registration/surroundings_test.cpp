@@ -40,6 +40,25 @@ TEST(Surroundings, TheWallThatTheObjectHangsOnDoesNotPullIt) {
   EXPECT_LT(flush, free + 0.002);
 }
 
+/// Noise puts points of the front behind it, near its lower side, whose pull no upper side
+/// balances.
+TEST(Surroundings, ABlockThatTheImageCutsOffIsNotPulledAside) {
+  const ArticulatedModel& model = shipped("rigid_block");
+  Configuration truth = rest_configuration(model.tree);
+  truth.T_camera_base = Eigen::Translation3d(0.0, -0.95, 0.0) * facing_pose(2.4) *
+                        Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX());
+  ArticulatedRegistration registration(model, {}, Executor());
+  constexpr int kSeeds = 8;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const auto& found =
+        registration.align(seen(model, truth, wall_behind(1.0), seed), truth, {0.005, 10});
+    mean +=
+        (truth.T_camera_base.inverse() * found.configuration.T_camera_base).translation() / kSeeds;
+  }
+  EXPECT_LT(mean.norm(), 0.003);
+}
+
 /// Steps along rows and columns from a pixel to the nearest one that shows a body.
 int steps_to_model(const RenderedDepth& view, int u, int v) {
   int least = view.width + view.height;
@@ -61,9 +80,8 @@ TEST(Surroundings, PointsAreLabelledByTheirDistanceFromTheOutline) {
   forward_kinematics(model.tree, truth, poses);
   VisibleSurface surface;
   surface.render(model, poses, cloud.camera(), cloud.camera().width, Executor());
-  constexpr double kLateral = 2.5;  // pixels
-  std::vector<float> labels;
-  surface.label(cloud, kLateral, Executor(), labels);
+  PixelPrediction predicted;
+  surface.predict(cloud, Executor(), predicted);
   int beside = 0;
   for (std::size_t t = 0; t < cloud.tiles().size(); t += 7) {
     if (cloud.tiles()[t].count == 0) continue;
@@ -72,12 +90,13 @@ TEST(Surroundings, PointsAreLabelledByTheirDistanceFromTheOutline) {
     const int width = cloud.camera().width;
     const int steps = std::min(steps_to_model(surface.view(), pixel % width, pixel / width), 255);
     if (steps == 0) {
-      EXPECT_EQ(labels[point], 0.0F);
+      EXPECT_EQ(predicted.body[point], 0.0F);
+      EXPECT_NEAR(predicted.depth[point], cloud.z()[point], 0.02);
       continue;
     }
-    const double pixels = std::sqrt(std::max(0.0, steps * steps - kLateral * kLateral));
-    const double metres = pixels / cloud.camera().fx * cloud.z()[point];
-    EXPECT_NEAR(labels[point], kernels::label_beside(static_cast<float>(metres)), 1e-6);
+    const double metres = steps / cloud.camera().fx * cloud.z()[point];
+    EXPECT_EQ(predicted.depth[point], 0.0F);
+    EXPECT_NEAR(predicted.body[point], kernels::label_beside(static_cast<float>(metres)), 1e-6);
     beside += steps < 100 ? 1 : 0;
   }
   EXPECT_GT(beside, 20);

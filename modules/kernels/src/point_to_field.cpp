@@ -20,47 +20,175 @@ namespace lockbox::kernels::HWY_NAMESPACE {
 /// must stay, for points beyond them pull the body sideways.
 constexpr float kFarSideCosine = 0.6F;
 
-void look_up_points(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
-                    const PointSpan& points, const FieldHits& hits) {
+constexpr float kSamePlane = 0.5F;  // standard deviations
+
+/// The nearest surface of a body, as points of a vector see it.
+struct Hit {
+  Float distance;
+  Float normal[3];
+  Float position[3];          // of the point, body frame
+  Float along;                // normal . point, both in the body's axes
+  Float inverse_variance;     // 0 where the body cannot explain the point
+  hn::Mask<FloatTag> inside;  // the field
+};
+
+HWY_INLINE Float sigma_z(const PointNoise& noise, const Float z) {
+  const FloatTag df;
+  return hn::MulAdd(hn::Set(df, noise.depth_quadratic), hn::Mul(z, z),
+                    hn::Set(df, noise.depth_floor));
+}
+
+HWY_INLINE Hit hit_of(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
+                      const Float p[3]) {
+  const FloatTag df;
+  Hit hit;
+  transform(motion, p, hit.position);
+  const GridPosition at = locate(field, hit.position);
+  hit.inside = at.inside;
+  hit.distance = interpolate<true>(field, at, hit.normal);
+
+  const Float p2 = dot(p, p);
+  const Float* q = hit.position;
+  const Float ray[3] = {hn::Sub(q[0], hn::Set(df, motion.translation[0])),
+                        hn::Sub(q[1], hn::Set(df, motion.translation[1])),
+                        hn::Sub(q[2], hn::Set(df, motion.translation[2]))};
+  hit.along = dot(hit.normal, ray);
+  const Float along2 = hn::Mul(hit.along, hit.along);
+  const Float z2 = hn::Mul(p[2], p[2]);
+  const Float depth_sigma = sigma_z(noise, p[2]);
+  const Float lateral2 = hn::Mul(hn::Set(df, noise.lateral * noise.lateral), z2);
+  const Float across =
+      hn::Max(hn::Zero(df), hn::Sub(dot(hit.normal, hit.normal), hn::Div(along2, p2)));
+  const Float variance =
+      hn::MulAdd(hn::Div(along2, z2), hn::Mul(depth_sigma, depth_sigma),
+                 hn::MulAdd(across, lateral2, hn::Set(df, noise.spread * noise.spread + 1e-10F)));
+  const auto far_side =
+      hn::And(hn::Gt(hit.along, hn::Zero(df)),
+              hn::Gt(along2, hn::Mul(hn::Set(df, kFarSideCosine * kFarSideCosine), p2)));
+  hit.inverse_variance =
+      hn::IfThenElseZero(hn::AndNot(far_side, at.inside), hn::Div(hn::Set(df, 1.0F), variance));
+  return hit;
+}
+
+/// The squared density of measurements near the surface, but for factors that all surfaces on a ray
+/// share. stretch: of the ray up to where the surface was sought.
+HWY_INLINE Float density2(const Hit& hit, const Float stretch) {
   const FloatTag df;
   const Float zero = hn::Zero(df);
-  const Float translation[3] = {hn::Set(df, motion.translation[0]),
-                                hn::Set(df, motion.translation[1]),
-                                hn::Set(df, motion.translation[2])};
+  const Float facing = hn::Div(hn::Min(hit.along, zero), stretch);
+  const Float s = hn::Mul(hn::Mul(hit.distance, hit.distance), hit.inverse_variance);
+  return hn::Mul(hn::Mul(hn::Mul(facing, facing), hit.inverse_variance),
+                 hn::Exp(df, hn::Max(hn::Neg(s), hn::Set(df, -80.0F))));
+}
+
+/// Whether the rays are predicted to meet the body near the points, but not in the nearest surface:
+/// that, taken for a plane, would pass through the predicted point.
+HWY_INLINE hn::Mask<FloatTag> is_open(const Hit& hit, const PointNoise& noise, const Float z,
+                                      const Float predicted, const float cut) {
+  const FloatTag df;
+  const Float depth_sigma = sigma_z(noise, z);
+  const Float variance =
+      hn::MulAdd(depth_sigma, depth_sigma, hn::Set(df, noise.spread * noise.spread));
+  const Float off = hn::Sub(predicted, z);
+  const auto is_near = hn::Lt(hn::Mul(off, off), hn::Mul(hn::Set(df, cut * cut), variance));
+  const Float missed = hn::MulAdd(hn::Div(off, z), hit.along, hit.distance);
+  const Float missed2 = hn::Mul(hn::Mul(missed, missed), hit.inverse_variance);
+  const auto explains = hn::Gt(hit.inverse_variance, hn::Zero(df));
+  const auto is_same = hn::And(explains, hn::Lt(missed2, hn::Set(df, kSamePlane * kSamePlane)));
+  return hn::AndNot(is_same, is_near);
+}
+
+/// Replaces the nearest surface by the planes that the rays meet, where those are more likely.
+/// Returns where.
+HWY_INLINE hn::Mask<FloatTag> let_rays_compete(const FieldView& field, const RigidMotion& motion,
+                                               const PointNoise& noise, const Float p[3],
+                                               const Float predicted,
+                                               const hn::Mask<FloatTag> competes, Hit& hit) {
+  const FloatTag df;
+  const Float one = hn::Set(df, 1.0F);
+  const Float stretch = hn::IfThenElse(competes, hn::Div(predicted, p[2]), one);
+  const Float q[3] = {hn::Mul(stretch, p[0]), hn::Mul(stretch, p[1]), hn::Mul(stretch, p[2])};
+  Hit met = hit_of(field, motion, noise, q);
+  // From q back to p along the ray.
+  met.distance = hn::MulAdd(hn::Div(hn::Sub(one, stretch), stretch), met.along, met.distance);
+  const auto wins = hn::And(competes, hn::Gt(density2(met, stretch), density2(hit, one)));
+  hit.distance = hn::IfThenElse(wins, met.distance, hit.distance);
+  hit.inverse_variance = hn::IfThenElse(wins, met.inverse_variance, hit.inverse_variance);
+  for (int axis = 0; axis < 3; ++axis) {
+    hit.normal[axis] = hn::IfThenElse(wins, met.normal[axis], hit.normal[axis]);
+    hit.position[axis] = hn::IfThenElse(wins, met.position[axis], hit.position[axis]);
+  }
+  return wins;
+}
+
+HWY_INLINE void store(const Hit& hit, const FieldHits& hits, std::size_t i) {
+  const FloatTag df;
+  hn::StoreU(hn::IfThenElse(hit.inside, hit.distance, hn::Set(df, kPadding)), df,
+             hits.distance + i);
+  for (int axis = 0; axis < 3; ++axis) {
+    hn::StoreU(hit.normal[axis], df, hits.normal[axis] + i);
+    hn::StoreU(hit.position[axis], df, hits.position[axis] + i);
+  }
+  hn::StoreU(hit.inverse_variance, df, hits.inverse_variance + i);
+}
+
+HWY_INLINE void store_planes(const Hit& hit, const hn::Mask<FloatTag> where,
+                             const BodyPlanes& planes, std::size_t i) {
+  const FloatTag df;
+  const Float offset = hn::Sub(hit.distance, dot(hit.normal, hit.position));
+  hn::StoreU(hn::IfThenElse(where, offset, hn::LoadU(df, planes.offset + i)), df,
+             planes.offset + i);
+  for (int axis = 0; axis < 3; ++axis) {
+    float* const normal = planes.normal[axis] + i;
+    hn::StoreU(hn::IfThenElse(where, hit.normal[axis], hn::LoadU(df, normal)), df, normal);
+  }
+}
+
+bool look_up_points(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
+                    const PointSpan& points, const PredictedPixels& predicted, float body,
+                    float cut, const FieldHits& hits, const BodyPlanes& planes) {
+  const FloatTag df;
+  bool any_won = false;
   for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
     const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
                         hn::LoadU(df, points.z + i)};
-    Float q[3];
-    Float n[3];
-    transform(motion, p, q);
-    const GridPosition at = locate(field, q);
-    const Float distance = interpolate<true>(field, at, n);
-
-    const Float p2 = dot(p, p);
-    const Float ray[3] = {hn::Sub(q[0], translation[0]), hn::Sub(q[1], translation[1]),
-                          hn::Sub(q[2], translation[2])};
-    const Float along = dot(n, ray);  // n . p, both in the body's axes
-    const Float along2 = hn::Mul(along, along);
-    const Float z2 = hn::Mul(p[2], p[2]);
-    const Float sigma_z =
-        hn::MulAdd(hn::Set(df, noise.depth_quadratic), z2, hn::Set(df, noise.depth_floor));
-    const Float lateral2 = hn::Mul(hn::Set(df, noise.lateral * noise.lateral), z2);
-    const Float across = hn::Max(zero, hn::Sub(dot(n, n), hn::Div(along2, p2)));
-    const Float variance =
-        hn::MulAdd(hn::Div(along2, z2), hn::Mul(sigma_z, sigma_z),
-                   hn::MulAdd(across, lateral2, hn::Set(df, noise.spread * noise.spread + 1e-10F)));
-    const auto far_side =
-        hn::And(hn::Gt(along, zero),
-                hn::Gt(along2, hn::Mul(hn::Set(df, kFarSideCosine * kFarSideCosine), p2)));
-    const auto explains = hn::AndNot(far_side, at.inside);
-
-    hn::StoreU(hn::IfThenElse(at.inside, distance, hn::Set(df, kPadding)), df, hits.distance + i);
-    for (int axis = 0; axis < 3; ++axis) {
-      hn::StoreU(n[axis], df, hits.normal[axis] + i);
-      hn::StoreU(q[axis], df, hits.position[axis] + i);
+    Hit hit = hit_of(field, motion, noise, p);
+    hn::StoreU(hn::IfThenElse(hit.inside, hit.distance, hn::Set(df, kPadding)), df,
+               hits.nearest + i);
+    const Float depth = hn::LoadU(df, predicted.depth + i);
+    const auto shows_body = hn::Eq(hn::LoadU(df, predicted.body + i), hn::Set(df, body));
+    const auto competes = hn::And(shows_body, is_open(hit, noise, p[2], depth, cut));
+    if (!hn::AllFalse(df, competes)) {
+      const auto wins = let_rays_compete(field, motion, noise, p, depth, competes, hit);
+      store_planes(hit, wins, planes, i);
+      any_won = any_won || !hn::AllFalse(df, wins);
     }
-    hn::StoreU(hn::IfThenElseZero(explains, hn::Div(hn::Set(df, 1.0F), variance)), df,
-               hits.inverse_variance + i);
+    store(hit, hits, i);
+  }
+  return any_won;
+}
+
+void frozen_point_distances(const RigidMotion& motion, const PointSpan& points,
+                            const PredictedPixels& predicted, float body, const BodyPlanes& planes,
+                            const float* nearest, float* distance) {
+  const FloatTag df;
+  for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
+    const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
+                        hn::LoadU(df, points.z + i)};
+    const Float normal[3] = {hn::LoadU(df, planes.normal[0] + i),
+                             hn::LoadU(df, planes.normal[1] + i),
+                             hn::LoadU(df, planes.normal[2] + i)};
+    const Float offset = hn::LoadU(df, planes.offset + i);
+    const auto shows_body = hn::Eq(hn::LoadU(df, predicted.body + i), hn::Set(df, body));
+    const auto has_plane = hn::And(shows_body, hn::Lt(offset, hn::Set(df, kNoPlane)));
+    const Float stretch = hn::Div(hn::LoadU(df, predicted.depth + i), p[2]);
+    const Float on_plane[3] = {hn::Mul(stretch, p[0]), hn::Mul(stretch, p[1]),
+                               hn::Mul(stretch, p[2])};
+    Float q[3];
+    transform(motion, on_plane, q);
+    hn::StoreU(
+        hn::IfThenElse(has_plane, hn::Add(dot(normal, q), offset), hn::LoadU(df, nearest + i)), df,
+        distance + i);
   }
 }
 
@@ -183,14 +311,24 @@ HWY_AFTER_NAMESPACE();
 namespace lockbox::kernels {
 
 HWY_EXPORT(look_up_points);
+HWY_EXPORT(frozen_point_distances);
 HWY_EXPORT(look_up_point_distances);
 HWY_EXPORT(associate_points);
 HWY_EXPORT(total_association_cost);
 HWY_EXPORT(accumulate_points);
 
-void look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
-             const PointSpan& points, const FieldHits& hits) {
-  HWY_DYNAMIC_DISPATCH(look_up_points)(field, body_from_camera, noise, points, hits);
+bool look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
+             const PointSpan& points, const PredictedPixels& predicted, float body, float cut,
+             const FieldHits& hits, const BodyPlanes& planes) {
+  return HWY_DYNAMIC_DISPATCH(look_up_points)(field, body_from_camera, noise, points, predicted,
+                                              body, cut, hits, planes);
+}
+
+void frozen_distance(const RigidMotion& body_from_camera, const PointSpan& points,
+                     const PredictedPixels& predicted, float body, const BodyPlanes& planes,
+                     const float* nearest, float* distance) {
+  HWY_DYNAMIC_DISPATCH(frozen_point_distances)
+  (body_from_camera, points, predicted, body, planes, nearest, distance);
 }
 
 void look_up_distance(const FieldView& field, const RigidMotion& body_from_camera,

@@ -154,7 +154,8 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
   rendered_ = configuration;
   points_ = &cloud;
   if (!cloud.has_image()) {
-    visible_.assign(cloud.x().size(), kernels::label_beside(0.0F));
+    predicted_.body.assign(cloud.x().size(), kernels::label_beside(0.0F));
+    predicted_.depth.assign(cloud.x().size(), 0.0F);
     return;
   }
   forward_kinematics(model_.tree, configuration, poses_);
@@ -162,7 +163,6 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
   const bool is_coarse = is_thinned && options_.point_budget < kLeastForFineView;
   surface_.render(model_, poses_, cloud.camera(), is_coarse ? kCoarseColumns : kFineColumns,
                   executor_);
-  const double lateral = options_.cut * options_.noise.lateral_pixels;
   plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx,
              options_.cut * spread, is_thinned ? options_.point_budget : kViewSamples, executor_);
   samples_.collect(surface_, plan_.density());
@@ -170,11 +170,11 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
     thinned_.assign(cloud, plan_.density());
     points_ = &thinned_;
   }
-  surface_.label(*points_, lateral, executor_, visible_);
+  surface_.predict(*points_, executor_, predicted_);
 }
 
 ModelTerm::Scene ArticulatedRegistration::scene(const TiledCloud& cloud) const {
-  return {model_, *points_, cloud.camera(), visible_, options_, executor_};
+  return {model_, *points_, cloud.camera(), predicted_, options_, executor_};
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {

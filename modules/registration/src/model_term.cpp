@@ -13,7 +13,7 @@ namespace lockbox {
 namespace {
 
 constexpr std::size_t kMaxCandidates = 16;  // bodies that may compete for the points of a tile
-constexpr std::size_t kArraysPerCandidate = 9;
+constexpr std::size_t kArraysPerCandidate = 10;
 
 kernels::PointSpan points_of(const PointTiles& points, const Tile& tile) {
   return {points.x().data() + tile.first, points.y().data() + tile.first,
@@ -24,6 +24,10 @@ kernels::PointNoise point_noise(const SensorNoise& noise, const PinholeCamera& c
                                 double spread) {
   return {static_cast<float>(noise.depth_floor), static_cast<float>(noise.depth_quadratic),
           static_cast<float>(noise.lateral_pixels / camera.fx), static_cast<float>(spread)};
+}
+
+kernels::PredictedPixels predicted_pixels(const ModelTerm::Scene& scene, const Tile& tile) {
+  return {scene.predicted.body.data() + tile.first, scene.predicted.depth.data() + tile.first};
 }
 
 /// How far from a body, metres, the points of a tile may lie to be its own.
@@ -66,6 +70,16 @@ std::size_t tiles_in_chunk(const PointTiles& points, std::size_t first, std::siz
 
 }  // namespace
 
+kernels::BodyPlanes ModelTerm::Chunk::planes_of(std::size_t tile_of_chunk) const {
+  float* const offset = planes.get() + tile_of_chunk * kPlaneNumbers * kTilePoints;
+  return {offset, {offset + kTilePoints, offset + 2 * kTilePoints, offset + 3 * kTilePoints}};
+}
+
+void ModelTerm::Chunk::forget_planes(std::size_t tile_of_chunk) {
+  has_planes[tile_of_chunk] = false;
+  std::fill_n(planes_of(tile_of_chunk).offset, kTilePoints, kernels::kNoPlane);
+}
+
 /// Memory for one tile: arrays of all its candidates.
 struct ModelTerm::Scratch {
   explicit Scratch(std::vector<float>& memory) {
@@ -77,7 +91,7 @@ struct ModelTerm::Scratch {
       return array;
     };
     for (std::size_t l = 0; l < kMaxCandidates; ++l) {
-      hits[l] = {take(), {take(), take(), take()}, {take(), take(), take()}, nullptr};
+      hits[l] = {take(), take(), {take(), take(), take()}, {take(), take(), take()}, nullptr};
       weight[l] = take();
       frozen_distance[l] = take();
     }
@@ -97,7 +111,7 @@ struct ModelTerm::Scratch {
             {distance.data(), count},
             {inverse_variance_.data(), count},
             {chunk.body_numbers.data() + first, count},
-            scene.visible.data() + tile.first,
+            scene.predicted.body.data() + tile.first,
             static_cast<float>(scene.options.cut * chunk.spread),
             static_cast<float>(scene.options.cut),
             static_cast<float>(scene.options.visible_odds)};
@@ -133,7 +147,24 @@ void ModelTerm::prepare(Linearization& linearization) const {
     chunk.inverse_variance.reserve(most * kTilePoints);
     chunk.tile_systems.reserve(most);
     chunk.sums.reserve(bodies_.size());
+    if (!chunk.planes) {
+      chunk.planes = std::make_unique<float[]>(kTilesPerChunk * kPlaneNumbers * kTilePoints);
+    }
   }
+}
+
+/// Where a tile's points see the body, and which planes they see in place of its nearest surface.
+void ModelTerm::look_up(const Scene& scene, std::size_t tile_index, std::size_t tile_of_chunk,
+                        std::size_t candidate, const kernels::FieldHits& hits, Chunk& chunk) const {
+  const Tile& tile = scene.points.tiles()[tile_index];
+  const int body = chunk.bodies[candidate];
+  const auto b = static_cast<std::size_t>(body);
+  const bool any = kernels::look_up(scene.model.fields[b]->view(), bodies_[b].from_camera,
+                                    point_noise(scene.options.noise, scene.camera, chunk.spread),
+                                    points_of(scene.points, tile), predicted_pixels(scene, tile),
+                                    static_cast<float>(body), static_cast<float>(scene.options.cut),
+                                    hits, chunk.planes_of(tile_of_chunk));
+  chunk.has_planes[tile_of_chunk] = chunk.has_planes[tile_of_chunk] || any;
 }
 
 void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index, double spread,
@@ -185,17 +216,14 @@ double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index, d
   chunk.spread = spread;
   chunk.cost = 0.0;
   chunk.totals = {};
-  const kernels::PointNoise noise = point_noise(scene.options.noise, scene.camera, spread);
   const std::size_t first_tile = chunk_index * kTilesPerChunk;
   double cost = 0.0;
   for (std::size_t k = 0; k < tiles_in_chunk(points, first_tile, kTilesPerChunk); ++k) {
-    const Tile& tile = points.tiles()[first_tile + k];
+    chunk.forget_planes(k);
     for (std::size_t c = chunk.first[k]; c < chunk.first[k + 1]; ++c) {
-      const auto body = static_cast<std::size_t>(chunk.bodies[c]);
       kernels::FieldHits& hits = scratch.hits[c - chunk.first[k]];
       hits.inverse_variance = chunk.inverse_variance.data() + c * kTilePoints;
-      kernels::look_up(scene.model.fields[body]->view(), bodies_[body].from_camera, noise,
-                       points_of(points, tile), hits);
+      look_up(scene, first_tile + k, k, c, hits, chunk);
     }
     if (frozen != nullptr) {
       cost += frozen_cost(scene, first_tile + k, k, *frozen, &chunk, scratch);
@@ -233,6 +261,16 @@ void ModelTerm::linearize_tile(const Scene& scene, std::size_t tile_index,
   }
 }
 
+/// The distances that the body's look-up in a tile has left, if it is a candidate there.
+const float* ModelTerm::nearest_of(const Chunk& chunk, std::size_t tile_of_chunk, int body,
+                                   std::span<const kernels::FieldHits> hits) {
+  const auto begin = chunk.bodies.begin();
+  const auto from = begin + static_cast<std::ptrdiff_t>(chunk.first[tile_of_chunk]);
+  const auto to = begin + static_cast<std::ptrdiff_t>(chunk.first[tile_of_chunk + 1]);
+  const auto found = std::find(from, to, body);
+  return found != to ? hits[static_cast<std::size_t>(found - from)].nearest : nullptr;
+}
+
 double ModelTerm::frozen_cost(const Scene& scene, std::size_t tile_index, std::size_t tile_of_chunk,
                               const Chunk& frozen, const Chunk* current, Scratch& scratch) const {
   const std::size_t first = frozen.first[tile_of_chunk];
@@ -243,20 +281,20 @@ double ModelTerm::frozen_cost(const Scene& scene, std::size_t tile_index, std::s
   const Tile& tile = scene.points.tiles()[tile_index];
   for (std::size_t l = 0; l < count; ++l) {
     const int body = frozen.bodies[first + l];
-    scratch.distance[l] = nullptr;
-    if (current != nullptr) {
-      const auto begin = current->bodies.begin();
-      const auto from = begin + static_cast<std::ptrdiff_t>(current->first[tile_of_chunk]);
-      const auto to = begin + static_cast<std::ptrdiff_t>(current->first[tile_of_chunk + 1]);
-      const auto found = std::find(from, to, body);
-      if (found != to) {
-        scratch.distance[l] = scratch.hits[static_cast<std::size_t>(found - from)].distance;
-      }
-    }
-    if (scratch.distance[l] == nullptr) {
-      const auto b = static_cast<std::size_t>(body);
+    const auto b = static_cast<std::size_t>(body);
+    const float* nearest =
+        current != nullptr ? nearest_of(*current, tile_of_chunk, body, scratch.hits) : nullptr;
+    if (nearest == nullptr) {
       kernels::look_up_distance(scene.model.fields[b]->view(), bodies_[b].from_camera,
                                 points_of(scene.points, tile), scratch.frozen_distance[l]);
+      nearest = scratch.frozen_distance[l];
+    }
+    scratch.distance[l] = nearest;
+    if (frozen.has_planes[tile_of_chunk]) {
+      kernels::frozen_distance(bodies_[b].from_camera, points_of(scene.points, tile),
+                               predicted_pixels(scene, tile), static_cast<float>(body),
+                               frozen.planes_of(tile_of_chunk), nearest,
+                               scratch.frozen_distance[l]);
       scratch.distance[l] = scratch.frozen_distance[l];
     }
   }

@@ -102,9 +102,10 @@ void VisibleSurface::measure_outline_distance(const Executor& executor) {
   });
 }
 
-void VisibleSurface::label(const PointTiles& points, double lateral, const Executor& executor,
-                           std::vector<float>& visible) const {
-  visible.resize(points.x().size());
+void VisibleSurface::predict(const PointTiles& points, const Executor& executor,
+                             PixelPrediction& prediction) const {
+  prediction.body.resize(points.x().size());
+  prediction.depth.resize(points.x().size());
   const auto width = static_cast<std::uint32_t>(full_camera_.width);
   const auto reduction = static_cast<std::uint32_t>(reduction_);
   const auto columns = static_cast<std::uint32_t>(image_.width);
@@ -116,21 +117,22 @@ void VisibleSurface::label(const PointTiles& points, double lateral, const Execu
     const std::uint32_t v = std::min(pixel / width / reduction, rows - 1);
     return v * columns + u;
   };
-  const auto free = static_cast<float>(lateral / static_cast<double>(reduction_));
   const auto pixel_size = static_cast<float>(static_cast<double>(reduction_) / full_camera_.fx);
-  const auto label_of = [&](std::size_t i) {
+  const auto predict_one = [&](std::size_t i) {
     const std::size_t at = view_pixel(points.pixel()[i]);
-    if (image_.id[at] != kNothing) return static_cast<float>(image_.id[at]);
-    const auto distance = static_cast<float>(outline_distance_[at]);
-    const float rest = std::sqrt(std::max(0.0F, distance * distance - free * free));
-    return kernels::label_beside(rest * pixel_size * points.z()[i]);
+    const bool shows_body = image_.id[at] != kNothing;
+    const auto pixels_beside = static_cast<float>(outline_distance_[at]);
+    prediction.body[i] = shows_body
+                             ? static_cast<float>(image_.id[at])
+                             : kernels::label_beside(pixels_beside * pixel_size * points.z()[i]);
+    prediction.depth[i] = shows_body ? image_.depth[at] : 0.0F;
   };
   executor.for_each_chunk(points.tiles().size(), kTilesPerChunk,
                           [&](std::size_t begin, std::size_t end, auto) {
                             for (std::size_t t = begin; t < end; ++t) {
                               const Tile& tile = points.tiles()[t];
                               for (std::size_t i = tile.first; i < tile.first + tile.padded; ++i) {
-                                visible[i] = label_of(i);
+                                predict_one(i);
                               }
                             }
                           });

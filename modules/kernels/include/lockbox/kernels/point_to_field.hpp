@@ -48,24 +48,59 @@ struct PointNoise {
 /// What the points of a tile see in one body's field. Arrays of PointSpan::size.
 struct FieldHits {
   float* distance;          ///< metres; kPadding off the field, which is beyond any cut
+  float* nearest;           ///< the same, to the nearest surface whatever won
   float* normal[3];         ///< gradient of the distance, body frame
-  float* position[3];       ///< the point, body frame
+  float* position[3];       ///< the point, or q of its plane, body frame
   float* inverse_variance;  ///< of the distance, 1 / m^2; 0 where the body cannot explain the point
 };
+
+/// What is predicted for the pixels of points.
+struct PredictedPixels {
+  const float* body;   ///< number of the body that the pixel shows, or label_beside
+  const float* depth;  ///< of its surface there, metres
+};
+
+/// Planes fixed to bodies, by point: its distance is normal . q_body + offset, q being where the
+/// body was predicted on its ray. (It is q that shows how far a motion of the body carries the
+/// plane: noise along the ray must not become a lever.)
+struct BodyPlanes {
+  float* offset;  ///< metres; kNoPlane where there is none
+  float* normal[3];
+};
+inline constexpr float kNoPlane = 1e30F;
 
 /// Distance, gradient and variance of every point. The variance is that of the point along the
 /// gradient n: (n.r)^2 sigma_z^2 + (|n|^2 - (n.r)^2 / |r|^2) sigma_lateral^2 + spread^2 with the
 /// ray r = p / z. Points beyond the field, or whose nearest surface faces away from the camera,
 /// get inverse_variance 0.
-void look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
-             const PointSpan& points, const FieldHits& hits);
+///
+/// Noise along the ray is larger than across it, and may carry a point closer to another surface
+/// than to the one that it was measured on. Where that is predicted to be this body's, at q on the
+/// point's ray within cut standard deviations, the nearest surface competes with the plane there,
+/// distance(q) + n(q).(p - q): that of the two wins near which a measurement is more likely. The
+/// density of measurements near a surface is that of the noise, thinned as it turns from the
+/// camera:
+///
+///   |n.r| / |r| / sigma exp(-distance^2 / (2 sigma^2)),   0 where n.r > 0.
+///
+/// Planes that win are written to `planes`, other points are left as they are there. Returns
+/// whether any won.
+bool look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
+             const PointSpan& points, const PredictedPixels& predicted, float body, float cut,
+             const FieldHits& hits, const BodyPlanes& planes);
 
-/// Only the distances, the very same, for comparing costs under a frozen selection.
+/// The distances under the selection of an earlier look_up: to the body's planes where there are
+/// any, to its nearest surface elsewhere.
+void frozen_distance(const RigidMotion& body_from_camera, const PointSpan& points,
+                     const PredictedPixels& predicted, float body, const BodyPlanes& planes,
+                     const float* nearest, float* distance);
+
+/// Only the distances to the nearest surface.
 void look_up_distance(const FieldView& field, const RigidMotion& body_from_camera,
                       const PointSpan& points, float* distance);
 
 /// Label of a point in whose pixel no body is predicted: -1 less how far it lies beside the
-/// predicted bodies, metres, that lateral noise does not account for.
+/// predicted bodies, metres.
 constexpr float label_beside(float metres) {
   return -1.0F - metres;
 }
@@ -76,8 +111,8 @@ struct Candidates {
   std::span<const float* const> distance;          ///< by candidate
   std::span<const float* const> inverse_variance;  ///< by candidate
   std::span<const float> body;                     ///< by candidate: its number
-  const float* visible;  ///< by point: number of the body in its pixel, or label_beside
-  float reach;           ///< metres beside the predicted bodies where points may still be theirs
+  const float* visible;                            ///< by point: PredictedPixels::body
+  float reach;  ///< metres beside the predicted bodies where points may still be theirs
   float cut;
   float visible_odds;
 };

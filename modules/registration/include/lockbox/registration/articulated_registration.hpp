@@ -110,7 +110,7 @@ class ArticulatedRegistration {
   std::optional<double> linearized_spread_;  ///< if all terms stand at result_.configuration
   std::optional<double> ahead_spread_;       ///< if the model term was linearised there already
   double cost_ = 0.0;                        ///< of the last linearisation
-  std::vector<float> visible_;
+  PixelPrediction predicted_;
   BodyPoses poses_;
   BodyPoses trial_poses_;
   std::vector<BodyJacobian> jacobians_;

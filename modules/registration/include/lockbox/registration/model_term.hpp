@@ -10,6 +10,8 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,12 @@ namespace lockbox {
 
 using BodyPoses = std::vector<Eigen::Isometry3d>;  ///< T_camera_body by body
 
+/// What the pixels of points are predicted to show, by point.
+struct PixelPrediction {
+  std::vector<float> body;   ///< number of the body, or kernels::label_beside
+  std::vector<float> depth;  ///< metres; 0 where there is no body
+};
+
 /// Owns the frozen selection of the last linearisation and all scratch memory.
 class ModelTerm {
  public:
@@ -33,8 +41,8 @@ class ModelTerm {
   struct Scene {
     const ArticulatedModel& model;
     const PointTiles& points;
-    const PinholeCamera& camera;        ///< that measured them
-    const std::vector<float>& visible;  ///< by point: see VisibleSurface::label
+    const PinholeCamera& camera;       ///< that measured them
+    const PixelPrediction& predicted;  ///< of these points
     const RegistrationOptions& options;
     const Executor& executor;
   };
@@ -65,6 +73,7 @@ class ModelTerm {
 
  private:
   static constexpr std::size_t kTilesPerChunk = 16;  // fixed, so that sums do not depend on threads
+  static constexpr std::size_t kPlaneNumbers = 4;
 
   struct Scratch;
 
@@ -84,9 +93,14 @@ class ModelTerm {
     std::vector<float> inverse_variance;                  ///< kTilePoints a candidate
     std::vector<TileSystem> tile_systems;                 ///< by candidate
     std::vector<std::pair<int, BodySystem>> sums;         ///< of the bodies that occur
-    double spread = 0.0;                                  ///< metres
+    std::array<bool, kTilesPerChunk> has_planes{};
+    std::unique_ptr<float[]> planes;  ///< kPlaneNumbers arrays of kTilePoints a tile
+    double spread = 0.0;              ///< metres
     double cost = 0.0;
     Totals totals;
+
+    kernels::BodyPlanes planes_of(std::size_t tile_of_chunk) const;
+    void forget_planes(std::size_t tile_of_chunk);
   };
   using Linearization = std::vector<Chunk>;
 
@@ -94,6 +108,10 @@ class ModelTerm {
   void prepare(Linearization& linearization) const;
   void select_candidates(const Scene& scene, std::size_t chunk_index, double spread,
                          Chunk& chunk) const;
+  void look_up(const Scene& scene, std::size_t tile, std::size_t tile_of_chunk,
+               std::size_t candidate, const kernels::FieldHits& hits, Chunk& chunk) const;
+  static const float* nearest_of(const Chunk& chunk, std::size_t tile_of_chunk, int body,
+                                 std::span<const kernels::FieldHits> hits);
   /// Of one chunk; returns its cost under a frozen selection, if there is one.
   double linearize_chunk(const Scene& scene, std::size_t chunk_index, double spread,
                          const Chunk* frozen, Linearization& linearization);

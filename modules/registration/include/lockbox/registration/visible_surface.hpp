@@ -27,11 +27,9 @@ class VisibleSurface {
     return {u * reduction_ + reduction_ / 2, v * reduction_ + reduction_ / 2};
   }
 
-  /// visible[i]: number of the body in the pixel of point i, as the camera of render() measured it;
-  /// where there is none, kernels::label_beside. lateral: how many pixels noise may put a point
-  /// beside the model; the rest of its distance from the outline adds to that in square.
-  void label(const PointTiles& points, double lateral, const Executor& executor,
-             std::vector<float>& visible) const;
+  /// What the view shows in the pixels of points, as the camera of render() measured them.
+  void predict(const PointTiles& points, const Executor& executor,
+               PixelPrediction& prediction) const;
 
   /// The z-buffer, and how many pixels of the camera lie along each side of one of its own.
   const RenderedDepth& view() const { return image_; }
