@@ -189,7 +189,8 @@ double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
 
 double ViewEvidence::total(double tolerance) const {
   const double visible = std::min(1.0, in_view / kInViewEnough);
-  return (explained * std::pow(1.0 - continues, (1.0 - 0.7 * tolerance) * kContinuing) +
+  const double believed = 1.0 - continues * continues;
+  return (explained * std::pow(believed, (1.0 - 0.7 * tolerance) * kContinuing) +
           (1.0 - 0.7 * tolerance) * kSeenThrough * contradicted +
           (1.0 - tolerance) * kOccluded * occluded) *
          visible * visible;
