@@ -210,6 +210,15 @@ TEST_F(FrontPredicted, ThePlaneThatTheRayMeetsWinsOverAFarSide) {
   EXPECT_LT(plane_offset[0], kNoPlane);
 }
 
+TEST_F(FrontPredicted, ItDoesSoForPointsOffTheField) {
+  noise.depth_floor = 0.1F;
+  z[0] = 0.75F;
+  look_up_all();
+  EXPECT_EQ(nearest[0], kPadding);
+  EXPECT_NEAR(distance[0], kFront - 0.75F, 2e-3F);
+  EXPECT_GT(inverse_variance[0], 0.0F);
+}
+
 TEST_F(FrontPredicted, FrozenPlanesMoveWithTheirBody) {
   look_up_all();
   const float before = distance[0];

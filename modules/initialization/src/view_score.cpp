@@ -15,7 +15,7 @@ constexpr double kOccluded = -0.3;
 constexpr double kSeenThrough = -6.0;
 constexpr double kFallOff = 0.22;      // a deviation of three standard deviations costs two
 constexpr double kSteepest = 5.0;      // tangent of the incidence beyond which surfaces count alike
-constexpr double kContinuing = 4.0;    // exponent: how fast an outline that goes on takes belief
+constexpr double kContinuing = 8.0;    // exponent: how fast an outline that goes on takes belief
 constexpr double kInViewEnough = 0.5;  // of the surface; with less in view, doubt grows
 constexpr double kSamples = 200.0;     // of each body's surface
 

@@ -112,6 +112,7 @@ HWY_INLINE hn::Mask<FloatTag> let_rays_compete(const FieldView& field, const Rig
   // From q back to p along the ray.
   met.distance = hn::MulAdd(hn::Div(hn::Sub(one, stretch), stretch), met.along, met.distance);
   const auto wins = hn::And(competes, hn::Gt(density2(met, stretch), density2(hit, one)));
+  hit.inside = hn::Or(hit.inside, wins);
   hit.distance = hn::IfThenElse(wins, met.distance, hit.distance);
   hit.inverse_variance = hn::IfThenElse(wins, met.inverse_variance, hit.inverse_variance);
   for (int axis = 0; axis < 3; ++axis) {
