@@ -189,7 +189,7 @@ double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
 
 double ViewEvidence::total(double tolerance) const {
   const double visible = std::min(1.0, in_view / kInViewEnough);
-  const double believed = 1.0 - continues * continues;
+  const double believed = 1.0 - std::pow(continues, 1.5);
   return (explained * std::pow(believed, (1.0 - 0.7 * tolerance) * kContinuing) +
           (1.0 - 0.7 * tolerance) * kSeenThrough * contradicted +
           (1.0 - tolerance) * kOccluded * occluded) *
