@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -20,10 +19,9 @@ LoadOptions with_cache();
 const ArticulatedModel& shipped(const std::string& name);
 
 /// What a PrimeSense-class sensor sees of the model in the scene.
-DepthFrame seen_frame(const ArticulatedModel& model, const Configuration& truth, const Scene& scene,
-                      std::uint64_t seed = 3);
-TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene,
-                std::uint64_t seed = 3);
+DepthFrame seen_frame(const ArticulatedModel& model, const Configuration& truth,
+                      const Scene& scene);
+TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene);
 
 /// A wall that many metres behind the base's origin, square to the base.
 Scene wall_behind(double distance);

@@ -40,25 +40,6 @@ TEST(Surroundings, TheWallThatTheObjectHangsOnDoesNotPullIt) {
   EXPECT_LT(flush, free + 0.002);
 }
 
-/// Noise puts points of the front behind it, near its lower side, whose pull no upper side
-/// balances.
-TEST(Surroundings, ABlockThatTheImageCutsOffIsNotPulledAside) {
-  const ArticulatedModel& model = shipped("rigid_block");
-  Configuration truth = rest_configuration(model.tree);
-  truth.T_camera_base = Eigen::Translation3d(0.0, -0.95, 0.0) * facing_pose(2.4) *
-                        Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX());
-  ArticulatedRegistration registration(model, {}, Executor());
-  constexpr int kSeeds = 8;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const auto& found =
-        registration.align(seen(model, truth, wall_behind(1.0), seed), truth, {0.005, 10});
-    mean +=
-        (truth.T_camera_base.inverse() * found.configuration.T_camera_base).translation() / kSeeds;
-  }
-  EXPECT_LT(mean.norm(), 0.003);
-}
-
 /// Steps along rows and columns from a pixel to the nearest one that shows a body.
 int steps_to_model(const RenderedDepth& view, int u, int v) {
   int least = view.width + view.height;
