@@ -13,7 +13,7 @@
 namespace lockbox {
 namespace {
 
-constexpr double kAgreement = 1e-4;  // metres, radians
+constexpr double kAgreement = 1e-9;  // metres, radians: the same depths, stamps and camera
 
 class SourcesAgree : public testing::Test {
  protected:

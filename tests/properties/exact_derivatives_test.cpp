@@ -104,10 +104,12 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   plan.plan(surface.view(), 1, cloud.camera().fx, 0.0, surface.view().id.size(), executor);
   ViewSamples samples;
   samples.collect(surface, plan.density());
+  OutlinePoints outlines;
+  outlines.collect(model, surface, options, executor);
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
   constexpr double kSpread = 0.005;
-  term.select(model, surface, samples, poses(at), cloud, options, kSpread, executor);
+  term.select(model, surface, samples, outlines, poses(at), cloud, options, kSpread, executor);
   const double cost = term.linearize(poses(at), kSpread, systems);
   ASSERT_GT(term.pulled_samples(), 50U);
   EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));

@@ -3,6 +3,8 @@
 // and respects limits.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lockbox/registration/articulated_registration.hpp"
 #include "mechanism.hpp"
 
@@ -39,6 +41,29 @@ TEST_F(AlignmentTest, FindsBaseAndJointsFromAnOffset) {
   EXPECT_NEAR(result.configuration.q[1], truth.q[1], 0.02);
   EXPECT_GT(result.agreement.explained, 0.9);
   EXPECT_LT(result.agreement.contradicted, 0.02);
+}
+
+/// Outlines are seen in whole pixels: what lies across the view must neither stick to them, nor go
+/// to and fro between two of them.
+TEST_F(AlignmentTest, RestsWithinASmallPartOfAPixel) {
+  constexpr double kPixel = 0.7 / 287.9;  // metres
+  ArticulatedRegistration registration(model, {}, Executor(1));
+  double squares = 0.0;
+  constexpr int kPhases = 8;
+  for (int phase = 0; phase < kPhases; ++phase) {
+    Configuration shifted = truth;
+    shifted.T_camera_base.pretranslate(
+        Eigen::Vector3d(phase * kPixel / kPhases, 0.4 * phase * kPixel / kPhases, 0.0));
+    const TiledCloud seen = cloud_of(measured(model, shifted, "white", 5));
+    const RegistrationResult& result = registration.align(seen, truth, {0.005, 20, false, 6});
+    const Configuration& found = result.configuration;
+    EXPECT_EQ(result.last_move, 0.0) << "phase " << phase;
+    squares += (found.T_camera_base.translation() - shifted.T_camera_base.translation())
+                   .head<2>()
+                   .squaredNorm();
+    EXPECT_NEAR(found.q[0], shifted.q[0], 0.2 * kPixel) << "phase " << phase;
+  }
+  EXPECT_LT(std::sqrt(squares / kPhases), 0.1 * kPixel);
 }
 
 TEST_F(AlignmentTest, FixedBaseAndLockedJointsDoNotMove) {

@@ -89,7 +89,7 @@ void copy_frame(const openni::VideoFrameRef& from, bool mirrored, DepthFrame& to
   }
   const bool tenths = from.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM;
   to.metres_per_unit = tenths ? 0.0001F : 0.001F;
-  to.stamp = 1e-6 * static_cast<double>(from.getTimestamp());
+  to.stamp = static_cast<double>(from.getTimestamp()) / 1e6;  // as text in seconds is read
 }
 
 bool wait_for_frame(openni::VideoStream& stream, int milliseconds) {

@@ -40,11 +40,11 @@ std::optional<double> stamp_in_name(const std::string& stem) {
     case 10:
       return *value;
     case 13:
-      return *value * 1e-3;
+      return *value / 1e3;
     case 16:
-      return *value * 1e-6;
+      return *value / 1e6;
     case 19:
-      return *value * 1e-9;
+      return *value / 1e9;
     default:
       return std::nullopt;
   }

@@ -166,6 +166,7 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
   plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx,
              options_.cut * spread, is_thinned ? options_.point_budget : kViewSamples, executor_);
   samples_.collect(surface_, plan_.density());
+  if (options_.lambda_free > 0.0) outlines_.collect(model_, surface_, options_, executor_);
   if (is_thinned) {
     thinned_.assign(cloud, plan_.density());
     points_ = &thinned_;
@@ -215,7 +216,8 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
       surface_distance(selected_, result_.configuration) < kStaleSelection) {
     return;
   }
-  free_term_.select(model_, surface_, samples_, poses_, cloud, options_, spread, executor_);
+  free_term_.select(model_, surface_, samples_, outlines_, poses_, cloud, options_, spread,
+                    executor_);
   selected_ = result_.configuration;
   selected_spread_ = spread;
 }

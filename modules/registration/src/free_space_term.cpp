@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "observed_outline.hpp"
 #include "observed_surface.hpp"
 #include "outline.hpp"
 
@@ -29,26 +30,20 @@ Loss loss(double residual, double inverse_variance, double cut) {
 }
 
 constexpr double kAnyDirection = 1.0 / 3.0;  // of a random unit vector's square, along each axis
-constexpr double kBesideOutline = 3.0;   // pixels: where a body's field tells the outline's normal
-constexpr double kLeastAgreement = 0.5;  // of that normal with the z-buffer's: a cosine
 
-/// Unit vector in the camera's frame that moves a point at p along a direction of the image, across
-/// its ray.
-Eigen::Vector3d across_ray(const Eigen::Vector3d& p, const PinholeCamera& camera,
-                           const Eigen::Vector2d& direction) {
-  const Eigen::Vector3d along_image(direction.x() / camera.fx, direction.y() / camera.fy, 0.0);
-  const Eigen::Vector3d ray = p.normalized();
-  return (along_image - ray.dot(along_image) * ray).normalized();
+/// Of the cloud.
+std::size_t tile_of(const Pixel& pixel, const PinholeCamera& camera) {
+  const int columns = (camera.width + kTileSize - 1) / kTileSize;
+  return static_cast<std::size_t>(pixel.v / kTileSize * columns + pixel.u / kTileSize);
 }
 
-/// Selects and aims the pulls of one linearisation.
+/// Selects and aims the pulls of samples away from outlines.
 class PullFinder {
  public:
   PullFinder(const ArticulatedModel& model, const VisibleSurface& surface,
              const BodyPoses& T_body_camera, const TiledCloud& cloud,
              const RegistrationOptions& options, double spread)
-      : model_(model),
-        surface_(surface),
+      : surface_(surface),
         camera_(cloud.camera()),
         observed_(model, surface, T_body_camera, cloud, options, spread),
         options_(options),
@@ -67,32 +62,27 @@ class PullFinder {
     if (!observed_.sees_through(*pixel, p.z(), plane.steepness() / surface_.reduction())) {
       return std::nullopt;
     }
-    return aim(sample, plane, T_camera_body,
-               {p_body, p, Eigen::Vector3d::Zero(), 0.0, 0.0, sample.pixels * weight, sample.body,
-                tile_of(*pixel)},
+    if (is_beside_outline(sample, plane)) {
+      return std::nullopt;
+    }
+    return aim({p_body, p, Eigen::Vector3d::Zero(), 0.0, 0.0, sample.pixels * weight, sample.body,
+                tile_of(*pixel, camera_)},
                *pixel);
   }
 
  private:
-  std::size_t tile_of(const Pixel& pixel) const {
-    const int columns = (camera_.width + kTileSize - 1) / kTileSize;
-    return static_cast<std::size_t>(pixel.v / kTileSize * columns + pixel.u / kTileSize);
+  /// What is seen beside an outline says where the outline is: that has pulls of its own. The
+  /// nearest observed pixel lies in a direction that the grid decides, and would hold the body
+  /// against sliding along its own outline.
+  bool is_beside_outline(const ViewSample& sample, const TangentPlane& plane) const {
+    return !outline_normal(surface_.view(), plane, sample.pixel.u, sample.pixel.v,
+                           static_cast<double>(surface_.reduction()) / camera_.fx)
+                .isZero();
   }
 
-  /// Near an outline the evidence is that the outline passes farther in than this pixel, and the
-  /// pull goes along the outline's normal: the nearest observed pixel lies in a direction that the
-  /// grid decides, and would hold the body against sliding along its own outline. Elsewhere the
-  /// pull goes to the nearest observed point.
-  std::optional<FreeSpacePull> aim(const ViewSample& sample, const TangentPlane& plane,
-                                   const Eigen::Isometry3d& T_camera_body, FreeSpacePull pull,
-                                   const Pixel& pixel) const {
+  /// To the nearest observed point of the object.
+  std::optional<FreeSpacePull> aim(FreeSpacePull pull, const Pixel& pixel) const {
     const Eigen::Vector3d p = pull.target;
-    const Eigen::Vector2d normal =
-        outline_normal(surface_.view(), plane, sample.pixel.u, sample.pixel.v,
-                       static_cast<double>(surface_.reduction()) / camera_.fx);
-    if (!normal.isZero()) {
-      return aim_beyond_outline(T_camera_body, pull, across_ray(p, camera_, normal));
-    }
     if (observed_.shows_object(pixel, pull.body)) {
       return std::nullopt;  // the tail of the noise: this point has its say in the model term
     }
@@ -110,34 +100,6 @@ class PullFinder {
     return weighed;
   }
 
-  /// Asks the body's field beside the outline for the outline's normal across the ray, and for how
-  /// far inside the outline the sample lies: the z-buffer's pixels tell either only coarsely.
-  /// Nothing where the field and the z-buffer disagree.
-  std::optional<FreeSpacePull> aim_beyond_outline(const Eigen::Isometry3d& T_camera_body,
-                                                  FreeSpacePull pull,
-                                                  const Eigen::Vector3d& coarse) const {
-    const Eigen::Vector3d p = pull.target;
-    const double step = kBesideOutline * p.z() / camera_.fx;
-    const Eigen::Vector3d beside = T_camera_body.inverse() * (p + step * coarse);
-    const DistanceSample at =
-        model_.fields[static_cast<std::size_t>(pull.body)]->sample(beside.cast<float>());
-    const Eigen::Vector3d gradient = T_camera_body.linear() * at.gradient.cast<double>();
-    const Eigen::Vector3d ray = p.normalized();
-    const Eigen::Vector3d across = gradient - ray.dot(gradient) * ray;
-    if (across.dot(coarse) < kLeastAgreement) {
-      return std::nullopt;
-    }
-    pull.direction = across.normalized();
-    const double inside =
-        step * pull.direction.dot(coarse) - static_cast<double>(at.distance) / across.norm();
-    if (inside <= 0.0) {
-      return std::nullopt;
-    }
-    const double half_a_pixel = 0.5 * p.z() / camera_.fx;  // the outline passes before the next one
-    pull.target = p - (inside + half_a_pixel) * pull.direction;
-    return weighted(pull, p);
-  }
-
   std::optional<FreeSpacePull> weighted(FreeSpacePull pull, const Eigen::Vector3d& p) const {
     const double along = pull.direction.dot(p) / p.z();
     const double across2 =
@@ -152,7 +114,6 @@ class PullFinder {
                : std::nullopt;
   }
 
-  const ArticulatedModel& model_;
   const VisibleSurface& surface_;
   const PinholeCamera& camera_;
   const ObservedSurface observed_;
@@ -163,9 +124,10 @@ class PullFinder {
 }  // namespace
 
 void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& surface,
-                           const ViewSamples& samples, const BodyPoses& T_camera_body,
-                           const TiledCloud& cloud, const RegistrationOptions& options,
-                           double spread, const Executor& executor) {
+                           const ViewSamples& samples, const OutlinePoints& outlines,
+                           const BodyPoses& T_camera_body, const TiledCloud& cloud,
+                           const RegistrationOptions& options, double spread,
+                           const Executor& executor) {
   collect_seen_through(samples, T_camera_body, cloud, options, executor);
   const std::size_t seen = chunk_begins_.back();
   const std::size_t stride = std::max<std::size_t>(1, (seen + kMostSamples - 1) / kMostSamples);
@@ -191,9 +153,34 @@ void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& 
     }
   });
   pulls_.clear();
+  append_chunk_pulls(chunks);
+  aim_outlines(outlines, T_camera_body, cloud, options, spread, executor);
+  append_chunk_pulls(outlines.bands().size());
+}
+
+void FreeSpaceTerm::append_chunk_pulls(std::size_t chunks) {
   for (std::size_t i = 0; i < chunks; ++i) {
     pulls_.insert(pulls_.end(), chunk_pulls_[i].begin(), chunk_pulls_[i].end());
   }
+}
+
+/// Towards where the camera saw them.
+void FreeSpaceTerm::aim_outlines(const OutlinePoints& outlines, const BodyPoses& T_camera_body,
+                                 const TiledCloud& cloud, const RegistrationOptions& options,
+                                 double spread, const Executor& executor) {
+  const ObservedOutline observed(cloud, options, spread);
+  chunk_pulls_.resize(std::max(chunk_pulls_.size(), outlines.bands().size()));
+  executor.for_each(outlines.bands().size(), [&](std::size_t i) {
+    chunk_pulls_[i].clear();
+    for (const OutlinePoint& point : outlines.bands()[i]) {
+      const auto seen = observed.find(point, T_camera_body[static_cast<std::size_t>(point.body)]);
+      const auto pixel = seen ? cloud.camera().pixel_of(seen->expected) : std::nullopt;
+      if (!pixel) continue;
+      chunk_pulls_[i].push_back({point.p_body, seen->expected + seen->offset * seen->normal,
+                                 seen->normal, seen->variance, kNormalVariance, point.pixels,
+                                 point.body, tile_of(*pixel, cloud.camera())});
+    }
+  });
 }
 
 /// Which samples the camera sees through, chunk by chunk.

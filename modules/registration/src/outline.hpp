@@ -20,13 +20,16 @@ class TangentPlane {
     return 1.0 / std::max(kHorizon, 1.0 + slope_u_ * du + slope_v_ * dv);
   }
 
+  /// Of 1 / depth, relative to the value here, per pixel along u and v.
+  Eigen::Vector2d slopes() const { return {slope_u_, slope_v_}; }
+
   /// Largest change of the depth from one pixel to the next, as a share of the depth.
   double steepness() const { return std::hypot(slope_u_, slope_v_); }
 
  private:
   static constexpr double kHorizon = 0.1;
 
-  double slope_u_;  ///< of 1 / depth, relative to the value here, per pixel
+  double slope_u_;
   double slope_v_;
 };
 

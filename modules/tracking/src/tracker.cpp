@@ -205,6 +205,10 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
                                                       const RegistrationResult& registered) {
   const bool is_hidden = is_hidden_at_once(registered);
   best_ = registered;
+  // It may be on its way still: then nothing is to be sought.
+  keep_better(registration_.align(cloud_, best_.configuration,
+                                  {predictor_.spread(), options_.further_iterations}),
+              best_);
   seek_contradicted_joints(best_);
   if (is_hidden) {  // by the object itself, when the estimate lies behind it
     keep_better(acquisition_.find_near(frame, *guess_), best_);

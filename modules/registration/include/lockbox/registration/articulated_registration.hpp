@@ -21,6 +21,7 @@
 #include "lockbox/registration/covariance.hpp"
 #include "lockbox/registration/free_space_term.hpp"
 #include "lockbox/registration/model_term.hpp"
+#include "lockbox/registration/outline_points.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/sampling_plan.hpp"
 #include "lockbox/registration/view_samples.hpp"
@@ -98,6 +99,7 @@ class ArticulatedRegistration {
   VisibleSurface surface_;
   SamplingPlan plan_;
   ViewSamples samples_;                 ///< of surface_
+  OutlinePoints outlines_;              ///< of surface_
   ThinnedPoints thinned_;               ///< of the cloud, if there is a point budget
   const PointTiles* points_ = nullptr;  ///< of the cloud: all, or the thinned ones
   StepScale scale_;

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // E_free: visible surface of the model that lies where the camera saw through is pulled to the
-// nearest observed surface of the object (docs/mathematics.md).
+// nearest observed surface of the object, and outlines of the model to where the camera saw them
+// (docs/mathematics.md).
 //
 // Seen through means: the measurement on the sample's ray lies more than a dead zone behind it.
 // Samples behind the measurement are occluded, those on pixels without depth unknown; both are
-// free. The nearest observed surface is sought in the neighbourhood of the pixel, so that at an
-// outline the pull is sideways.
+// free.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "lockbox/registration/outline_points.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
 
-/// A sample of the model and where it should go:
+/// A point of the model and where it should go:
 /// residual = direction . (T_camera_body p_body - target).
 struct FreeSpacePull {
   Eigen::Vector3d p_body;
@@ -32,10 +33,11 @@ struct FreeSpacePull {
 
 class FreeSpaceTerm {
  public:
-  /// Selects the samples that are seen through at these poses, and what each is pulled to.
-  /// samples: of the surface. spread: metres that the poses may be off.
+  /// Selects the samples that are seen through at these poses, and what they and the outlines are
+  /// pulled to. samples, outlines: of the surface. spread: metres that the poses may be off.
   void select(const ArticulatedModel& model, const VisibleSurface& surface,
-              const ViewSamples& samples, const BodyPoses& T_camera_body, const TiledCloud& cloud,
+              const ViewSamples& samples, const OutlinePoints& outlines,
+              const BodyPoses& T_camera_body, const TiledCloud& cloud,
               const RegistrationOptions& options, double spread, const Executor& executor);
 
   /// Adds each body's system, of the selected samples at these poses. spread: how far off the poses
@@ -57,6 +59,10 @@ class FreeSpaceTerm {
   void collect_seen_through(const ViewSamples& samples, const BodyPoses& T_camera_body,
                             const TiledCloud& cloud, const RegistrationOptions& options,
                             const Executor& executor);
+  void aim_outlines(const OutlinePoints& outlines, const BodyPoses& T_camera_body,
+                    const TiledCloud& cloud, const RegistrationOptions& options, double spread,
+                    const Executor& executor);
+  void append_chunk_pulls(std::size_t chunks);
   TileSystem system_of(const FreeSpacePull& pull, const BodyPoses& T_camera_body) const;
 
   BodyPoses T_body_camera_;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points of the model's outlines, fixed to their bodies: where a body's visible surface ends, and
+// the image shows something farther away beside it.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/visible_surface.hpp"
+
+namespace lockbox {
+
+struct OutlinePoint {
+  Eigen::Vector3d p_body;       ///< metres, body frame
+  Eigen::Vector3d normal_body;  ///< unit vector across the ray, out of the body
+  double
+      slope;  ///< of 1 / depth of the surface that ends here, relative, per metre along the normal
+  double steepness;  ///< largest change of its depth a pixel of the camera, as a share of it
+  double rise;       ///< metres that the surface before it comes nearer to the camera
+  double pixels;     ///< of the camera along the outline, that it stands for
+  int body;
+};
+
+/// Reuses its buffers.
+class OutlinePoints {
+ public:
+  void collect(const ArticulatedModel& model, const VisibleSurface& surface,
+               const RegistrationOptions& options, const Executor& executor);
+
+  /// By bands of rows of the view.
+  const std::vector<std::vector<OutlinePoint>>& bands() const { return bands_; }
+
+ private:
+  std::vector<std::vector<OutlinePoint>> bands_;
+};
+
+}  // namespace lockbox
