@@ -165,9 +165,14 @@ void Tracker::follow(const DepthFrame& frame) {
       cloud_, prediction, {predictor_.spread(), options_.registration.max_iterations});
   const RegistrationResult& found =
       has_leapt(registered) ? with_leap_followed(frame, registered) : come_to_rest(registered);
+  const bool was_believed = result_.status == TrackingStatus::tracking;
   report(found);
-  predictor_.update(frame.stamp, found.configuration, found.observable,
-                    registration_.surface_distance(prediction, found.configuration));
+  if (!was_believed && result_.status == TrackingStatus::tracking) {
+    predictor_.reset(frame.stamp, found.configuration);  // from where it never was is no motion
+  } else {
+    predictor_.update(frame.stamp, found.configuration, found.observable,
+                      registration_.surface_distance(prediction, found.configuration));
+  }
   for (std::size_t v = 0; v < frames_in_sight_.size(); ++v) {
     frames_in_sight_[v] = found.observable[6 + v] ? frames_in_sight_[v] + 1 : 0;
     // One frame may mistake a stranger for the part that comes back; the second one tells.
