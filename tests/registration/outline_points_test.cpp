@@ -59,8 +59,8 @@ TEST_F(OutlinePointsTest, LieWhereAFinerViewShowsTheBodyEnd) {
   finer.render(model, poses, fine, fine.width, executor);
   std::vector<double> errors;
   const OutlinePoints outlines = outlines_seen_by(kCamera);
-  for (const auto& band : outlines.bands()) {
-    for (const OutlinePoint& point : band) {
+  for (std::size_t i = 0; i < outlines.bands(); ++i) {
+    for (const OutlinePoint& point : outlines.band(i)) {
       const double error = beyond(point, finer);
       if (!std::isnan(error)) errors.push_back(error);
     }
@@ -79,8 +79,8 @@ TEST_F(OutlinePointsTest, StandForTheWholeLengthOfTheOutline) {
   const auto length_seen_by = [&](const PinholeCamera& camera) {
     double pixels = 0.0;
     const OutlinePoints outlines = outlines_seen_by(camera);
-    for (const auto& band : outlines.bands()) {
-      for (const OutlinePoint& point : band) {
+    for (std::size_t i = 0; i < outlines.bands(); ++i) {
+      for (const OutlinePoint& point : outlines.band(i)) {
         if (point.body == 0) pixels += point.pixels;
       }
     }
@@ -94,8 +94,8 @@ TEST_F(OutlinePointsTest, StandForTheWholeLengthOfTheOutline) {
 /// A block that stands on the plate ends there, but nothing farther away begins behind its foot.
 TEST_F(OutlinePointsTest, AreNotWhereASideMeetsWhatItStandsOn) {
   const OutlinePoints outlines = outlines_seen_by(refined(kCamera, 4));
-  for (const auto& band : outlines.bands()) {
-    for (const OutlinePoint& point : band) {
+  for (std::size_t i = 0; i < outlines.bands(); ++i) {
+    for (const OutlinePoint& point : outlines.band(i)) {
       const auto body = static_cast<std::size_t>(point.body);
       if (body == 0) continue;
       const Eigen::Vector3d p = poses[body] * point.p_body;

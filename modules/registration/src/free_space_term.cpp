@@ -155,7 +155,7 @@ void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& 
   pulls_.clear();
   append_chunk_pulls(chunks);
   aim_outlines(outlines, T_camera_body, cloud, options, spread, executor);
-  append_chunk_pulls(outlines.bands().size());
+  append_chunk_pulls(outlines.bands());
 }
 
 void FreeSpaceTerm::append_chunk_pulls(std::size_t chunks) {
@@ -169,10 +169,10 @@ void FreeSpaceTerm::aim_outlines(const OutlinePoints& outlines, const BodyPoses&
                                  const TiledCloud& cloud, const RegistrationOptions& options,
                                  double spread, const Executor& executor) {
   const ObservedOutline observed(cloud, options, spread);
-  chunk_pulls_.resize(std::max(chunk_pulls_.size(), outlines.bands().size()));
-  executor.for_each(outlines.bands().size(), [&](std::size_t i) {
+  chunk_pulls_.resize(std::max(chunk_pulls_.size(), outlines.bands()));
+  executor.for_each(outlines.bands(), [&](std::size_t i) {
     chunk_pulls_[i].clear();
-    for (const OutlinePoint& point : outlines.bands()[i]) {
+    for (const OutlinePoint& point : outlines.band(i)) {
       const auto seen = observed.find(point, T_camera_body[static_cast<std::size_t>(point.body)]);
       const auto pixel = seen ? cloud.camera().pixel_of(seen->expected) : std::nullopt;
       if (!pixel) continue;

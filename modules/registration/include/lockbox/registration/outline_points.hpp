@@ -4,6 +4,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "lockbox/core/parallel.hpp"
@@ -30,11 +32,16 @@ class OutlinePoints {
   void collect(const ArticulatedModel& model, const VisibleSurface& surface,
                const RegistrationOptions& options, const Executor& executor);
 
-  /// By bands of rows of the view.
-  const std::vector<std::vector<OutlinePoint>>& bands() const { return bands_; }
+  /// By bands of rows of the view, in each of which there may be none.
+  std::size_t bands() const { return bands_.size(); }
+  const std::vector<OutlinePoint>& band(std::size_t i) const { return bands_[i].points; }
 
  private:
-  std::vector<std::vector<OutlinePoint>> bands_;
+  struct Band {
+    std::vector<OutlinePoint> points;
+    std::vector<std::uint8_t> is_at_jump;  ///< by column, of the row that is looked at
+  };
+  std::vector<Band> bands_;
 };
 
 }  // namespace lockbox

@@ -26,7 +26,7 @@ struct RegistrationOptions {
   int max_iterations = 3;  ///< linearisations
   /// Points of an image that are used, about, chosen for what they tell; 0: all. A cloud without an
   /// image is used whole.
-  std::size_t point_budget = 40000;
+  std::size_t point_budget = 20000;
   SensorNoise noise;
   double cut = 4.0;  ///< residuals beyond this many standard deviations count as outliers
 
