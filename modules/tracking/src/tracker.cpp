@@ -163,8 +163,8 @@ void Tracker::follow(const DepthFrame& frame) {
   const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
   const RegistrationResult& registered = registration_.align(
       cloud_, prediction, {predictor_.spread(), options_.registration.max_iterations});
-  const RegistrationResult& found =
-      has_leapt(registered) ? with_leap_followed(frame, registered) : come_to_rest(registered);
+  const RegistrationResult& found = has_leapt(registered) ? with_leap_followed(frame, registered)
+                                                          : come_to_rest(prediction, registered);
   const bool was_believed = result_.status == TrackingStatus::tracking;
   report(found);
   if (!was_believed && result_.status == TrackingStatus::tracking) {
@@ -185,15 +185,24 @@ void Tracker::follow(const DepthFrame& frame) {
 }
 
 /// Gates stay as narrow as ever: wide ones drag parts onto each other, many steps do not.
-const RegistrationResult& Tracker::come_to_rest(const RegistrationResult& registered) {
+const RegistrationResult& Tracker::come_to_rest(const Configuration& prediction,
+                                                const RegistrationResult& registered) {
   const RegistrationResult* result = &registered;
-  for (int round = 0; round < options_.most_rounds && result->last_move > options_.resting_move;
-       ++round) {
-    const Configuration start = result->configuration;
+  Configuration start = prediction;
+  for (int round = 0; round < options_.most_rounds && is_on_its_way(start, *result); ++round) {
+    start = result->configuration;
     result =
         &registration_.align(cloud_, start, {predictor_.spread(), options_.further_iterations});
   }
   return *result;
+}
+
+/// What has come farther than the gate is wide was pulled along by what little was within it, and
+/// may be uncertain enough for steps of millimetres to be no more than noise.
+bool Tracker::is_on_its_way(const Configuration& start, const RegistrationResult& result) const {
+  return result.last_move > options_.resting_move ||
+         registration_.surface_distance(start, result.configuration) >
+             options_.registration.cut * predictor_.spread();
 }
 
 bool Tracker::is_hidden_at_once(const RegistrationResult& registered) const {

@@ -64,7 +64,9 @@ class Tracker {
   void stop_searching();
   void follow(const DepthFrame& frame);
   Configuration with_hidden_joints_sought(const Configuration& prediction);
-  const RegistrationResult& come_to_rest(const RegistrationResult& registered);
+  const RegistrationResult& come_to_rest(const Configuration& prediction,
+                                         const RegistrationResult& registered);
+  bool is_on_its_way(const Configuration& start, const RegistrationResult& result) const;
   bool is_hidden_at_once(const RegistrationResult& registered) const;
   bool has_leapt(const RegistrationResult& registered) const;
   const RegistrationResult& with_leap_followed(const DepthFrame& frame,
