@@ -87,31 +87,31 @@ class PullFinder {
       return std::nullopt;  // the tail of the noise: this point has its say in the model term
     }
     const auto nearest = observed_.nearest(p, pixel, pull.body);
-    if (!nearest || (p - *nearest).norm() < 1e-9) {
+    if (!nearest) {
+      return std::nullopt;
+    }
+    const double way = (p - *nearest).norm();
+    if (way < 1e-9) {
       return std::nullopt;
     }
     pull.target = *nearest;
-    pull.direction = (p - *nearest).normalized();
-    auto weighed = weighted(pull, p);
-    if (weighed) {  // noise at either end turns a short pull
-      weighed->direction_variance = std::clamp(weighed->variance / (p - *nearest).squaredNorm(),
-                                               kNormalVariance, kAnyDirection);
+    pull.direction = (p - *nearest) / way;
+    pull.variance = variance_of(p, pull.direction);
+    if (loss(way, 1.0 / (pull.variance + spread_ * spread_), options_.cut).weight <= kLeastWeight) {
+      return std::nullopt;
     }
-    return weighed;
+    // Noise at either end turns a short pull.
+    pull.direction_variance =
+        std::clamp(pull.variance / (way * way), kNormalVariance, kAnyDirection);
+    return pull;
   }
 
-  std::optional<FreeSpacePull> weighted(FreeSpacePull pull, const Eigen::Vector3d& p) const {
-    const double along = pull.direction.dot(p) / p.z();
-    const double across2 =
-        std::max(0.0, 1.0 - std::pow(pull.direction.dot(p), 2) / p.squaredNorm());
-    pull.variance = std::pow(along * observed_.sigma_z(p.z()), 2) +
-                    across2 * std::pow(observed_.sigma_lateral(p.z()), 2);
-    pull.direction_variance = kNormalVariance;
-    const double residual = pull.direction.dot(p - pull.target);
-    const double inverse_variance = 1.0 / (pull.variance + spread_ * spread_);
-    return loss(residual, inverse_variance, options_.cut).weight > kLeastWeight
-               ? std::optional(pull)
-               : std::nullopt;
+  /// Of a point at p along a direction, by the sensor's noise.
+  double variance_of(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const {
+    const double along = direction.dot(p);
+    const double across2 = std::max(0.0, 1.0 - along * along / p.squaredNorm());
+    return std::pow(along / p.z() * observed_.sigma_z(p.z()), 2) +
+           across2 * std::pow(observed_.sigma_lateral(p.z()), 2);
   }
 
   const VisibleSurface& surface_;
