@@ -46,6 +46,24 @@ TEST(FastMotion, AStepWithinThePlaneIsFollowedToItsEnd) {
   EXPECT_LT(error_after_step(TrackerOptions{}.most_rounds), 0.002);
 }
 
+/// So little of the block is within its gate on the way that its last step is no more than noise.
+TEST(FastMotion, WhatLeapsFartherThanItsGateIsFollowedToItsEnd) {
+  const ArticulatedModel& model = shipped("board_door_block");
+  const Configuration before = board_at(model, 0.0);
+  Tracker tracker(model, {});
+  tracker.start(before);
+  tracker.process(seen_frame(model, before, wall_behind(1.0)));
+  Configuration truth = before;
+  truth.T_camera_base = before.T_camera_base * Eigen::Translation3d(0.075, 0.0, 0.02) *
+                        Eigen::AngleAxisd(0.09, Eigen::Vector3d(0.5, 0.5, 0.7).normalized());
+  truth.q[1] += 0.03;
+  DepthFrame frame = seen_frame(model, truth, wall_behind(1.0));
+  frame.stamp += 1.0 / 30.0;
+  const TrackingResult& result = tracker.process(frame);
+  EXPECT_EQ(result.status, TrackingStatus::tracking);
+  EXPECT_NEAR(result.configuration.q[1], truth.q[1], 0.002);  // 34 mm off at the first rest
+}
+
 /// A door of the lockbox turns edge-on with its latch on it, so fast that the latch is contradicted
 /// before the iterations of the frame are through: it must not be taken for one that leapt.
 TEST(FastMotion, APartThatIsStillOnItsWayIsNotSoughtElsewhere) {
