@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
+#include "lockbox/mesh/primitives.hpp"
+#include "lockbox/sdf/build_field.hpp"
 #include "mechanism.hpp"
 
 namespace lockbox {
@@ -103,6 +106,45 @@ TEST_F(OutlinePointsTest, AreNotWhereASideMeetsWhatItStandsOn) {
       EXPECT_GT(above_plate, 0.002) << "body " << body;
     }
   }
+}
+
+/// A plate with a low rail along its right edge, one body.
+ArticulatedModel plate_with_rail() {
+  ArticulatedModel model;
+  Body body;
+  body.mesh = make_box({0.3, 0.3, 0.02});
+  append(body.mesh, transformed(make_box({0.02, 0.3, 0.008}),
+                                Eigen::Isometry3d(Eigen::Translation3d(0.12, 0.0, 0.014))));
+  model.tree.bodies.push_back(body);
+  FieldOptions options;
+  options.voxel = 0.003;
+  model.fields.emplace_back(build_field(body.mesh, options, Executor(1)));
+  return model;
+}
+
+/// Rays beside the rail touch the plate, and from there lead to its edge.
+TEST(OutlinePointsBesideARail, DoNotMoveOnToTheNextOutline) {
+  const ArticulatedModel model = plate_with_rail();
+  BodyPoses poses(1, Eigen::Isometry3d::Identity());
+  poses[0].translation().z() = 0.8;
+  poses[0].linear() = (Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()) *
+                       Eigen::AngleAxisd(0.25, Eigen::Vector3d::UnitY()))
+                          .toRotationMatrix();
+  VisibleSurface surface;
+  const PinholeCamera camera = refined(kCamera, 4);
+  surface.render(model, poses, camera, camera.width, Executor(1));
+  OutlinePoints outlines;
+  outlines.collect(model, surface, {}, Executor(1));
+  int at_front_edge = 0;
+  for (std::size_t i = 0; i < outlines.bands(); ++i) {
+    for (const OutlinePoint& point : outlines.band(i)) {
+      const Eigen::Vector3d& p = point.p_body;
+      if (p.x() < 0.14 || std::abs(p.y()) > 0.14) continue;
+      EXPECT_GT(p.z(), 0.01 - 0.003) << "the side is turned away: the front's edge is the outline";
+      ++at_front_edge;
+    }
+  }
+  EXPECT_GT(at_front_edge, 100);
 }
 
 }  // namespace

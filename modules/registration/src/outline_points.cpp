@@ -18,6 +18,7 @@ constexpr int kRowsInBand = 16;
 /// err, the nearer the more.
 constexpr double kVoxelsAside = 3.0;
 constexpr double kPixelsBeyond = 1.5;    // an outline: where something farther away is to be seen
+constexpr double kPixelsOff = 2.0;       // farther from the pixel it is another outline
 constexpr double kLeastAgreement = 0.5;  // of the field's normal with the z-buffer's: a cosine
 constexpr int kProjections = 4;
 constexpr int kMostSteps = 20;
@@ -91,7 +92,8 @@ class OutlineFinder {
         touch.normal - ray_body.direction.dot(touch.normal) * ray_body.direction;
     const Eigen::Vector3d across = T_body_camera.linear().transpose() * across_body;
     const Eigen::Vector3d outline = T_body_camera.inverse() * touch.p;
-    if (across.dot(coarse) < kLeastAgreement || !stands_out(outline, across)) {
+    if ((camera_.project(outline) - Eigen::Vector2d(u, v)).norm() > kPixelsOff ||
+        across.dot(coarse) < kLeastAgreement || !stands_out(outline, across)) {
       return std::nullopt;
     }
     return OutlinePoint{touch.p,
