@@ -14,6 +14,8 @@ const std::vector<ExperimentEntry>& experiments() {
       {"kidnap", "The box is moved unseen, or the estimate is thrown away", make_kidnap_experiment},
       {"occlusion", "An arm sweeps over the box", make_occlusion_experiment},
       {"speed", "Faster and faster motion, and sudden steps", make_speed_experiment},
+      {"accuracy", "Single frames, against what the sensor's noise allows",
+       make_accuracy_experiment},
       {"peers", "The scene on which M3T was measured, beside its figures", make_peers_experiment},
   };
   return entries;

@@ -2,6 +2,7 @@
 // The smallest version of each experiment: its rows, and what its summary says about them.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
@@ -167,6 +168,25 @@ TEST(Speed, GrowsFromRunToRunAndStepsOnce) {
   ASSERT_EQ(steps.size(), 20U);
   EXPECT_EQ(steps.back().at("kind"), "hinge");
   EXPECT_THAT(summary, HasSubstr("step of a hinge by 20 degrees"));
+}
+
+TEST(Accuracy, HasARowForEachUnknownAndContinuesWhereItWasCutOff) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& scenes) {
+    return run_experiment("accuracy", "cabinet", folder / "out", {"--scenes", scenes});
+  };
+  run("1");
+  const auto file = folder / "out/accuracy_cabinet_primesense_20000points_seed1.csv";
+  const auto first = read_text(file);
+  EXPECT_THAT(run("2"), HasSubstr("error/allowed"));
+  EXPECT_EQ(read_text(file).substr(0, first.size()), first);
+  const auto rows = read_rows(file);
+  ASSERT_EQ(rows.size(), 2U * 10U);
+  for (const NamedRow& row : rows) {
+    if (row.at("observable") == "0") continue;
+    EXPECT_GT(number(row, "bound"), 0.0);
+    EXPECT_LT(std::abs(number(row, "error")), 5.0 * number(row, "sigma")) << row.at("unknown");
+  }
 }
 
 TEST(Peers, ComparesWithTheFiguresOfTheOtherTracker) {

@@ -8,16 +8,15 @@
 #include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/evaluation/unknowns.hpp"
 #include "output_file.hpp"
 
 namespace lockbox {
 namespace {
 
 std::string header(const KinematicTree& tree) {
-  std::string line = "timestamp,tx,ty,tz,rx,ry,rz";
-  for (const int joint : tree.variable_joint) {
-    line += "," + tree.joints[static_cast<std::size_t>(joint)].name;
-  }
+  std::string line = "timestamp";
+  for (const std::string& name : unknown_names(tree)) line += "," + name;
   return line;
 }
 

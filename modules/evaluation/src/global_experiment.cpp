@@ -6,9 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "lockbox/evaluation/bound.hpp"
+#include "lockbox/evaluation/random_frame.hpp"
 #include "lockbox/evaluation/symmetry.hpp"
-#include "lockbox/simulation/simulator.hpp"
 
 namespace lockbox {
 namespace {
@@ -34,34 +33,26 @@ GlobalExperiment::GlobalExperiment(const ArticulatedModel& model, const PinholeC
       symmetries_(find_symmetries(model)) {}
 
 GlobalResult GlobalExperiment::search_scene(std::uint64_t number) {
-  const RandomScene drawn = draw_random_scene(model_, camera_, seed_, number);
-  const PlacedScene placed(drawn.scene, {drawn.truth});
-  DepthFrame frame;
-  Simulator(model_.tree, camera_, placed, sensor_, seed_, executor_)
-      .simulate(drawn.truth, number, frame);
-  std::vector<RenderItem> scenery;
-  placed.append_items(drawn.truth, scenery);
-  const Eigen::VectorXd bound =
-      bound_sigma(DepthInformation(model_.tree, camera_, sensor_, executor_)
-                      .compute(drawn.truth.configuration, scenery));
-
+  const RandomFrame seen =
+      simulate_random_frame(model_, camera_, sensor_, seed_, number, executor_);
+  const RandomScene& drawn = seen.view;
   GlobalResult result;
   result.scene = number;
   result.placement = drawn.placement;
   result.cut_off = drawn.cut_off;
   result.visible = drawn.visible;
   result.distance = drawn.truth.configuration.T_camera_base.translation().norm();
-  result.determined = determines_base(bound);
+  result.determined = determines_base(seen.bound);
   const auto began = std::chrono::steady_clock::now();
   TiledCloud cloud;
-  cloud.assign(frame, {}, executor_);
+  cloud.assign(seen.frame, {}, executor_);
   const std::vector<Candidate> found = initializer_.find(cloud);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   if (found.empty()) {
     result.wrong = "nothing";
     result.translation = result.rotation = std::numeric_limits<double>::quiet_NaN();
   } else {
-    judge(found.front(), drawn.truth, bound, result);
+    judge(found.front(), drawn.truth, seen.bound, result);
   }
   return result;
 }
