@@ -19,6 +19,10 @@ class LiveViewTest : public testing::Test {
     if (!user_.is_connected()) GTEST_SKIP() << "no display";
   }
 
+  void TearDown() override {
+    if (user_.is_connected()) user_.wait_until_gone("lockbox");
+  }
+
   static DepthFrame frame_at(std::uint64_t index) {
     DepthFrame frame;
     frame.camera = {64, 48, 60.0, 60.0, 31.5, 23.5};

@@ -36,6 +36,17 @@ Window window_of_name(Display* display, const std::string& name) {
   return found;
 }
 
+/// Throws with the problem when patience ends.
+template <typename Condition>
+void wait_for(const std::string& problem, Condition condition) {
+  constexpr auto kPatience = std::chrono::seconds(120);
+  const auto start = std::chrono::steady_clock::now();
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() - start > kPatience) throw std::runtime_error(problem);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
 }  // namespace
 
 XUser::XUser(const std::string& display)
@@ -49,14 +60,11 @@ XUser::~XUser() {
 }
 
 void XUser::find_window(const std::string& name) {
-  constexpr auto kPatience = std::chrono::seconds(120);
-  const auto start = std::chrono::steady_clock::now();
-  while ((window_ = window_of_name(display_, name)) == 0) {
-    if (std::chrono::steady_clock::now() - start > kPatience) {
-      throw std::runtime_error("no window " + name);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  wait_for("no window " + name, [&] { return (window_ = window_of_name(display_, name)) != 0; });
+}
+
+void XUser::wait_until_gone(const std::string& name) const {
+  wait_for("still a window " + name, [&] { return window_of_name(display_, name) == 0; });
 }
 
 void XUser::press(const std::string& key) {

@@ -21,6 +21,10 @@ class XUser {
   /// Waits until there is a window of this name, and it is on the screen.
   void find_window(const std::string& name);
 
+  /// Waits until there is none: the server hears of a closed window in its own time, and the next
+  /// one of the same name must not be taken for it.
+  void wait_until_gone(const std::string& name) const;
+
   /// key: its name in X11, such as `space`.
   void press(const std::string& key);
 

@@ -36,6 +36,10 @@ DisplayConnection::DisplayConnection() {
   }
 }
 
+void flush(_XDisplay* display) {
+  XFlush(display);
+}
+
 void stop_thread_on_loss(_XDisplay* display, const std::function<void()>& on_loss) {
   XSetIOErrorHandler([](Display*) { return 0; });  // the one that is there ends the process
   const auto stop = [](Display* broken, void* told) {

@@ -29,6 +29,9 @@ class DisplayConnection {
   std::string problem_;
 };
 
+/// Hands over what is still waiting to be sent, the closing of a window for instance.
+void flush(_XDisplay* display);
+
 /// When the connection breaks, Xlib ends the process, because its callers could not go on. With
 /// this, it calls on_loss, which must stay where it is, and stops the calling thread for good.
 void stop_thread_on_loss(_XDisplay* display, const std::function<void()>& on_loss);

@@ -40,6 +40,8 @@ VtkWindow::VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& o
 
 VtkWindow::~VtkWindow() {
   window_->Finalize();
+  // The interactor keeps the connection: without this the window stays on the screen.
+  if (auto* const display = static_cast<_XDisplay*>(window_->GetGenericDisplayId())) flush(display);
 }
 
 void VtkWindow::listen() {
