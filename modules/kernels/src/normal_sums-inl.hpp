@@ -61,6 +61,39 @@ struct NormalSumLanes {
   }
 };
 
+/// Mass and moments of NormalSums.
+struct MomentLanes {
+  Float mass;
+  Float first[3];
+  Float second[6];
+
+  HWY_INLINE void set_zero() {
+    mass = hn::Zero(FloatTag());
+    for (Float& f : first) f = mass;
+    for (Float& s : second) s = mass;
+  }
+
+  /// Points p with weights w.
+  HWY_INLINE void add(const Float p[3], const Float w) {
+    mass = hn::Add(mass, w);
+    int k = 0;
+    for (int row = 0; row < 3; ++row) {
+      const Float wp = hn::IfThenElseZero(hn::Gt(w, hn::Zero(FloatTag())), hn::Mul(w, p[row]));
+      first[row] = hn::Add(first[row], wp);
+      for (int column = row; column < 3; ++column) {
+        second[k] = hn::MulAdd(wp, p[column], second[k]);
+        ++k;
+      }
+    }
+  }
+
+  HWY_INLINE void write(NormalSums& sums) const {
+    sums.mass = sum_of_lanes(mass);
+    for (int k = 0; k < 3; ++k) sums.first_moment[k] = sum_of_lanes(first[k]);
+    for (int k = 0; k < 6; ++k) sums.second_moment[k] = sum_of_lanes(second[k]);
+  }
+};
+
 }  // namespace lockbox::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

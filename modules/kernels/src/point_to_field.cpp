@@ -161,9 +161,8 @@ NormalSums accumulate_points(std::size_t size, const FieldHits& hits, const floa
   lanes.set_zero();
   Float squares = hn::Zero(df);
   Float count = hn::Zero(df);
-  Float mass = hn::Zero(df);
-  Float first[3] = {mass, mass, mass};
-  Float second[6] = {mass, mass, mass, mass, mass, mass};
+  MomentLanes moments;
+  moments.set_zero();
   for (std::size_t i = 0; i < size; i += hn::Lanes(df)) {
     const Float w = hn::LoadU(df, weight + i);
     const Float d = hn::LoadU(df, hits.distance + i);
@@ -175,23 +174,14 @@ NormalSums accumulate_points(std::size_t size, const FieldHits& hits, const floa
     }
     const Float wd = hn::IfThenElseZero(hn::Gt(w, hn::Zero(df)), hn::Mul(w, d));
     lanes.add(p, n, w, wd);
-    mass = hn::Add(mass, w);
-    for (int row = 0, k = 0; row < 3; ++row) {
-      const Float wp = hn::IfThenElseZero(hn::Gt(w, hn::Zero(df)), hn::Mul(w, p[row]));
-      first[row] = hn::Add(first[row], wp);
-      for (int column = row; column < 3; ++column, ++k) {
-        second[k] = hn::MulAdd(wp, p[column], second[k]);
-      }
-    }
+    moments.add(p, w);
     squares = hn::MulAdd(wd, d, squares);
     const Float iv = hn::LoadU(df, hits.inverse_variance + i);
     count = hn::Add(count, hn::IfThenElseZero(hn::Gt(iv, hn::Zero(df)), hn::Div(w, iv)));
   }
   NormalSums sums{};
   lanes.write(sums);
-  sums.mass = sum_of_lanes(mass);
-  for (int k = 0; k < 3; ++k) sums.first_moment[k] = sum_of_lanes(first[k]);
-  for (int k = 0; k < 6; ++k) sums.second_moment[k] = sum_of_lanes(second[k]);
+  moments.write(sums);
   sums.weighted_squares = sum_of_lanes(squares);
   sums.weight = sum_of_lanes(count);
   return sums;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The inner loops of the free-space term: points of a body that are pulled to targets along fixed
+// directions.
+//
+// Written once with Highway, compiled for every instruction set, chosen at run time.
+#pragma once
+
+#include <cstddef>
+
+#include "lockbox/kernels/point_to_field.hpp"
+
+namespace lockbox::kernels {
+
+/// Pulls of one body: residual = direction . (camera_from_body p - target). Padding has pixels 0
+/// and a variance.
+struct PullSpan {
+  const float* p[3];                ///< body frame, metres
+  const float* target[3];           ///< camera frame, metres
+  const float* direction[3];        ///< unit vectors, camera frame
+  const float* variance;            ///< of the residual by noise, m^2
+  const float* direction_variance;  ///< squared radians
+  const float* pixels;              ///< that a pull stands for
+  std::size_t size;                 ///< a multiple of kLanes
+};
+
+/// What is assumed of residuals: Gaussian, with so much more variance (m^2) than by noise, or
+/// outliers beyond so many standard deviations.
+struct PullLoss {
+  float spread2;
+  float cut;
+};
+
+/// Sums over the pulls, weighted by how likely each one is to be no outlier. Rows are a = (n, p x
+/// n) with n the direction in the body's frame. mass and moments are weighted by
+/// direction_variance, too: for the curvature that wrong directions could feign. Not summed:
+/// weighted_squares, weight.
+NormalSums accumulate_pulls(const PullSpan& pulls, const RigidMotion& camera_from_body,
+                            const PullLoss& loss);
+
+/// sum pixels (E - c) with E and c as in `associate`, for a single body.
+double pull_cost(const PullSpan& pulls, const RigidMotion& camera_from_body, const PullLoss& loss);
+
+}  // namespace lockbox::kernels

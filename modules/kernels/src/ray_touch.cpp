@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/kernels/ray_touch.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "ray_touch.cpp"
+#include "hwy/foreach_target.h"
+// After foreach_target, which includes this file once for each instruction set.
+#include "field_look_up-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace lockbox::kernels::HWY_NAMESPACE {
+
+constexpr int kProjections = 4;
+constexpr int kMostSteps = 20;
+constexpr float kStep = 0.004F;  // metres
+
+/// Where the surface comes nearest to points, and how far that is.
+struct Nearest {
+  Float p[3];
+  Float normal[3];
+  Float distance;
+};
+
+HWY_INLINE Nearest nearest(const FieldView& field, const Float p[3]) {
+  const FloatTag df;
+  Nearest result;
+  Float gradient[3];
+  result.distance = interpolate<true>(field, locate(field, p), gradient);
+  const Float length2 = hn::Max(dot(gradient, gradient), hn::Set(df, 1e-12F));
+  const Float scale = hn::Div(hn::Set(df, 1.0F), hn::Sqrt(length2));
+  for (int axis = 0; axis < 3; ++axis) {
+    result.normal[axis] = hn::Mul(scale, gradient[axis]);
+    result.p[axis] = hn::NegMulAdd(result.distance, result.normal[axis], p[axis]);
+  }
+  return result;
+}
+
+struct Rays {
+  Float origin[3];
+  Float direction[3];
+};
+
+/// Where the rays come nearest to a point, or so much farther from the camera, metres.
+HWY_INLINE void onto_rays(const Rays& rays, const Float point[3], const float farther,
+                          Float result[3]) {
+  Float from_origin[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    from_origin[axis] = hn::Sub(point[axis], rays.origin[axis]);
+  }
+  const Float way = hn::Add(dot(rays.direction, from_origin), hn::Set(FloatTag(), farther));
+  for (int axis = 0; axis < 3; ++axis) {
+    result[axis] = hn::MulAdd(way, rays.direction[axis], rays.origin[axis]);
+  }
+}
+
+HWY_INLINE void replace(const hn::Mask<FloatTag> where, const Nearest& by, Nearest& at) {
+  for (int axis = 0; axis < 3; ++axis) {
+    at.p[axis] = hn::IfThenElse(where, by.p[axis], at.p[axis]);
+    at.normal[axis] = hn::IfThenElse(where, by.normal[axis], at.normal[axis]);
+  }
+}
+
+/// By alternating projections. p: on the rays.
+HWY_INLINE Nearest nearest_to_rays(const FieldView& field, const Rays& rays, Float p[3]) {
+  Nearest at = nearest(field, p);
+  for (int k = 1; k < kProjections; ++k) {
+    onto_rays(rays, at.p, 0.0F, p);
+    at = nearest(field, p);
+  }
+  return at;
+}
+
+/// Along a side that is turned to the camera: steps along the ray lead into the body, and back onto
+/// its surface, until the side ends. From there on the edge is what is nearest to the ray.
+HWY_INLINE void slide_back(const FieldView& field, const Rays& rays, Nearest& at) {
+  const FloatTag df;
+  auto goes_on = hn::Eq(hn::Zero(df), hn::Zero(df));
+  auto has_slid = hn::Not(goes_on);
+  for (int k = 0; k < kMostSteps; ++k) {
+    Float p[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      p[axis] = hn::MulAdd(hn::Set(df, kStep), rays.direction[axis], at.p[axis]);
+    }
+    const Nearest behind = nearest(field, p);
+    goes_on = hn::And(goes_on, hn::Lt(behind.distance, hn::Zero(df)));
+    if (hn::AllFalse(df, goes_on)) break;
+    replace(goes_on, behind, at);
+    has_slid = hn::Or(has_slid, goes_on);
+  }
+  if (hn::AllFalse(df, has_slid)) return;
+  Float p[3];
+  onto_rays(rays, at.p, kStep, p);
+  replace(has_slid, nearest(field, p), at);
+}
+
+void touch_rays(const FieldView& field, const RaySpan& rays, const TouchPoints& result) {
+  const FloatTag df;
+  Rays lanes;
+  for (int axis = 0; axis < 3; ++axis) lanes.origin[axis] = hn::Set(df, rays.origin[axis]);
+  for (std::size_t i = 0; i < rays.size; i += hn::Lanes(df)) {
+    Float p[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      lanes.direction[axis] = hn::LoadU(df, rays.direction[axis] + i);
+      p[axis] = hn::LoadU(df, result.p[axis] + i);
+    }
+    Nearest at = nearest_to_rays(field, lanes, p);
+    slide_back(field, lanes, at);
+    for (int axis = 0; axis < 3; ++axis) {
+      hn::StoreU(at.p[axis], df, result.p[axis] + i);
+      hn::StoreU(at.normal[axis], df, result.normal[axis] + i);
+    }
+  }
+}
+
+void normals_at_points(const FieldView& field, const PointSpan& points, float* const normal[3]) {
+  const FloatTag df;
+  for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
+    const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
+                        hn::LoadU(df, points.z + i)};
+    const Nearest at = nearest(field, p);
+    for (int axis = 0; axis < 3; ++axis) hn::StoreU(at.normal[axis], df, normal[axis] + i);
+  }
+}
+
+}  // namespace lockbox::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lockbox::kernels {
+
+HWY_EXPORT(touch_rays);
+HWY_EXPORT(normals_at_points);
+
+void touch(const FieldView& field, const RaySpan& rays, const TouchPoints& result) {
+  HWY_DYNAMIC_DISPATCH(touch_rays)(field, rays, result);
+}
+
+void surface_normals(const FieldView& field, const PointSpan& points, float* const normal[3]) {
+  HWY_DYNAMIC_DISPATCH(normals_at_points)(field, points, normal);
+}
+
+}  // namespace lockbox::kernels
+#endif  // HWY_ONCE
