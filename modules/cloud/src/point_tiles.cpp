@@ -19,6 +19,10 @@ void PointTiles::finish_tile(Tile& tile) {
   for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
     tile.bounds.extend(Eigen::Vector3f(x_[i], y_[i], z_[i]));
   }
+  pad(tile);
+}
+
+void PointTiles::pad(Tile& tile) {
   tile.padded = kernels::padded(tile.count);
   for (std::size_t i = tile.first + tile.count; i < tile.first + tile.padded; ++i) {
     x_[i] = y_[i] = z_[i] = kernels::kPadding;

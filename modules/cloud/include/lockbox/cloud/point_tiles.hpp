@@ -40,6 +40,8 @@ class PointTiles {
   void resize_tiles(std::size_t count);
   /// Bounds and padding of a tile whose points are in place.
   void finish_tile(Tile& tile);
+  /// Padding alone.
+  void pad(Tile& tile);
 
   std::vector<Tile> tiles_;
   std::vector<float> x_;

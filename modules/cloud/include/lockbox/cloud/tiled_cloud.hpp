@@ -54,11 +54,14 @@ class TiledCloud : public PointTiles {
   void resize(const PinholeCamera& camera);
   template <typename Depth>
   void convert(const Depth& raw, const CloudOptions& options, const Executor& executor);
-  template <typename Depth>
-  void filter_rows(const Depth& raw, const CloudOptions& options, int first_row, int last_row);
+  void filter_row(const CloudOptions& options, std::size_t v);
   void fill_tile(int column, int row);
 
   PinholeCamera camera_;
+  std::vector<float> raw_;      ///< depth as measured, metres; 0 where nothing was
+  std::vector<float> nowhere_;  ///< a row without measurements
+  std::vector<float> ray_x_;    ///< by column, metres per metre of depth
+  std::vector<float> ray_y_;    ///< by row
   std::vector<float> depth_;
   std::vector<std::uint8_t> mask_;  ///< of keep(), if it was called
   int tile_columns_ = 0;
