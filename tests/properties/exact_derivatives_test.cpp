@@ -105,7 +105,7 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   ViewSamples samples;
   samples.collect(surface, plan.density());
   OutlinePoints outlines;
-  outlines.collect(model, surface, options, executor);
+  outlines.collect(model, surface, 1, options, executor);
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
   constexpr double kSpread = 0.005;
@@ -114,9 +114,10 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   ASSERT_GT(term.pulled_samples(), 50U);
   EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));
   const NormalEquations analytic = mapped(systems, at);
+  // Costs are summed in single precision: steps well above their rounding.
   const Eigen::VectorXd numeric =
-      numeric_gradient(at, 1e-6, [&](const Configuration& x) { return term.cost(poses(x)); });
-  EXPECT_LT((analytic.gradient - numeric).norm(), 1e-5 * numeric.norm());
+      numeric_gradient(at, 1e-4, [&](const Configuration& x) { return term.cost(poses(x)); });
+  EXPECT_LT((analytic.gradient - numeric).norm(), 3e-4 * numeric.norm());
 }
 
 /// A chain of three, each link beside a post of the base: a slide, a hinge on it, a wheel without

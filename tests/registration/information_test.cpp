@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "mechanism.hpp"
 
@@ -78,8 +79,7 @@ TEST(Information, WrongNormalsFeignWhatTheirMeanOverAllDirectionsSays) {
   constexpr double kWeight = 2.0;
   constexpr double kVariance = 1e-3;
   Matrix6 expected = Matrix6::Zero();
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  kernels::NormalSums sums{};
   for (const Eigen::Vector3d& p : points) {
     for (int axis = 0; axis < 3; ++axis) {  // any three orthogonal ones have the mean of all
       const Eigen::Vector3d e = Eigen::Vector3d::Unit(axis);
@@ -87,11 +87,14 @@ TEST(Information, WrongNormalsFeignWhatTheirMeanOverAllDirectionsSays) {
       row << e, p.cross(e);
       expected += kWeight * kVariance * row * row.transpose();
     }
-    first += kWeight * p;
-    second += kWeight * p * p.transpose();
+    sums.mass += 1.0;
+    int k = 0;
+    for (int r = 0; r < 3; ++r) {
+      sums.first_moment[r] += p[r];
+      for (int c = r; c < 3; ++c) sums.second_moment[k++] += p[r] * p[c];
+    }
   }
-  BodySystem system;
-  system.add_feigned(kWeight * static_cast<double>(points.size()), first, second, kVariance);
+  const BodySystem system = to_system(sums, kWeight, kVariance);
   EXPECT_LT((system.feigned - expected).norm(), 1e-12);
 }
 

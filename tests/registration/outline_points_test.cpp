@@ -30,7 +30,7 @@ class OutlinePointsTest : public ::testing::Test {
     VisibleSurface surface;
     surface.render(model, poses, camera, camera.width, executor);
     OutlinePoints outlines;
-    outlines.collect(model, surface, {}, executor);
+    outlines.collect(model, surface, 1, {}, executor);
     return outlines;
   }
 
@@ -134,7 +134,7 @@ TEST(OutlinePointsBesideARail, DoNotMoveOnToTheNextOutline) {
   const PinholeCamera camera = refined(kCamera, 4);
   surface.render(model, poses, camera, camera.width, Executor(1));
   OutlinePoints outlines;
-  outlines.collect(model, surface, {}, Executor(1));
+  outlines.collect(model, surface, 1, {}, Executor(1));
   int at_front_edge = 0;
   for (std::size_t i = 0; i < outlines.bands(); ++i) {
     for (const OutlinePoint& point : outlines.band(i)) {

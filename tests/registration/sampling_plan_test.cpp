@@ -72,14 +72,25 @@ TEST(SamplingPlan, SpendsTheBudgetAndNotMore) {
 
 TEST(SamplingPlan, LooksCloselyWhereBodiesEndAndWhereTheyBend) {
   const SamplingDensity density = planned(6000);
-  EXPECT_EQ(spacing_at(density, 180, 60), kCell);  // in the middle of the large plate
+  EXPECT_EQ(spacing_at(density, 180, 60), 4);  // in the middle of the large plate
   for (const auto& [u, v] : {std::pair{60, 120}, std::pair{100, 112}, std::pair{208, 104}}) {
     EXPECT_LE(spacing_at(density, u, v), 2) << u << ", " << v;
   }
 }
 
+/// More points at its edges do not tell how a large plate is turned.
+TEST(SamplingPlan, DoesNotSpendAllOnEdges) {
+  for (const std::size_t budget : {3000U, 8000U, 12000U}) {
+    const SamplingDensity density = planned(budget);
+    for (const auto& [u, v] : {std::pair{180, 60}, std::pair{80, 180}, std::pair{240, 140}}) {
+      EXPECT_LE(spacing_at(density, u, v), 4 * spacing_at(density, 100, 112)) << budget;
+      EXPECT_LE(spacing_at(density, u, v), 4) << budget;
+    }
+  }
+}
+
 TEST(SamplingPlan, SmallBodiesComeFirst) {
-  const SamplingDensity density = planned(1100);
+  const SamplingDensity density = planned(2500);
   EXPECT_LT(spacing_at(density, 100, 112), spacing_at(density, 60, 120));
 }
 

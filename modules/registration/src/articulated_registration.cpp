@@ -2,69 +2,42 @@
 #include "lockbox/registration/articulated_registration.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "lockbox/kernels/point_to_field.hpp"
+#include "lockbox/model/surface_levers.hpp"
 
 namespace lockbox {
 namespace {
 
 using Index = Eigen::Index;
 
-constexpr double kBaseUnit = 0.25;                        // metres, and radians for its rotation
-constexpr double kContinuousUnit = std::numbers::pi / 4;  // a quarter of half a turn either way
-constexpr double kLeastInformation = 100.0;               // a deviation of a tenth of a unit
-constexpr double kStaleView = 0.002;  // metres that surfaces may move before they are drawn again
+/// Metres that surfaces may move before they are drawn again; twice as much in a view of every
+/// other pixel.
+constexpr double kStaleView = 0.002;
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
 constexpr std::size_t kViewSamples = 40000;  // of the visible surface, where points have no budget
-// One ray a pixel for common sensors: where parts end is decided by few. That takes so many points.
-constexpr int kFineColumns = 640;
-constexpr int kCoarseColumns = 320;
-constexpr std::size_t kLeastForFineView = 15000;
-constexpr double kSignificant = 2.0;  // standard deviations: more than noise mostly moves
+constexpr double kSignificant = 2.0;         // standard deviations: more than noise mostly moves
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 
-StepScale step_scale(const KinematicTree& tree) {
-  StepScale scale{Eigen::VectorXd::Constant(6 + tree.variables(), kBaseUnit), kLeastInformation};
-  for (int v = 0; v < tree.variables(); ++v) {
-    const VariableLimits limits = variable_limits(tree, v);
-    const double range = limits.upper - limits.lower;
-    // A joint without room to move still needs a unit.
-    scale.unit[6 + v] = std::isfinite(range) ? std::max(range / 4.0, 1e-3) : kContinuousUnit;
-  }
-  return scale;
-}
+/// How closely the model is looked at, by the budget of points: more rays than that would cost more
+/// time than the points, and tell no more.
+struct Resolution {
+  std::size_t least_budget;
+  int columns;         ///< of the view
+  int outline_pixels;  ///< of the camera, from one point of an outline to the next
+};
+constexpr std::array<Resolution, 3> kResolutions{{{30000, 640, 1}, {4000, 320, 1}, {0, 160, 4}}};
 
-/// How far surfaces move, at most, for a unit of each unknown (metres per metre or radian).
-Eigen::VectorXd surface_levers(const ArticulatedModel& model) {
-  const KinematicTree& tree = model.tree;
-  Configuration rest = rest_configuration(tree);
-  rest.T_camera_base.setIdentity();
-  BodyPoses poses;
-  std::vector<BodyJacobian> jacobians;
-  forward_kinematics(tree, rest, poses);
-  body_jacobians(tree, poses, jacobians);
-  Eigen::VectorXd levers = Eigen::VectorXd::Zero(6 + tree.variables());
-  for (std::size_t b = 0; b < model.fields.size(); ++b) {
-    if (!model.fields[b]) {
-      continue;
-    }
-    const Eigen::AlignedBox3d& box = model.fields[b]->bounds();
-    for (int corner = 0; corner < 8; ++corner) {
-      const Eigen::Vector3d p = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
-      for (Index i = 0; i < levers.size(); ++i) {
-        const auto twist = jacobians[b].col(i);
-        const Eigen::Vector3d motion = twist.head<3>() + twist.tail<3>().cross(p);
-        levers[i] = std::max(levers[i], motion.norm());
-      }
-    }
-  }
-  return levers;
+Resolution resolution_for(std::size_t point_budget) {
+  if (point_budget == 0) return kResolutions.front();  // all points
+  return *std::find_if(kResolutions.begin(), kResolutions.end(),
+                       [=](const Resolution& r) { return point_budget >= r.least_budget; });
 }
 
 /// The share of the start's spread that iteration k of n still allows: 1 at first, 0 at last.
@@ -86,7 +59,7 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
       executor_(executor),
       collision_(model, options, executor),
       scale_(step_scale(model.tree)),
-      levers_(surface_levers(model)) {
+      levers_(surface_levers(model.tree)) {
   options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
   systems_.resize(model.tree.bodies.size());
   held_.assign(static_cast<std::size_t>(scale_.unit.size()), false);
@@ -160,18 +133,23 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
   }
   forward_kinematics(model_.tree, configuration, poses_);
   const bool is_thinned = options_.point_budget > 0;
-  const bool is_coarse = is_thinned && options_.point_budget < kLeastForFineView;
-  surface_.render(model_, poses_, cloud.camera(), is_coarse ? kCoarseColumns : kFineColumns,
-                  executor_);
+  const Resolution resolution = resolution_for(options_.point_budget);
+  surface_.render(model_, poses_, cloud.camera(), resolution.columns, executor_);
   plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx,
              options_.cut * spread, is_thinned ? options_.point_budget : kViewSamples, executor_);
   samples_.collect(surface_, plan_.density());
-  if (options_.lambda_free > 0.0) outlines_.collect(model_, surface_, options_, executor_);
+  if (options_.lambda_free > 0.0) {
+    outlines_.collect(model_, surface_, resolution.outline_pixels, options_, executor_);
+  }
   if (is_thinned) {
     thinned_.assign(cloud, plan_.density());
     points_ = &thinned_;
   }
   surface_.predict(*points_, executor_, predicted_);
+}
+
+double ArticulatedRegistration::stale_view() const {
+  return kStaleView * surface_.reduction();
 }
 
 ModelTerm::Scene ArticulatedRegistration::scene(const TiledCloud& cloud) const {
@@ -182,7 +160,7 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
   if (linearized_spread_ == spread) {
     return cost_;  // the last step was not taken
   }
-  if (surface_distance(rendered_, result_.configuration) > kStaleView) {
+  if (surface_distance(rendered_, result_.configuration) > stale_view()) {
     look_at(cloud, result_.configuration, spread);
   }
   forward_kinematics(model_.tree, result_.configuration, poses_);
@@ -249,7 +227,7 @@ bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool
     }
     candidate_ = result_.configuration;
     apply_step(step, candidate_);
-    const bool looks_ahead = trial == 0 && surface_distance(rendered_, candidate_) <= kStaleView;
+    const bool looks_ahead = trial == 0 && surface_distance(rendered_, candidate_) <= stale_view();
     const auto spread_ahead = looks_ahead ? std::optional(next_spread) : std::nullopt;
     if (cost_at(cloud, candidate_, spread_ahead) < cost) {
       result_.configuration = candidate_;

@@ -3,16 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace lockbox {
 namespace {
 
 using Index = Eigen::Index;
 
+constexpr double kBaseUnit = 0.25;                        // metres, and radians for its rotation
+constexpr double kContinuousUnit = std::numbers::pi / 4;  // a quarter of half a turn either way
+constexpr double kLeastInformation = 100.0;               // a deviation of a tenth of a unit
 constexpr double kLeastSlope = 1e-12;  // cost per unit: below it a limit does not matter
 constexpr double kOwnShare = 0.9;      // of a direction's square: it is this unknown's own
 
 }  // namespace
+
+StepScale step_scale(const KinematicTree& tree) {
+  StepScale scale{Eigen::VectorXd::Constant(6 + tree.variables(), kBaseUnit), kLeastInformation};
+  for (int v = 0; v < tree.variables(); ++v) {
+    const VariableLimits limits = variable_limits(tree, v);
+    const double range = limits.upper - limits.lower;
+    // A joint without room to move still needs a unit.
+    scale.unit[6 + v] = std::isfinite(range) ? std::max(range / 4.0, 1e-3) : kContinuousUnit;
+  }
+  return scale;
+}
 
 const Eigen::VectorXd& BoundedStepSolver::solve(const NormalEquations& equations, double damping,
                                                 const StepLimits& limits, const StepScale& scale) {

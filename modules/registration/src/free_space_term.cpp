@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lockbox/registration/rigid_motion.hpp"
 #include "observed_outline.hpp"
 #include "observed_surface.hpp"
 #include "outline.hpp"
@@ -17,16 +18,10 @@ constexpr double kSurely = 0.99;       // of the dead zone
 /// From far off there are more, which all say the same: then each of those stands for several.
 constexpr std::size_t kMostSamples = 6000;
 
-/// The mixture of kernels::associate for a single body: what is explained, and the weight.
-struct Loss {
-  double explained;  ///< c - E
-  double weight;     ///< 1 for small residuals, 0 for outliers
-};
-Loss loss(double residual, double inverse_variance, double cut) {
-  const double outlier_cost = 0.5 * cut * cut;
+/// In the mixture of kernels::associate for a single body: 1 for small residuals, 0 for outliers.
+double gaussian_share(double residual, double inverse_variance, double cut) {
   const double gaussian = std::exp(-0.5 * residual * residual * inverse_variance);
-  const double sum = gaussian + std::exp(-outlier_cost);
-  return {std::log(sum) + outlier_cost, gaussian / sum};
+  return gaussian / (gaussian + std::exp(-0.5 * cut * cut));
 }
 
 constexpr double kAnyDirection = 1.0 / 3.0;  // of a random unit vector's square, along each axis
@@ -97,7 +92,8 @@ class PullFinder {
     pull.target = *nearest;
     pull.direction = (p - *nearest) / way;
     pull.variance = variance_of(p, pull.direction);
-    if (loss(way, 1.0 / (pull.variance + spread_ * spread_), options_.cut).weight <= kLeastWeight) {
+    if (gaussian_share(way, 1.0 / (pull.variance + spread_ * spread_), options_.cut) <=
+        kLeastWeight) {
       return std::nullopt;
     }
     // Noise at either end turns a short pull.
@@ -156,6 +152,7 @@ void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& 
   append_chunk_pulls(chunks);
   aim_outlines(outlines, T_camera_body, cloud, options, spread, executor);
   append_chunk_pulls(outlines.bands());
+  by_body_.assign(pulls_, T_camera_body.size());
 }
 
 void FreeSpaceTerm::append_chunk_pulls(std::size_t chunks) {
@@ -212,48 +209,54 @@ void FreeSpaceTerm::collect_seen_through(const ViewSamples& samples, const BodyP
 double FreeSpaceTerm::linearize(const BodyPoses& T_camera_body, double spread,
                                 std::vector<BodySystem>& systems) {
   spread2_ = spread * spread;
-  for (const FreeSpacePull& pull : pulls_) {
-    const TileSystem own = system_of(pull, T_camera_body);
-    BodySystem& system = systems[static_cast<std::size_t>(pull.body)];
-    system.hessian += own.hessian;
-    system.gradient += own.gradient;
-    const double mass = own.hessian.topLeftCorner<3, 3>().trace();
-    system.add_feigned(mass, mass * pull.p_body, mass * pull.p_body * pull.p_body.transpose(),
-                       pull.direction_variance);
+  for (const PullSet::Block& block : by_body_.blocks()) {
+    const auto body = static_cast<std::size_t>(block.body);
+    const kernels::NormalSums sums = kernels::accumulate_pulls(
+        by_body_.span(block), to_rigid_motion(T_camera_body[body]), pull_loss());
+    systems[body] += to_system(sums, lambda_, 1.0);
   }
   return cost(T_camera_body);
 }
 
-TileSystem FreeSpaceTerm::system_of(const FreeSpacePull& pull,
-                                    const BodyPoses& T_camera_body) const {
-  const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
-  const double residual = pull.direction.dot(T * pull.p_body - pull.target);
-  const double inverse_variance = 1.0 / (pull.variance + spread2_);
-  const double w =
-      lambda_ * pull.pixels * loss(residual, inverse_variance, cut_).weight * inverse_variance;
-  const Eigen::Vector3d n_body = T.linear().transpose() * pull.direction;
-  Twist row;
-  row << n_body, pull.p_body.cross(n_body);
-  return {pull.tile, pull.body, pull.pixels, w * row * row.transpose(), w * residual * row};
-}
-
-void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
-                                        std::vector<TileSystem>& systems) const {
-  for (const FreeSpacePull& pull : pulls_) {
-    systems.push_back(system_of(pull, T_camera_body));
-    systems.back().tile += first_tile;
-  }
-}
-
 double FreeSpaceTerm::cost(const BodyPoses& T_camera_body) const {
   double total = 0.0;
-  for (const FreeSpacePull& pull : pulls_) {
-    const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(pull.body)];
-    const double residual = pull.direction.dot(T * pull.p_body - pull.target);
-    total -=
-        lambda_ * pull.pixels * loss(residual, 1.0 / (pull.variance + spread2_), cut_).explained;
+  for (const PullSet::Block& block : by_body_.blocks()) {
+    const auto body = static_cast<std::size_t>(block.body);
+    total +=
+        kernels::pull_cost(by_body_.span(block), to_rigid_motion(T_camera_body[body]), pull_loss());
   }
-  return total;
+  return lambda_ * total;
+}
+
+kernels::PullLoss FreeSpaceTerm::pull_loss() const {
+  return {static_cast<float>(spread2_), static_cast<float>(cut_)};
+}
+
+/// Neighbours mostly follow each other.
+void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
+                                        std::vector<TileSystem>& systems) const {
+  const std::size_t first_system = systems.size();
+  for (const FreeSpacePull& pull : pulls_) {
+    const std::size_t tile = first_tile + pull.tile;
+    if (systems.size() == first_system || systems.back().tile != tile ||
+        systems.back().body != pull.body || systems.back().pixels != pull.pixels) {
+      systems.push_back({tile, pull.body, pull.pixels, Matrix6::Zero(), Twist::Zero()});
+    }
+    add_to(systems.back(), pull, T_camera_body[static_cast<std::size_t>(pull.body)]);
+  }
+}
+
+void FreeSpaceTerm::add_to(TileSystem& system, const FreeSpacePull& pull,
+                           const Eigen::Isometry3d& T_camera_body) const {
+  const double residual = pull.direction.dot(T_camera_body * pull.p_body - pull.target);
+  const double inverse_variance = 1.0 / (pull.variance + spread2_);
+  const double w =
+      lambda_ * pull.pixels * gaussian_share(residual, inverse_variance, cut_) * inverse_variance;
+  const Eigen::Vector3d n_body = T_camera_body.linear().transpose() * pull.direction;
+  Twist row;
+  row << n_body, pull.p_body.cross(n_body);
+  system.hessian.noalias() += w * row * row.transpose();
+  system.gradient += w * residual * row;
 }
 
 }  // namespace lockbox

@@ -39,24 +39,6 @@ double gate_of(const Tile& tile, const PinholeCamera& camera, const Registration
   return options.cut * std::hypot(sigma, spread);
 }
 
-BodySystem to_system(const kernels::NormalSums& sums, double weight) {
-  BodySystem system;
-  int k = 0;
-  for (int row = 0; row < 6; ++row) {
-    for (int column = row; column < 6; ++column) {
-      system.hessian(row, column) = system.hessian(column, row) = weight * sums.hessian[k++];
-    }
-    system.gradient[row] = weight * sums.gradient[row];
-  }
-  const double* second = sums.second_moment;
-  Eigen::Matrix3d second_moment;
-  second_moment << second[0], second[1], second[2], second[1], second[3], second[4], second[2],
-      second[4], second[5];
-  system.add_feigned(weight * sums.mass, weight * Eigen::Vector3d(sums.first_moment),
-                     weight * second_moment, kNormalVariance);
-  return system;
-}
-
 /// The sum of that body, zero at first.
 BodySystem& sum_of(std::vector<std::pair<int, BodySystem>>& sums, int body) {
   const auto found =
@@ -252,7 +234,7 @@ void ModelTerm::linearize_tile(const Scene& scene, std::size_t tile_index,
     const int body = chunk.bodies[first + l];
     const kernels::NormalSums tile_sums =
         kernels::accumulate(tile.padded, scratch.hits[l], scratch.weight[l]);
-    const BodySystem system = to_system(tile_sums, tile.weight);
+    const BodySystem system = to_system(tile_sums, tile.weight, kNormalVariance);
     sum_of(chunk.sums, body) += system;
     chunk.tile_systems[first + l] = {tile_index, body, tile.weight, system.hessian,
                                      system.gradient};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/registration/normal_equations.hpp"
 
+#include "lockbox/kernels/point_to_field.hpp"
+
 namespace lockbox {
 namespace {
 
@@ -15,18 +17,34 @@ void add_mapped(const Matrix6& A, const BodyJacobian& jacobian, double weight,
   }
 }
 
-}  // namespace
-
 /// For normals that err in any direction, sum w a a' with a = (e, p x e) is, over all directions e,
 /// sum w [I, -P; P, |p|^2 I - p p'] with P = hat(p).
-void BodySystem::add_feigned(double mass, const Eigen::Vector3d& first_moment,
-                             const Eigen::Matrix3d& second_moment, double normal_variance) {
-  const Eigen::Matrix3d P = normal_variance * hat(first_moment);
-  feigned.topLeftCorner<3, 3>() += normal_variance * mass * Eigen::Matrix3d::Identity();
-  feigned.topRightCorner<3, 3>() -= P;
-  feigned.bottomLeftCorner<3, 3>() += P;
-  feigned.bottomRightCorner<3, 3>() +=
-      normal_variance * (second_moment.trace() * Eigen::Matrix3d::Identity() - second_moment);
+Matrix6 feigned_curvature(double mass, const Eigen::Vector3d& first_moment,
+                          const Eigen::Matrix3d& second_moment) {
+  Matrix6 result;
+  result << mass * Eigen::Matrix3d::Identity(), -hat(first_moment), hat(first_moment),
+      second_moment.trace() * Eigen::Matrix3d::Identity() - second_moment;
+  return result;
+}
+
+}  // namespace
+
+BodySystem to_system(const kernels::NormalSums& sums, double weight, double normal_variance) {
+  BodySystem system;
+  int k = 0;
+  for (int row = 0; row < 6; ++row) {
+    for (int column = row; column < 6; ++column) {
+      system.hessian(row, column) = system.hessian(column, row) = weight * sums.hessian[k++];
+    }
+    system.gradient[row] = weight * sums.gradient[row];
+  }
+  const double* second = sums.second_moment;
+  Eigen::Matrix3d second_moment;
+  second_moment << second[0], second[1], second[2], second[1], second[3], second[4], second[2],
+      second[4], second[5];
+  system.feigned = weight * normal_variance *
+                   feigned_curvature(sums.mass, Eigen::Vector3d(sums.first_moment), second_moment);
+  return system;
 }
 
 void NormalEquations::set_zero(Eigen::Index unknowns) {

@@ -16,8 +16,10 @@ class TangentPlane {
   TangentPlane(const RenderedDepth& image, int u, int v);
 
   /// Depth of the plane at (du, dv) pixels from here, as a multiple of the depth here.
-  double relative_depth(int du, int dv) const {
-    return 1.0 / std::max(kHorizon, 1.0 + slope_u_ * du + slope_v_ * dv);
+  double relative_depth(int du, int dv) const { return 1.0 / relative_nearness(du, dv); }
+  /// And 1 / depth of the plane there, as a multiple of that here.
+  double relative_nearness(int du, int dv) const {
+    return std::max(kHorizon, 1.0 + slope_u_ * du + slope_v_ * dv);
   }
 
   /// Of 1 / depth, relative to the value here, per pixel along u and v.

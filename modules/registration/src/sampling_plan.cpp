@@ -27,7 +27,7 @@ struct Spacing {
 constexpr std::uint8_t kCoarsest = kCell;
 /// What more samples are spent on, in order.
 constexpr std::array<Spacing, 7> kSpacings{
-    {{8, kCoarsest}, {4, kCoarsest}, {2, kCoarsest}, {1, kCoarsest}, {1, 4}, {1, 2}, {1, 1}}};
+    {{8, kCoarsest}, {4, kCoarsest}, {4, 4}, {2, 4}, {2, 2}, {1, 2}, {1, 1}}};
 
 /// Whether the depth bends or jumps from one neighbour to the opposite one. Next to nothing it does
 /// neither: there the bodies differ.

@@ -79,6 +79,7 @@ class ArticulatedRegistration {
 
  private:
   void look_at(const TiledCloud& cloud, const Configuration& configuration, double spread);
+  double stale_view() const;
   ModelTerm::Scene scene(const TiledCloud& cloud) const;
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "lockbox/model/kinematic_tree.hpp"
 #include "lockbox/registration/normal_equations.hpp"
 #include "lockbox/registration/symmetric_modes.hpp"
 
@@ -21,6 +22,9 @@ struct StepScale {
   Eigen::VectorXd unit;      ///< by unknown: a change that matters, metres or radians
   double least_information;  ///< information per unit^2 below which a direction is left alone
 };
+
+/// A quarter of each joint's range, and as much for the base as parts are large.
+StepScale step_scale(const KinematicTree& tree);
 
 /// Minimises gradient.s + s' (hessian + damping diag(hessian)) s / 2 for lower <= s <= upper, by an
 /// active-set method: an unknown that meets its limit leaves the solve and returns if the gradient

@@ -12,24 +12,12 @@
 #include <vector>
 
 #include "lockbox/registration/outline_points.hpp"
+#include "lockbox/registration/pull_set.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
-
-/// A point of the model and where it should go:
-/// residual = direction . (T_camera_body p_body - target).
-struct FreeSpacePull {
-  Eigen::Vector3d p_body;
-  Eigen::Vector3d target;     ///< camera frame
-  Eigen::Vector3d direction;  ///< unit vector, camera frame
-  double variance;            ///< of the residual by the sensor's noise, m^2
-  double direction_variance;  ///< squared radians
-  double pixels;              ///< that it stands for
-  int body;
-  std::size_t tile;  ///< of the cloud, that the sample is seen in
-};
 
 class FreeSpaceTerm {
  public:
@@ -63,7 +51,9 @@ class FreeSpaceTerm {
                     const TiledCloud& cloud, const RegistrationOptions& options, double spread,
                     const Executor& executor);
   void append_chunk_pulls(std::size_t chunks);
-  TileSystem system_of(const FreeSpacePull& pull, const BodyPoses& T_camera_body) const;
+  kernels::PullLoss pull_loss() const;
+  void add_to(TileSystem& system, const FreeSpacePull& pull,
+              const Eigen::Isometry3d& T_camera_body) const;
 
   BodyPoses T_body_camera_;
   double lambda_ = 1.0;
@@ -73,6 +63,7 @@ class FreeSpaceTerm {
   std::vector<std::size_t> chunk_begins_;               ///< how many before each chunk; all
   std::vector<std::vector<FreeSpacePull>> chunk_pulls_;
   std::vector<FreeSpacePull> pulls_;
+  PullSet by_body_;
   SampleLandings landings_;
 };
 

@@ -11,6 +11,10 @@
 
 namespace lockbox {
 
+namespace kernels {
+struct NormalSums;
+}
+
 /// How wrong the normals of a field may be, squared radians: facets of round bodies, its cells.
 inline constexpr double kNormalVariance = 0.05 * 0.05;
 
@@ -18,7 +22,7 @@ inline constexpr double kNormalVariance = 0.05 * 0.05;
 struct BodySystem {
   Matrix6 hessian = Matrix6::Zero();
   Twist gradient = Twist::Zero();
-  /// The curvature that wrong normals could feign: sum w delta^2 M(p) M(p)'.
+  /// The curvature that wrong normals could feign, sum w delta^2 a a' over all their directions.
   Matrix6 feigned = Matrix6::Zero();
 
   BodySystem& operator+=(const BodySystem& other) {
@@ -28,16 +32,15 @@ struct BodySystem {
     return *this;
   }
 
-  /// Of points with these sums of their weights w, of w p and of w p p' (p: body frame), whose
-  /// normals err by normal_variance (squared radians).
-  void add_feigned(double mass, const Eigen::Vector3d& first_moment,
-                   const Eigen::Matrix3d& second_moment, double normal_variance);
-
   /// The curvature less what wrong normals could feign. A disk that turns about its axis slides
   /// along itself; facets and the field's cells tilt its normals, and thousands of points would
   /// make of that an angle, known to a degree.
   Matrix6 information() const { return hessian - feigned; }
 };
+
+/// weight: of each residual beside that in the sums. normal_variance: squared radians that normals
+/// err by, beside what the sums' moments contain.
+BodySystem to_system(const kernels::NormalSums& sums, double weight, double normal_variance);
 
 /// What one tile of the image has to say about one body.
 struct TileSystem {

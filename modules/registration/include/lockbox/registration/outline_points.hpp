@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "lockbox/core/parallel.hpp"
@@ -29,19 +29,22 @@ struct OutlinePoint {
 /// Reuses its buffers.
 class OutlinePoints {
  public:
-  void collect(const ArticulatedModel& model, const VisibleSurface& surface,
+  OutlinePoints();
+  ~OutlinePoints();
+  OutlinePoints(OutlinePoints&&) noexcept;
+  OutlinePoints& operator=(OutlinePoints&&) noexcept;
+
+  /// spacing: pixels of the camera from one point to the next, where the view has as many.
+  void collect(const ArticulatedModel& model, const VisibleSurface& surface, int spacing,
                const RegistrationOptions& options, const Executor& executor);
 
   /// By bands of rows of the view, in each of which there may be none.
-  std::size_t bands() const { return bands_.size(); }
-  const std::vector<OutlinePoint>& band(std::size_t i) const { return bands_[i].points; }
+  std::size_t bands() const;
+  const std::vector<OutlinePoint>& band(std::size_t i) const;
 
  private:
-  struct Band {
-    std::vector<OutlinePoint> points;
-    std::vector<std::uint8_t> is_at_jump;  ///< by column, of the row that is looked at
-  };
-  std::vector<Band> bands_;
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
 };
 
 }  // namespace lockbox

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points of the model and where they should go, body by body, as the inner loops read them.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "lockbox/kernels/pulls.hpp"
+
+namespace lockbox {
+
+/// residual = direction . (T_camera_body p_body - target).
+struct FreeSpacePull {
+  Eigen::Vector3d p_body;
+  Eigen::Vector3d target;     ///< camera frame
+  Eigen::Vector3d direction;  ///< unit vector, camera frame
+  double variance;            ///< of the residual by the sensor's noise, m^2
+  double direction_variance;  ///< squared radians
+  double pixels;              ///< that it stands for
+  int body;
+  std::size_t tile;  ///< of the cloud, that the sample is seen in
+};
+
+/// Reuses its buffers.
+class PullSet {
+ public:
+  /// Pulls of one body, few enough to be summed in single precision.
+  struct Block {
+    int body;
+    std::size_t first;
+    std::size_t padded;
+  };
+
+  void assign(const std::vector<FreeSpacePull>& pulls, std::size_t bodies);
+
+  const std::vector<Block>& blocks() const { return blocks_; }
+  kernels::PullSpan span(const Block& block) const;
+
+ private:
+  enum Number { px, py, pz, tx, ty, tz, dx, dy, dz, variance, direction_variance, pixels, numbers };
+
+  void lay_out(const std::vector<FreeSpacePull>& pulls, std::size_t bodies);
+
+  std::array<std::vector<float>, numbers> arrays_;
+  std::vector<Block> blocks_;
+  std::vector<std::size_t> next_;  ///< by body: where its next pull goes
+};
+
+}  // namespace lockbox
