@@ -20,7 +20,6 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMillimetres = 1000.0;
-constexpr const char* kOwnName = "lockbox";
 
 using Measure = std::function<double(const PeerFrame&)>;
 
@@ -70,11 +69,13 @@ ErrorSpread typical(const std::vector<PeerRun>& runs, const Measure& measure,
   return {median(medians), median(percentiles), median(maxima)};
 }
 
-std::vector<PeerRun> selected(const std::vector<PeerRun>& runs, const std::string& sequence,
-                              int every) {
+/// Those on all frames of a sequence.
+std::vector<PeerRun> selected(const std::vector<PeerRun>& runs, const std::string& tracker,
+                              const std::string& sequence) {
   std::vector<PeerRun> result;
-  std::copy_if(runs.begin(), runs.end(), std::back_inserter(result),
-               [&](const PeerRun& run) { return run.sequence == sequence && run.every == every; });
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(result), [&](const PeerRun& run) {
+    return run.tracker == tracker && run.sequence == sequence && run.every == 1;
+  });
   return result;
 }
 
@@ -91,7 +92,7 @@ std::string text(const ErrorSpread& errors) {
 }
 
 void print(const AccuracyRow& row) {
-  std::cout << std::left << std::setw(13) << row.sequence << std::setw(10) << row.tracker;
+  std::cout << std::left << std::setw(13) << row.sequence << std::setw(13) << row.tracker;
   for (const ErrorSpread* errors :
        {&row.base_mm, &row.base_degrees, &row.door_degrees, &row.slide_mm}) {
     std::cout << "  " << std::setw(20) << text(*errors);
@@ -100,7 +101,7 @@ void print(const AccuracyRow& row) {
 }
 
 void print(const TimeRow& row, const std::string& sequence) {
-  std::cout << std::left << std::setw(13) << sequence << std::setw(16) << row.tracker << std::right
+  std::cout << std::left << std::setw(13) << sequence << std::setw(20) << row.tracker << std::right
             << std::setw(8) << number_or_dash(row.median_ms) << std::setw(10)
             << number_or_dash(row.percentile_95_ms) << std::setw(14)
             << number_or_dash(row.cpu_median_ms) << '\n';
@@ -182,7 +183,7 @@ Panel error_panel(const std::string& label, const std::vector<PeerRun>& runs,
   Panel panel{"frame", label, {}, true};
   double last = 0.0;
   for (const PeerSequence& sequence : peer_sequences()) {
-    const auto own = selected(runs, sequence.name, 1);
+    const auto own = selected(runs, peer_settings().front().name, sequence.name);
     if (own.empty()) continue;
     panel.curves.push_back(typical_curve(sequence.name, own, measure));
     last = panel.curves.back().x.back();
@@ -201,16 +202,17 @@ Panel error_panel(const std::string& label, const std::vector<PeerRun>& runs,
 }  // namespace
 
 Table peer_frame_rows(const std::vector<PeerRun>& runs) {
-  Table table({"sequence", "every", "seed", "frame", "status", "searches", "translation", "x", "y",
-               "z", "rotation", "door", "slide", "step_ms", "step_cpu_ms", "cloud_ms",
+  Table table({"tracker", "sequence", "every", "seed", "frame", "status", "searches", "translation",
+               "x", "y", "z", "rotation", "door", "slide", "step_ms", "step_cpu_ms", "cloud_ms",
                "cloud_cpu_ms"});
   for (const PeerRun& run : runs) {
     for (std::size_t i = 0; i < run.frames.size(); ++i) {
       const PeerFrame& frame = run.frames[i];
-      table.add({run.sequence, run.every, run.seed, i * static_cast<std::size_t>(run.every),
-                 to_string(frame.outcome.status), frame.outcome.searches, frame.outcome.translation,
-                 frame.offset.x(), frame.offset.y(), frame.offset.z(), frame.outcome.rotation,
-                 frame.door, frame.slide, frame.step_time.wall_ms, frame.step_time.cpu_ms,
+      table.add({run.tracker, run.sequence, run.every, run.seed,
+                 i * static_cast<std::size_t>(run.every), to_string(frame.outcome.status),
+                 frame.outcome.searches, frame.outcome.translation, frame.offset.x(),
+                 frame.offset.y(), frame.offset.z(), frame.outcome.rotation, frame.door,
+                 frame.slide, frame.step_time.wall_ms, frame.step_time.cpu_ms,
                  frame.cloud_time.wall_ms, frame.cloud_time.cpu_ms});
     }
   }
@@ -231,13 +233,16 @@ Table capture_rows(const std::vector<CaptureTrial>& trials) {
 
 void print_peer_accuracy(const std::vector<PeerRun>& runs) {
   std::cout << "\nmedian / 95 % / maximum of each run, medians over the seeds\n"
-            << "sequence     tracker     base (mm)             base (degrees)        "
+            << "sequence     tracker        base (mm)             base (degrees)        "
                "door (degrees)        slide (mm)\n";
   for (const PeerSequence& sequence : peer_sequences()) {
-    const auto own = selected(runs, sequence.name, 1);
-    if (own.empty()) continue;
-    print({sequence.name, kOwnName, typical(own, base_mm), typical(own, base_degrees),
-           typical(own, door_degrees), typical(own, slide_mm)});
+    for (const PeerSetting& setting : peer_settings()) {
+      const auto own = selected(runs, setting.name, sequence.name);
+      if (own.empty()) continue;
+      print({sequence.name, setting.name, typical(own, base_mm), typical(own, base_degrees),
+             typical(own, door_degrees), typical(own, slide_mm)});
+    }
+    if (selected(runs, peer_settings().front().name, sequence.name).empty()) continue;
     for (const AccuracyRow& row : m3t_accuracy()) {
       if (row.sequence == sequence.name) print(row);
     }
@@ -249,12 +254,14 @@ void print_peer_accuracy(const std::vector<PeerRun>& runs) {
 
 void print_peer_times(const std::vector<PeerRun>& runs) {
   std::cout << "\none thread; CPU time of that thread beside wall time\n"
-            << "sequence     what         median ms  95 % ms  median CPU ms\n";
+            << "sequence     what             median ms  95 % ms  median CPU ms\n";
   for (const PeerSequence& sequence : peer_sequences()) {
-    const auto own = selected(runs, sequence.name, 1);
-    if (own.empty()) continue;
-    print(time_row("tracking step", own, &PeerFrame::step_time), sequence.name);
-    print(time_row("cloud", own, &PeerFrame::cloud_time), sequence.name);
+    for (const PeerSetting& setting : peer_settings()) {
+      const auto own = selected(runs, setting.name, sequence.name);
+      if (own.empty()) continue;
+      print(time_row(setting.name + ": step", own, &PeerFrame::step_time), sequence.name);
+      print(time_row(setting.name + ": cloud", own, &PeerFrame::cloud_time), sequence.name);
+    }
   }
   for (const TimeRow& row : m3t_times()) print(row, "moving");
 }
@@ -262,7 +269,8 @@ void print_peer_times(const std::vector<PeerRun>& runs) {
 void print_fast_motion(const std::vector<PeerRun>& runs) {
   std::map<int, std::vector<PeerRun>> by_step;
   for (const PeerRun& run : runs) {
-    if (run.sequence == "moving") by_step[run.every].push_back(run);
+    const bool is_default = run.tracker == peer_settings().front().name;
+    if (is_default && run.sequence == "moving") by_step[run.every].push_back(run);
   }
   if (by_step.empty()) return;
   std::cout

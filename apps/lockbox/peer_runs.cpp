@@ -14,8 +14,9 @@ namespace {
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr double kFrameTime = 1.0 / 30.0;  // seconds
 
-TrackerOptions on_one_thread(bool searches) {
+TrackerOptions on_one_thread(std::size_t point_budget, bool searches) {
   TrackerOptions options;
+  options.registration.point_budget = point_budget;
   options.threads = 1;
   options.search_anywhere = searches;
   return options;
@@ -70,10 +71,19 @@ bool PeerFrame::is_right() const {
   return outcome.is_right(tolerances) && door <= tolerances.turning && slide <= tolerances.sliding;
 }
 
-PeerRun follow_sequence(const ArticulatedModel& model, const std::string& sequence, int every,
-                        std::uint64_t seed, const Recording& recording) {
-  PeerRun run{sequence, every, seed, 0.0, 0.0, {}};
-  Tracker tracker(model, on_one_thread(true));
+const std::vector<PeerSetting>& peer_settings() {
+  static const std::vector<PeerSetting> settings = {
+      {"lockbox", RegistrationOptions{}.point_budget},
+      {"lockbox fast", 600},  // as many as M3T fast reads
+  };
+  return settings;
+}
+
+PeerRun follow_sequence(const ArticulatedModel& model, const PeerSetting& setting,
+                        const std::string& sequence, int every, std::uint64_t seed,
+                        const Recording& recording) {
+  PeerRun run{setting.name, sequence, every, seed, 0.0, 0.0, {}};
+  Tracker tracker(model, on_one_thread(setting.point_budget, true));
   tracker.start(recording.truth.front().configuration);
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
     const State& truth = recording.truth[i];
@@ -107,7 +117,7 @@ CaptureTrial capture(const ArticulatedModel& model, const CaptureKind& kind, int
                      std::uint64_t seed, bool searches, const State& truth,
                      const DepthFrame& frame) {
   CaptureTrial trial{kind.name, number, searches, {}};
-  Tracker tracker(model, on_one_thread(searches));
+  Tracker tracker(model, on_one_thread(peer_settings().front().point_budget, searches));
   tracker.start(displaced(model.tree, truth.configuration, kind, number, seed));
   DepthFrame repeated = frame;
   for (int step = 0; step < kCaptureSteps; ++step) {

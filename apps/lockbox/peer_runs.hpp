@@ -29,7 +29,17 @@ struct PeerFrame {
   bool is_right() const;
 };
 
+/// The whole tracker with so many points.
+struct PeerSetting {
+  std::string name;
+  std::size_t point_budget;
+};
+
+/// The default, and a fast one; the first is used for all runs but `every == 1`.
+const std::vector<PeerSetting>& peer_settings();
+
 struct PeerRun {
+  std::string tracker;  ///< PeerSetting::name
   std::string sequence;
   int every = 1;  ///< of the sequence's frames, every so many-th
   std::uint64_t seed = 1;
@@ -39,8 +49,9 @@ struct PeerRun {
 };
 
 /// The whole tracker, started at the truth of the first frame.
-PeerRun follow_sequence(const ArticulatedModel& model, const std::string& sequence, int every,
-                        std::uint64_t seed, const Recording& recording);
+PeerRun follow_sequence(const ArticulatedModel& model, const PeerSetting& setting,
+                        const std::string& sequence, int every, std::uint64_t seed,
+                        const Recording& recording);
 
 /// How far a start is off.
 struct CaptureKind {

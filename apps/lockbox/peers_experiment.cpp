@@ -66,7 +66,9 @@ class Peers : public Experiment {
       for (std::size_t i = 0; i < seeds; ++i) {
         const std::uint64_t seed = settings.seed + i;
         const Recording recording = simulate_peer_sequence(model, truth, sequence, seed);
-        runs.push_back(follow_sequence(model, sequence.name, 1, seed, recording));
+        for (const PeerSetting& setting : peer_settings()) {
+          runs.push_back(follow_sequence(model, setting, sequence.name, 1, seed, recording));
+        }
         if (sequence.name == "moving") add_fast_motion(model, recording, seed, runs);
         progress.update(++done, sequence.name);
       }
@@ -80,7 +82,7 @@ class Peers : public Experiment {
     for (const int k : {2, 3, 6, 10}) {
       const Recording taken = every_kth(recording, k);
       if (taken.frames.size() < 2) continue;
-      runs.push_back(follow_sequence(model, "moving", k, seed, taken));
+      runs.push_back(follow_sequence(model, peer_settings().front(), "moving", k, seed, taken));
     }
   }
 

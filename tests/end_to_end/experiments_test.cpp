@@ -195,7 +195,7 @@ TEST(Peers, ComparesWithTheFiguresOfTheOtherTracker) {
       run_experiment("peers", "board_door_block", folder / "out",
                      {"--seeds", "1", "--frames", "6", "--trials", "1", "--sequence", "moving"});
   const auto rows = read_rows(folder / "out/peers_board_door_block.csv");
-  ASSERT_EQ(rows.size(), 6U + 3U + 2U);  // all frames, every second, every third
+  ASSERT_EQ(rows.size(), 2U * 6U + 3U + 2U);  // all frames twice, every second, every third
   for (const NamedRow& row : rows) {
     EXPECT_GT(number(row, "step_cpu_ms"), 0.0);
     if (row.at("every") != "1") continue;  // too fast, it may be
@@ -203,6 +203,8 @@ TEST(Peers, ComparesWithTheFiguresOfTheOtherTracker) {
     EXPECT_LT(number(row, "translation"), 0.005);
     EXPECT_LT(number(row, "door"), 0.005);
   }
+  EXPECT_EQ(rows[0].at("tracker"), "lockbox");
+  EXPECT_EQ(rows[6].at("tracker"), "lockbox fast");
   const auto trials = read_rows(folder / "out/peers_board_door_block_capture.csv");
   ASSERT_EQ(trials.size(), 10U);  // five kinds, with and without search
   EXPECT_THAT(summary, HasSubstr("M3T best"));
