@@ -2,12 +2,12 @@
 #include "lockbox/registration/articulated_registration.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/model/surface_levers.hpp"
+#include "view_resolution.hpp"
 
 namespace lockbox {
 namespace {
@@ -24,21 +24,6 @@ constexpr std::size_t kViewSamples = 40000;  // of the visible surface, where po
 constexpr double kSignificant = 2.0;         // standard deviations: more than noise mostly moves
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
-
-/// How closely the model is looked at, by the budget of points: more rays than that would cost more
-/// time than the points, and tell no more.
-struct Resolution {
-  std::size_t least_budget;
-  int columns;         ///< of the view
-  int outline_pixels;  ///< of the camera, from one point of an outline to the next
-};
-constexpr std::array<Resolution, 3> kResolutions{{{30000, 640, 1}, {4000, 320, 1}, {0, 160, 4}}};
-
-Resolution resolution_for(std::size_t point_budget) {
-  if (point_budget == 0) return kResolutions.front();  // all points
-  return *std::find_if(kResolutions.begin(), kResolutions.end(),
-                       [=](const Resolution& r) { return point_budget >= r.least_budget; });
-}
 
 /// The share of the start's spread that iteration k of n still allows: 1 at first, 0 at last.
 double spread_share(int k, int n) {
@@ -133,13 +118,14 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
   }
   forward_kinematics(model_.tree, configuration, poses_);
   const bool is_thinned = options_.point_budget > 0;
-  const Resolution resolution = resolution_for(options_.point_budget);
+  const ViewResolution resolution =
+      view_resolution(model_, poses_, cloud.camera(), options_.point_budget);
   surface_.render(model_, poses_, cloud.camera(), resolution.columns, executor_);
   plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx,
              options_.cut * spread, is_thinned ? options_.point_budget : kViewSamples, executor_);
   samples_.collect(surface_, plan_.density());
   if (options_.lambda_free > 0.0) {
-    outlines_.collect(model_, surface_, resolution.outline_pixels, options_, executor_);
+    outlines_.collect(model_, surface_, resolution.outline_spacing, options_, executor_);
   }
   if (is_thinned) {
     thinned_.assign(cloud, plan_.density());

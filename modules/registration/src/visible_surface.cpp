@@ -59,11 +59,15 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
                             const PinholeCamera& camera, int most_columns,
                             const Executor& executor) {
   const int reduction = std::max(1, (camera.width + most_columns / 2) / most_columns);
-  if (!renderer_ || !(camera == full_camera_) || reduction != reduction_) {
+  if (!(camera == full_camera_)) {
     full_camera_ = camera;
-    reduction_ = reduction;
-    renderer_ = std::make_unique<DepthRenderer>(every_nth_pixel(camera, reduction), executor);
+    renderers_.clear();
   }
+  reduction_ = reduction;
+  renderers_.resize(std::max(renderers_.size(), static_cast<std::size_t>(reduction) + 1));
+  std::unique_ptr<DepthRenderer>& own = renderers_[static_cast<std::size_t>(reduction)];
+  if (!own) own = std::make_unique<DepthRenderer>(every_nth_pixel(camera, reduction), executor);
+  renderer_ = own.get();
   items_.clear();
   for (std::size_t b = 0; b < model.tree.bodies.size(); ++b) {
     if (model.fields[b]) {

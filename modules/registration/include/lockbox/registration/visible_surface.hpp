@@ -43,7 +43,8 @@ class VisibleSurface {
   void measure_outline_distance(const Executor& executor);
 
   PinholeCamera full_camera_;
-  std::unique_ptr<DepthRenderer> renderer_;
+  std::vector<std::unique_ptr<DepthRenderer>> renderers_;  ///< by reduction
+  DepthRenderer* renderer_ = nullptr;                      ///< that of the last view
   std::vector<RenderItem> items_;
   RenderedDepth image_;
   BodyPoses T_body_camera_;
