@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "lockbox/mesh/primitives.hpp"
 #include "lockbox/sdf/build_field.hpp"
@@ -27,11 +30,28 @@ class OutlinePointsTest : public ::testing::Test {
   void SetUp() override { forward_kinematics(model.tree, mechanism_start(model), poses); }
 
   OutlinePoints outlines_seen_by(const PinholeCamera& camera) const {
+    return outlines_seen_by(camera, camera.width, 1);
+  }
+  OutlinePoints outlines_seen_by(const PinholeCamera& camera, int columns, int spacing) const {
     VisibleSurface surface;
-    surface.render(model, poses, camera, camera.width, executor);
+    surface.render(model, poses, camera, columns, executor);
     OutlinePoints outlines;
-    outlines.collect(model, surface, 1, {}, executor);
+    outlines.collect(model, surface, spacing, {}, executor);
     return outlines;
+  }
+
+  /// Pixels of the camera along the outlines of a body, and how many points they are made of.
+  static std::pair<double, int> length_of(const OutlinePoints& outlines, int body) {
+    double pixels = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < outlines.bands(); ++i) {
+      for (const OutlinePoint& point : outlines.band(i)) {
+        if (point.body != body) continue;
+        pixels += point.pixels;
+        ++count;
+      }
+    }
+    return {pixels, count};
   }
 
   /// How far beyond the point along its normal the finer view shows the body end, pixels of the
@@ -79,19 +99,24 @@ TEST_F(OutlinePointsTest, LieWhereAFinerViewShowsTheBodyEnd) {
 
 /// The plate's own outline: its sides add up to what a camera sees of it.
 TEST_F(OutlinePointsTest, StandForTheWholeLengthOfTheOutline) {
-  const auto length_seen_by = [&](const PinholeCamera& camera) {
-    double pixels = 0.0;
-    const OutlinePoints outlines = outlines_seen_by(camera);
-    for (std::size_t i = 0; i < outlines.bands(); ++i) {
-      for (const OutlinePoint& point : outlines.band(i)) {
-        if (point.body == 0) pixels += point.pixels;
-      }
-    }
-    return pixels;
-  };
-  const double coarse = length_seen_by(kCamera);
-  const double fine = length_seen_by(refined(kCamera, 2));
+  const double coarse = length_of(outlines_seen_by(kCamera), 0).first;
+  const double fine = length_of(outlines_seen_by(refined(kCamera, 2)), 0).first;
   EXPECT_NEAR(fine, 2.0 * coarse, 0.1 * fine);
+}
+
+/// A view of fewer pixels has as many points of the outline as it is asked for.
+TEST_F(OutlinePointsTest, StandForTheSameLengthInAViewOfFewerPixels) {
+  const PinholeCamera camera = refined(kCamera, 4);
+  const auto [length, count] = length_of(outlines_seen_by(camera), 0);
+  for (const int reduction : {2, 4}) {
+    for (const int spacing : {1, 4}) {
+      const auto [own_length, own_count] =
+          length_of(outlines_seen_by(camera, camera.width / reduction, spacing), 0);
+      EXPECT_NEAR(own_length, length, 0.1 * length) << reduction << ", " << spacing;
+      const int apart = std::min(spacing, reduction);
+      EXPECT_NEAR(own_count, count / apart, 0.1 * count / apart) << reduction << ", " << spacing;
+    }
+  }
 }
 
 /// A block that stands on the plate ends there, but nothing farther away begins behind its foot.
@@ -106,6 +131,40 @@ TEST_F(OutlinePointsTest, AreNotWhereASideMeetsWhatItStandsOn) {
       EXPECT_GT(above_plate, 0.002) << "body " << body;
     }
   }
+}
+
+/// Where rays gather, the outline is seen at one part of a pixel only, and found too far out or in.
+TEST(OutlinePointsOfAStraightEdge, LieEvenlyAlongIt) {
+  ArticulatedModel model;
+  Body body;
+  body.mesh = make_box({0.3, 0.3, 0.02});
+  model.tree.bodies.push_back(body);
+  FieldOptions options;
+  options.voxel = 0.003;
+  model.fields.emplace_back(build_field(body.mesh, options, Executor(1)));
+  BodyPoses poses(1, Eigen::Isometry3d::Identity());
+  poses[0].translation().z() = 0.8;
+  poses[0].linear() = Eigen::AngleAxisd(0.13, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  VisibleSurface surface;
+  const PinholeCamera camera = refined(kCamera, 4);
+  surface.render(model, poses, camera, camera.width, Executor(1));
+  OutlinePoints outlines;
+  outlines.collect(model, surface, 1, {}, Executor(1));
+  std::vector<double> along;
+  for (std::size_t i = 0; i < outlines.bands(); ++i) {
+    for (const OutlinePoint& point : outlines.band(i)) {
+      const Eigen::Vector3d& p = point.p_body;
+      if (p.x() > 0.145 && std::abs(p.y()) < 0.13) along.push_back(p.y());
+    }
+  }
+  ASSERT_GT(along.size(), 100U);
+  std::sort(along.begin(), along.end());
+  const double mean_gap = (along.back() - along.front()) / static_cast<double>(along.size() - 1);
+  std::size_t gathered = 0;
+  for (std::size_t i = 1; i < along.size(); ++i) {
+    gathered += along[i] - along[i - 1] < 0.5 * mean_gap ? 1U : 0U;
+  }
+  EXPECT_LT(static_cast<double>(gathered), 0.05 * static_cast<double>(along.size()));
 }
 
 /// A plate with a low rail along its right edge, one body.

@@ -7,16 +7,17 @@
 
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/model/surface_levers.hpp"
-#include "view_resolution.hpp"
+#include "lockbox/registration/view_resolution.hpp"
 
 namespace lockbox {
 namespace {
 
 using Index = Eigen::Index;
 
-/// Metres that surfaces may move before they are drawn again; twice as much in a view of every
-/// other pixel.
+/// Metres that surfaces may move before they are drawn again: in a view of every pixel, and at
+/// most.
 constexpr double kStaleView = 0.002;
+constexpr double kMostStaleView = 0.008;
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
@@ -135,7 +136,7 @@ void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configurati
 }
 
 double ArticulatedRegistration::stale_view() const {
-  return kStaleView * surface_.reduction();
+  return std::min(kStaleView * surface_.reduction(), kMostStaleView);
 }
 
 ModelTerm::Scene ArticulatedRegistration::scene(const TiledCloud& cloud) const {

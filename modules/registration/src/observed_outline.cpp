@@ -11,12 +11,6 @@ constexpr double kFarthest = 48.0;      // pixels that an outline is sought alon
 constexpr int kMostUnknown = 1;         // pixels without depth beside it: a shadow is wider
 constexpr double kSurelyInside = 0.75;  // of the way that it is sought
 
-/// Of a coordinate that lies within thousands of pixels of the image; without a call.
-int nearest_integer(double coordinate) {
-  constexpr int kShift = 1 << 20;  // truncation rounds positive numbers down
-  return static_cast<int>(coordinate + kShift + 0.5) - kShift;
-}
-
 /// The pixels along the normal of an outline, numbered outwards; 0 is the one that it passes.
 class Walk {
  public:
@@ -66,7 +60,7 @@ class Walk {
 
   Eigen::Vector2i pixel_at(int k) const {
     const Eigen::Vector2d at = start_ + k * direction_;
-    return {nearest_integer(at.x()), nearest_integer(at.y())};
+    return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
   }
 
   const TiledCloud& cloud_;

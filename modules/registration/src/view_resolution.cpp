@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view_resolution.hpp"
+#include "lockbox/registration/view_resolution.hpp"
 
 #include <algorithm>
 #include <array>
