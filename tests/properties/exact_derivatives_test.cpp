@@ -109,7 +109,7 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
   constexpr double kSpread = 0.005;
-  term.select(model, surface, samples, outlines, poses(at), cloud, options, kSpread, executor);
+  term.select({model, surface, samples, outlines, cloud, options, executor}, poses(at), kSpread);
   const double cost = term.linearize(poses(at), kSpread, systems);
   ASSERT_GT(term.pulled_samples(), 50U);
   EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "height_map.hpp"
 
 namespace lockbox {
 namespace {
@@ -17,98 +18,9 @@ constexpr float kInRange = 2.0F;  // where joints leave a choice
 constexpr float kSeenThrough = -14.0F;
 constexpr float kCovered = -1.5F;          // something in front: it may be an occluder
 constexpr float kContinues = -6.0F;        // the surface goes on where the model ends
-constexpr float kSlack = 0.006F;           // metres that plane and relief may be off
-constexpr float kGate = 3.0F;              // standard deviations
-constexpr int kMostCells = 224;            // along each side of a map
 constexpr std::size_t kStride = 3;         // one cell in so many is looked at in the search
 constexpr std::size_t kPeaksRefined = 16;  // with all cells
 constexpr int kApart = 1;                  // cells, and steps of rotation, between two matches
-
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-constexpr float kBelow = -1e3F;
-
-/// Heights over the plane; kBelow where the camera saw through it, kUnknown where it saw nothing.
-struct HeightMap {
-  int width;
-  int height;
-  Eigen::Vector2d corner;  ///< centre of cell (0, 0), plane frame
-  double cell_size;
-  std::vector<float> heights;
-  std::vector<float> sigmas;  ///< standard deviations of the heights
-
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(x);
-  }
-};
-
-Eigen::AlignedBox2d region_bounds(const CoarseView& view, const PlanarRegion& region,
-                                  const Eigen::Isometry3d& T_plane_camera) {
-  Eigen::AlignedBox2d box;
-  const auto width = static_cast<std::size_t>(view.camera.width);
-  for (const std::size_t sample : region.samples) {
-    const Eigen::Vector3d p = T_plane_camera * view.point(static_cast<int>(sample % width),
-                                                          static_cast<int>(sample / width))
-                                                   .cast<double>();
-    box.extend(p.head<2>());
-  }
-  return box;
-}
-
-/// Looks through each cell of the plane.
-void look_through(const CoarseView& view, const Eigen::Isometry3d& T_camera_plane, double noise,
-                  HeightMap& map) {
-  const Eigen::Vector3d normal = T_camera_plane.linear().col(2);
-  for (int y = 0; y < map.height; ++y) {
-    for (int x = 0; x < map.width; ++x) {
-      const Eigen::Vector2d cell = map.corner + map.cell_size * Eigen::Vector2d(x, y);
-      const Eigen::Vector3d p = T_camera_plane * Eigen::Vector3d(cell.x(), cell.y(), 0.0);
-      if (p.z() < 0.1) continue;
-      const Eigen::Vector2d image = view.camera.project(p);
-      const auto u = static_cast<int>(std::lround(image.x()));
-      const auto v = static_cast<int>(std::lround(image.y()));
-      if (!view.contains(u, v)) continue;
-      const auto z = static_cast<double>(view.depth[view.index(u, v)]);
-      if (!(z > 0.0)) continue;
-      // The same ray, to the sub-pixel, at the measured depth.
-      const Eigen::Vector3d ray = p / p.z();
-      const double slope = std::abs(normal.dot(ray));
-      const auto sigma = static_cast<float>(slope * noise * z * z) + kSlack;
-      const auto over = static_cast<float>(normal.dot((z - p.z()) * ray));
-      const std::size_t i = map.index(x, y);
-      if (over > kGate * sigma) continue;  // something in front: it lies over another cell
-      map.heights[i] = over < -kGate * sigma - 0.05F ? kBelow : over;
-      map.sigmas[i] = sigma;
-    }
-  }
-}
-
-/// Drops what stands out of the plane onto its cells; the highest counts.
-void drop_points(const CoarseView& view, const Eigen::Isometry3d& T_camera_plane, double noise,
-                 HeightMap& map) {
-  const Eigen::Isometry3f T = T_camera_plane.inverse().cast<float>();
-  for (int v = 0; v < view.camera.height; ++v) {
-    for (int u = 0; u < view.camera.width; ++u) {
-      const float z = view.depth[view.index(u, v)];
-      if (!(z > 0.0F)) continue;
-      const Eigen::Vector3f p_camera = view.point(u, v);
-      const Eigen::Vector3f p = T * p_camera;
-      const float slope = std::abs(T.linear().row(2).dot(p_camera / z));
-      const float sigma = slope * static_cast<float>(noise) * z * z + kSlack;
-      if (p.z() < kGate * sigma) continue;
-      const auto x =
-          static_cast<int>(std::lround((double{p.x()} - map.corner.x()) / map.cell_size));
-      const auto y =
-          static_cast<int>(std::lround((double{p.y()} - map.corner.y()) / map.cell_size));
-      if (x < 0 || y < 0 || x >= map.width || y >= map.height) continue;
-      const std::size_t i = map.index(x, y);
-      if (!(map.heights[i] > p.z())) {
-        map.heights[i] = p.z();
-        map.sigmas[i] = sigma;
-      }
-    }
-  }
-}
 
 Score cell_score(const Expectation& expected, float height, float sigma) {
   if (std::isnan(height)) return 0;
@@ -258,22 +170,11 @@ void climb(const Correlation& correlation, double step, Peak& peak) {
 std::vector<ReliefMatch> match_relief(const CoarseView& view, const PlanarRegion& region,
                                       const ModelRelief& relief, double noise, std::size_t most) {
   const Eigen::Isometry3d T_camera_plane = region_frame(view, region);
-  const Eigen::AlignedBox2d box = region_bounds(view, region, T_camera_plane.inverse());
   const double cell = relief.cell_size;
   const int margin = static_cast<int>(relief.radius / cell) + 2;
   // The middle of the relief may lie beyond what is seen of it, but not far.
-  const double beyond = 0.5 * relief.radius;
-  const auto cells_for = [&](double size) {
-    return std::min(static_cast<int>((size + 2.0 * beyond) / cell) + 1, kMostCells) + 2 * margin;
-  };
-  HeightMap map{cells_for(box.sizes().x()), cells_for(box.sizes().y()), {}, cell, {}, {}};
-  map.corner = box.center() - 0.5 * cell * Eigen::Vector2d(map.width - 1, map.height - 1);
-  const auto cells = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
-  map.heights.assign(cells, kUnknown);
-  map.sigmas.assign(cells, 1.0F);
-  look_through(view, T_camera_plane, noise, map);
-  drop_points(view, T_camera_plane, noise, map);
-
+  const HeightMap map =
+      height_map(view, region, T_camera_plane, noise, {cell, 0.5 * relief.radius, margin});
   Correlation correlation(map, relief, margin);
   const int turns =
       static_cast<int>(std::ceil(std::numbers::pi * relief.radius / relief.cell_size));

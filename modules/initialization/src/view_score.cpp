@@ -19,11 +19,7 @@ constexpr double kContinuing = 8.0;    // exponent: how fast an outline that goe
 constexpr double kInViewEnough = 0.5;  // of the surface; with less in view, doubt grows
 constexpr double kSamples = 200.0;     // of each body's surface
 
-// Of contrasts, in standard deviations of a pixel and their squares.
-constexpr float kContrastGate = 6.0F;
-constexpr int kContrastReach = 2;          // pixels: what is around
-constexpr double kContrastVariance = 0.3;  // left of the noise's when the mean around is taken away
-constexpr float kNoResidual = 1e9F;
+constexpr float kContrastGate = 6.0F;  // standard deviations of a pixel
 
 /// The smaller change of depth to one of two opposite neighbours on the same body.
 double depth_slope(const RenderedDepth& image, int u, int v, int du, int dv) {
@@ -270,7 +266,7 @@ std::vector<double> ViewScore::scan(const Configuration& configuration, int vari
 /// Of the nearer of moving_ and rest_ in each pixel.
 double ViewScore::contrast_score() {
   const RenderedDepth& image = moving_.image;
-  residuals_.assign(image.depth.size(), kNoResidual);
+  residuals_.resize(image.width, image.height);
   double sum = 0.0;
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
@@ -281,7 +277,7 @@ double ViewScore::contrast_score() {
       if (!(measured > 0.0F) || !std::isfinite(z) || is_before_reach(measured, 0.0)) continue;
       const float residual = (1.0F / measured - 1.0F / z) / static_cast<float>(noise_);
       if (std::abs(residual) < kContrastGate) {
-        residuals_[pixel] = residual;
+        residuals_.values[pixel] = residual;
       } else if (residual > 0.0F) {
         sum += kOccluded;
       } else {
@@ -291,37 +287,7 @@ double ViewScore::contrast_score() {
       }
     }
   }
-  return sum + sum_of_contrasts(image.width, image.height);
-}
-
-/// How little residuals_ differ from those around them.
-double ViewScore::sum_of_contrasts(int width, int height) const {
-  const auto residual_at = [&](int u, int v) {
-    return residuals_[static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(u)];
-  };
-  double sum = 0.0;
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      const float here = residual_at(u, v);
-      if (here == kNoResidual) continue;
-      float total = 0.0F;
-      float count = 0.0F;
-      for (int j = std::max(0, v - kContrastReach); j <= std::min(height - 1, v + kContrastReach);
-           ++j) {
-        for (int i = std::max(0, u - kContrastReach); i <= std::min(width - 1, u + kContrastReach);
-             ++i) {
-          const float there = residual_at(i, j);
-          if (there == kNoResidual) continue;
-          total += there;
-          count += 1.0F;
-        }
-      }
-      const auto contrast = static_cast<double>(here - total / count);
-      sum += std::max(1.0 - kFallOff * contrast * contrast / kContrastVariance, -1.0);
-    }
-  }
-  return sum;
+  return sum + evenness(residuals_);
 }
 
 std::vector<double> ViewScore::scan_contrast(const Configuration& configuration, int variable,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coarse_view.hpp"
+#include "contrast.hpp"
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
@@ -71,7 +72,6 @@ class ViewScore {
   bool is_before_reach(double measured, double slack) const;
   double pixel_score(const Drawing& drawing, int u, int v, double slack) const;
   double contrast_score();
-  double sum_of_contrasts(int width, int height) const;
   double share_in_view(const std::vector<std::uint8_t>& bodies) const;
 
   const KinematicTree& tree_;
@@ -87,7 +87,7 @@ class ViewScore {
   Drawing moving_;
   Drawing rest_;
   std::vector<double> rest_scores_;
-  std::vector<float> residuals_;
+  ResidualImage residuals_;
 };
 
 /// By body: 1 where the joint variable moves it.

@@ -181,8 +181,8 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
       surface_distance(selected_, result_.configuration) < kStaleSelection) {
     return;
   }
-  free_term_.select(model_, surface_, samples_, outlines_, poses_, cloud, options_, spread,
-                    executor_);
+  free_term_.select({model_, surface_, samples_, outlines_, cloud, options_, executor_}, poses_,
+                    spread);
   selected_ = result_.configuration;
   selected_spread_ = spread;
 }

@@ -8,70 +8,14 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
-#include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/registration/rigid_motion.hpp"
+#include "penetration.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr double kSamplesPerBody = 4000.0;
-constexpr double kFinestSpacing = 0.003;    // metres
-constexpr double kCoarsestSpacing = 0.015;  // metres
-constexpr double kThicknessShare = 0.125;   // of the thinner body: the largest erosion
-// A surface that looks the way the sample itself looks lies on the far side of a thin body.
-constexpr float kFarSideCosine = 0.2F;
-constexpr int kMaxTraceSteps = 200;
-constexpr float kSurfaceTolerance = 2e-6F;  // metres
-constexpr std::size_t kSamplesInPatch = 128;
-constexpr float kRounding = 1e-5F;  // metres: more than single precision errs
-
-/// Where and how deep a sample sits in the other body, and which way is out.
-struct Penetration {
-  double depth;  ///< metres, negative
-  Eigen::Vector3d normal;
-  Eigen::Vector3d point;
-};
-
-/// The way back along the sample's own normal to the surface that it came in through: past the
-/// middle of a thin body the nearest surface is the wrong one.
-std::optional<Penetration> trace_back(const SignedDistanceField& field, const Eigen::Vector3f& p,
-                                      const Eigen::Vector3f& outward, float erosion) {
-  const auto longest = static_cast<float>(field.bounds().sizes().norm());
-  const auto shortest_step = static_cast<float>(0.1 * field.voxel());
-  float way = 0.0F;
-  for (int step = 0; step < kMaxTraceSteps && way < longest; ++step) {
-    const Eigen::Vector3f q = p - way * outward;
-    const DistanceSample at = field.sample(q);
-    const float f = at.distance + erosion;
-    if (f > -kSurfaceTolerance) {
-      const float cosine = -at.gradient.dot(outward);
-      if (cosine < 0.1F) {
-        return std::nullopt;
-      }
-      if (std::abs(f) < kSurfaceTolerance) {
-        return Penetration{-static_cast<double>(way), (at.gradient / cosine).cast<double>(),
-                           q.cast<double>()};
-      }
-      way -= f / cosine;  // Newton's method back onto the surface that the last step went through
-      continue;
-    }
-    way += std::max(-f, shortest_step);
-  }
-  return std::nullopt;
-}
-
-std::optional<Penetration> penetration(const SignedDistanceField& field, const Eigen::Vector3f& p,
-                                       const Eigen::Vector3f& outward, float erosion) {
-  const DistanceSample at = field.sample(p);
-  const float f = at.distance + erosion;
-  if (f >= 0.0F) {
-    return std::nullopt;
-  }
-  if (at.gradient.dot(outward) > kFarSideCosine) {
-    return trace_back(field, p, outward, erosion);
-  }
-  return Penetration{static_cast<double>(f), at.gradient.cast<double>(), p.cast<double>()};
-}
+constexpr double kThicknessShare = 0.125;  // of the thinner body: the largest erosion
+constexpr float kRounding = 1e-5F;         // metres: more than single precision errs
 
 /// The erosion that the model's file sets for a pair, by any of the links' names.
 std::optional<double> pair_erosion(const ArticulatedModel& model, const Body& a, const Body& b) {
@@ -86,16 +30,20 @@ std::optional<double> pair_erosion(const ArticulatedModel& model, const Body& a,
   return std::nullopt;
 }
 
-void check_erosion(const ArticulatedModel& model, double erosion, double largest, const Body& a,
-                   const Body& b) {
-  if (erosion > largest) {
+/// The erosion that the model's file sets for these bodies, if any. largest: metres.
+std::optional<double> chosen_erosion(const ArticulatedModel& model, const Body& a, const Body& b,
+                                     double largest) {
+  auto chosen = pair_erosion(model, a, b);
+  chosen = chosen ? chosen : model.parameters.erosion;
+  if (chosen && *chosen > largest) {
     throw InputError(
         model.file.string(),
-        "the erosion of " + std::to_string(erosion * 1e3) + " mm for links '" + a.name + "' and '" +
+        "the erosion of " + std::to_string(*chosen * 1e3) + " mm for links '" + a.name + "' and '" +
             b.name + "' is more than an eighth of the thinner one (" +
             std::to_string(largest * 1e3) +
             " mm): its eroded surface would vanish; lower it in the model's YAML file");
   }
+  return chosen;
 }
 
 }  // namespace
@@ -112,101 +60,47 @@ CollisionTerm::CollisionTerm(const ArticulatedModel& model, const RegistrationOp
   const auto bodies = static_cast<int>(model.tree.bodies.size());
   for (int a = 0; a < bodies; ++a) {
     for (int b = a + 1; b < bodies; ++b) {
-      const auto& field_a = model.fields[static_cast<std::size_t>(a)];
-      const auto& field_b = model.fields[static_cast<std::size_t>(b)];
-      if (!field_a || !field_b) {
-        continue;
-      }
-      const Body& body_a = model.tree.bodies[static_cast<std::size_t>(a)];
-      const Body& body_b = model.tree.bodies[static_cast<std::size_t>(b)];
-      CollisionPair pair{a, b, 0.0, 0.0};
-      const std::size_t literal_a = surface_index(model, a, 0.0);
-      const std::size_t literal_b = surface_index(model, b, 0.0);
-      const auto deepest = [&](const ErodedSurface& surface, const SignedDistanceField& field,
-                               const Eigen::Isometry3d& T_other_body) {
-        double depth = 0.0;
-        for (const Sample& sample : surface.samples) {
-          const Eigen::Vector3f p = T_other_body.cast<float>() * sample.p_body;
-          depth = std::max(depth, -static_cast<double>(field.sample(p).distance));
-        }
-        return depth;
-      };
-      const Eigen::Isometry3d T_b_a =
-          rest[static_cast<std::size_t>(b)].inverse() * rest[static_cast<std::size_t>(a)];
-      pair.rest_overlap = std::max(deepest(surfaces_[literal_a], *field_b, T_b_a),
-                                   deepest(surfaces_[literal_b], *field_a, T_b_a.inverse()));
-      if (options.collision == CollisionMode::eroded) {
-        const double largest =
-            kThicknessShare * std::min(field_a->thickness(), field_b->thickness());
-        auto chosen = pair_erosion(model, body_a, body_b);
-        chosen = chosen ? chosen : model.parameters.erosion;
-        if (chosen) {
-          check_erosion(model, *chosen, largest, body_a, body_b);
-        }
-        pair.erosion =
-            chosen.value_or(std::min(options.erosion, largest)) + 0.5 * pair.rest_overlap;
-      }
-      pair_surfaces_.emplace_back(surface_index(model, a, pair.erosion),
-                                  surface_index(model, b, pair.erosion));
-      pairs_.push_back(pair);
+      add_pair(model, options, rest, a, b);
     }
   }
+}
+
+void CollisionTerm::add_pair(const ArticulatedModel& model, const RegistrationOptions& options,
+                             const BodyPoses& rest, int a, int b) {
+  const auto index_a = static_cast<std::size_t>(a);
+  const auto index_b = static_cast<std::size_t>(b);
+  const auto& field_a = model.fields[index_a];
+  const auto& field_b = model.fields[index_b];
+  if (!field_a || !field_b) {
+    return;
+  }
+  CollisionPair pair{a, b, 0.0, 0.0};
+  const std::size_t literal_a = surface_index(model, a, 0.0);
+  const std::size_t literal_b = surface_index(model, b, 0.0);
+  const Eigen::Isometry3d T_b_a = rest[index_b].inverse() * rest[index_a];
+  pair.rest_overlap = std::max(surfaces_[literal_a].deepest_in(*field_b, T_b_a),
+                               surfaces_[literal_b].deepest_in(*field_a, T_b_a.inverse()));
+  if (options.collision == CollisionMode::eroded) {
+    const double largest = kThicknessShare * std::min(field_a->thickness(), field_b->thickness());
+    pair.erosion =
+        chosen_erosion(model, model.tree.bodies[index_a], model.tree.bodies[index_b], largest)
+            .value_or(std::min(options.erosion, largest)) +
+        0.5 * pair.rest_overlap;
+  }
+  pair_surfaces_.emplace_back(surface_index(model, a, pair.erosion),
+                              surface_index(model, b, pair.erosion));
+  pairs_.push_back(pair);
 }
 
 std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body, double erosion) {
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    if (surfaces_[i].body == body && surfaces_[i].erosion == erosion) {
-      return i;
-    }
+  const auto known = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const auto& surface) {
+    return surface.body == body && surface.erosion == erosion;
+  });
+  if (known != surfaces_.end()) {
+    return static_cast<std::size_t>(known - surfaces_.begin());
   }
-  const TriangleMesh& mesh = model.tree.bodies[static_cast<std::size_t>(body)].mesh;
-  const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(body)];
-  const double area = surface_area(mesh);
-  const double spacing =
-      std::clamp(std::sqrt(area / kSamplesPerBody), kFinestSpacing, kCoarsestSpacing);
-  ErodedSurface surface{body, erosion, {}, {}, {}, {}, {}};
-  double total = 0.0;
-  for (const SurfaceSample& point : sample_surface(mesh, spacing)) {
-    Eigen::Vector3f p = point.position.cast<float>();
-    for (int step = 0; step < 5; ++step) {  // Newton's method towards the level set
-      const DistanceSample at = field.sample(p);
-      p -= (at.distance + static_cast<float>(erosion)) * at.gradient /
-           std::max(0.25F, at.gradient.squaredNorm());
-    }
-    const DistanceSample at = field.sample(p);
-    if (std::abs(at.distance + static_cast<float>(erosion)) >
-        0.25F * static_cast<float>(field.voxel())) {
-      continue;  // buried in another shell of the same body, or at a medial axis
-    }
-    surface.samples.push_back({p, at.gradient.normalized(), point.area});
-    total += point.area;
-  }
-  for (Sample& sample : surface.samples) {
-    sample.share /= total;
-    surface.x.push_back(sample.p_body.x());
-    surface.y.push_back(sample.p_body.y());
-    surface.z.push_back(sample.p_body.z());
-  }
-  for (auto* axis : {&surface.x, &surface.y, &surface.z}) {
-    axis->resize(kernels::padded(surface.samples.size()), kernels::kPadding);
-  }
-  surface.patches = patches_of(surface.samples);
-  surfaces_.push_back(std::move(surface));
+  surfaces_.emplace_back(model, body, erosion);
   return surfaces_.size() - 1;
-}
-
-/// Samples follow each other along a space-filling curve.
-std::vector<CollisionTerm::Patch> CollisionTerm::patches_of(const std::vector<Sample>& samples) {
-  std::vector<Patch> patches;
-  for (std::size_t first = 0; first < samples.size(); first += kSamplesInPatch) {
-    const std::size_t size = std::min(kSamplesInPatch, samples.size() - first);
-    Eigen::AlignedBox3d box;
-    for (std::size_t i = first; i < first + size; ++i) {
-      box.extend(samples[i].p_body.cast<double>());
-    }
-    patches.push_back({first, kernels::padded(size), box.center(), 0.5 * box.diagonal().norm()});
-  }
-  return patches;
 }
 
 void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface,
@@ -220,9 +114,9 @@ void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSur
   const Eigen::Isometry3f T = T_other_body.cast<float>();
   const auto eroded = static_cast<float>(erosion);
   const kernels::RigidMotion motion = to_rigid_motion(T_other_body);
-  std::array<float, kSamplesInPatch> distance;
+  std::array<float, ErodedSurface::kSamplesInPatch> distance;
   for (std::size_t k = 0; k < surface.patches.size(); ++k) {
-    const Patch& patch = surface.patches[k];
+    const ErodedSurface::Patch& patch = surface.patches[k];
     ClearWay& clear_way = half.clear_ways[k];
     const double off = field.bounds().squaredExteriorDistance(T_other_body * patch.centre);
     if (off > patch.radius * patch.radius ||
@@ -247,8 +141,9 @@ void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSur
 
 /// What may penetrate, if it does. box: the field's bounds.
 void CollisionTerm::add_sample(const SignedDistanceField& field, const Eigen::AlignedBox3f& box,
-                               const Eigen::Isometry3f& T_other_body, const Sample& sample,
-                               float erosion, bool with_system, Half& half) const {
+                               const Eigen::Isometry3f& T_other_body,
+                               const ErodedSurface::Sample& sample, float erosion, bool with_system,
+                               Half& half) const {
   const Eigen::Vector3f p = T_other_body * sample.p_body;
   if (!box.contains(p)) {
     return;

@@ -35,13 +35,11 @@ std::size_t tile_of(const Pixel& pixel, const PinholeCamera& camera) {
 /// Selects and aims the pulls of samples away from outlines.
 class PullFinder {
  public:
-  PullFinder(const ArticulatedModel& model, const VisibleSurface& surface,
-             const BodyPoses& T_body_camera, const TiledCloud& cloud,
-             const RegistrationOptions& options, double spread)
-      : surface_(surface),
-        camera_(cloud.camera()),
-        observed_(model, surface, T_body_camera, cloud, options, spread),
-        options_(options),
+  PullFinder(const FreeSpaceTerm::Scene& scene, const BodyPoses& T_body_camera, double spread)
+      : surface_(scene.surface),
+        camera_(scene.cloud.camera()),
+        observed_(scene.model, scene.surface, T_body_camera, scene.cloud, scene.options, spread),
+        options_(scene.options),
         spread_(spread) {}
 
   /// weight: how many samples this one stands for.
@@ -119,40 +117,42 @@ class PullFinder {
 
 }  // namespace
 
-void FreeSpaceTerm::select(const ArticulatedModel& model, const VisibleSurface& surface,
-                           const ViewSamples& samples, const OutlinePoints& outlines,
-                           const BodyPoses& T_camera_body, const TiledCloud& cloud,
-                           const RegistrationOptions& options, double spread,
-                           const Executor& executor) {
-  collect_seen_through(samples, T_camera_body, cloud, options, executor);
+void FreeSpaceTerm::select(const Scene& scene, const BodyPoses& T_camera_body, double spread) {
+  lambda_ = scene.options.lambda_free;
+  cut_ = scene.options.cut;
+  pulls_.clear();
+  collect_seen_through(scene, T_camera_body);
+  aim_seen_through(scene, T_camera_body, spread);
+  append_chunk_pulls(scene.samples.chunks().size());
+  aim_outlines(scene, T_camera_body, spread);
+  append_chunk_pulls(scene.outlines.bands());
+  by_body_.assign(pulls_, T_camera_body.size());
+}
+
+/// Towards what the camera saw around them.
+void FreeSpaceTerm::aim_seen_through(const Scene& scene, const BodyPoses& T_camera_body,
+                                     double spread) {
   const std::size_t seen = chunk_begins_.back();
   const std::size_t stride = std::max<std::size_t>(1, (seen + kMostSamples - 1) / kMostSamples);
-  lambda_ = options.lambda_free;
-  cut_ = options.cut;
   T_body_camera_.resize(T_camera_body.size());
   for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
     T_body_camera_[b] = T_camera_body[b].inverse();
   }
-  const PullFinder finder(model, surface, T_body_camera_, cloud, options, spread);
-  const std::size_t chunks = samples.chunks().size();
+  const PullFinder finder(scene, T_body_camera_, spread);
+  const std::size_t chunks = scene.samples.chunks().size();
   chunk_pulls_.resize(std::max(chunk_pulls_.size(), chunks));
-  executor.for_each(chunks, [&](std::size_t i) {
-    const ViewSamples::Chunk& chunk = samples.chunks()[i];
+  scene.executor.for_each(chunks, [&](std::size_t i) {
+    const ViewSamples::Chunk& chunk = scene.samples.chunks()[i];
     const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(chunk.body)];
     chunk_pulls_[i].clear();
     const std::size_t skipped = (stride - chunk_begins_[i] % stride) % stride;
     for (std::size_t k = skipped; k < chunk_seen_[i].size(); k += stride) {
-      const ViewSample sample = samples.sample(chunk.body, chunk.first + chunk_seen_[i][k]);
+      const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + chunk_seen_[i][k]);
       if (const auto pull = finder.find(sample, static_cast<double>(stride), T)) {
         chunk_pulls_[i].push_back(*pull);
       }
     }
   });
-  pulls_.clear();
-  append_chunk_pulls(chunks);
-  aim_outlines(outlines, T_camera_body, cloud, options, spread, executor);
-  append_chunk_pulls(outlines.bands());
-  by_body_.assign(pulls_, T_camera_body.size());
 }
 
 void FreeSpaceTerm::append_chunk_pulls(std::size_t chunks) {
@@ -162,43 +162,41 @@ void FreeSpaceTerm::append_chunk_pulls(std::size_t chunks) {
 }
 
 /// Towards where the camera saw them.
-void FreeSpaceTerm::aim_outlines(const OutlinePoints& outlines, const BodyPoses& T_camera_body,
-                                 const TiledCloud& cloud, const RegistrationOptions& options,
-                                 double spread, const Executor& executor) {
-  const ObservedOutline observed(cloud, options, spread);
-  chunk_pulls_.resize(std::max(chunk_pulls_.size(), outlines.bands()));
-  executor.for_each(outlines.bands(), [&](std::size_t i) {
+void FreeSpaceTerm::aim_outlines(const Scene& scene, const BodyPoses& T_camera_body,
+                                 double spread) {
+  const PinholeCamera& camera = scene.cloud.camera();
+  const ObservedOutline observed(scene.cloud, scene.options, spread);
+  chunk_pulls_.resize(std::max(chunk_pulls_.size(), scene.outlines.bands()));
+  scene.executor.for_each(scene.outlines.bands(), [&](std::size_t i) {
     chunk_pulls_[i].clear();
-    for (const OutlinePoint& point : outlines.band(i)) {
+    for (const OutlinePoint& point : scene.outlines.band(i)) {
       const auto seen = observed.find(point, T_camera_body[static_cast<std::size_t>(point.body)]);
-      const auto pixel = seen ? cloud.camera().pixel_of(seen->expected) : std::nullopt;
+      const auto pixel = seen ? camera.pixel_of(seen->expected) : std::nullopt;
       if (!pixel) continue;
       chunk_pulls_[i].push_back({point.p_body, seen->expected + seen->offset * seen->normal,
                                  seen->normal, seen->variance, kNormalVariance, point.pixels,
-                                 point.body, tile_of(*pixel, cloud.camera())});
+                                 point.body, tile_of(*pixel, camera)});
     }
   });
 }
 
 /// Which samples the camera sees through, chunk by chunk.
-void FreeSpaceTerm::collect_seen_through(const ViewSamples& samples, const BodyPoses& T_camera_body,
-                                         const TiledCloud& cloud,
-                                         const RegistrationOptions& options,
-                                         const Executor& executor) {
-  landings_.reserve(executor);
-  const std::size_t chunks = samples.chunks().size();
+void FreeSpaceTerm::collect_seen_through(const Scene& scene, const BodyPoses& T_camera_body) {
+  landings_.reserve(scene.executor);
+  const std::size_t chunks = scene.samples.chunks().size();
   chunk_seen_.resize(std::max(chunk_seen_.size(), chunks));
-  const kernels::PointNoise along_ray{static_cast<float>(options.noise.depth_floor),
-                                      static_cast<float>(options.noise.depth_quadratic), 0.0F,
-                                      0.0F};
-  executor.for_each(chunks, [&](std::size_t i) {
-    const ViewSamples::Chunk& chunk = samples.chunks()[i];
-    const kernels::Landings landings = landings_.land(samples, chunk, T_camera_body, cloud);
+  const SensorNoise& noise = scene.options.noise;
+  const kernels::PointNoise along_ray{static_cast<float>(noise.depth_floor),
+                                      static_cast<float>(noise.depth_quadratic), 0.0F, 0.0F};
+  // Somewhat fewer deviations than the dead zone: single precision errs by less.
+  const auto dead_zone = static_cast<float>(kSurely * scene.options.free_space_dead_zone);
+  scene.executor.for_each(chunks, [&](std::size_t i) {
+    const ViewSamples::Chunk& chunk = scene.samples.chunks()[i];
+    const kernels::Landings landings =
+        landings_.land(scene.samples, chunk, T_camera_body, scene.cloud);
     chunk_seen_[i].resize(chunk.count);
-    // Somewhat fewer deviations than the dead zone: single precision errs by less.
-    chunk_seen_[i].resize(kernels::seen_through(
-        landings, chunk.count, along_ray,
-        static_cast<float>(kSurely * options.free_space_dead_zone), chunk_seen_[i].data()));
+    chunk_seen_[i].resize(
+        kernels::seen_through(landings, chunk.count, along_ray, dead_zone, chunk_seen_[i].data()));
   });
   chunk_begins_.assign(1, 0);
   for (std::size_t i = 0; i < chunks; ++i) {

@@ -17,6 +17,7 @@
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/clear_way.hpp"
+#include "lockbox/registration/eroded_surface.hpp"
 #include "lockbox/registration/model_term.hpp"
 
 namespace lockbox {
@@ -46,28 +47,6 @@ class CollisionTerm {
                   NormalEquations* equations);
 
  private:
-  struct Sample {
-    Eigen::Vector3f p_body;
-    Eigen::Vector3f normal;
-    double share;  ///< of the body's surface
-  };
-  /// Consecutive samples, which are neighbours, and the ball that they lie in.
-  struct Patch {
-    std::size_t first;
-    std::size_t size;  ///< padded
-    Eigen::Vector3d centre;
-    double radius;
-  };
-  struct ErodedSurface {
-    int body;
-    double erosion;
-    std::vector<Sample> samples;
-    std::vector<float> x;  ///< their p_body, padded, as the kernels read them
-    std::vector<float> y;
-    std::vector<float> z;
-    std::vector<Patch> patches;
-  };
-
   /// Of a pair, one body's samples in the other's field.
   struct Half {
     double cost = 0.0;
@@ -75,16 +54,17 @@ class CollisionTerm {
     std::vector<ClearWay> clear_ways;  ///< by patch of the surface
   };
 
+  void add_pair(const ArticulatedModel& model, const RegistrationOptions& options,
+                const BodyPoses& rest, int a, int b);
   std::size_t surface_index(const ArticulatedModel& model, int body, double erosion);
   void evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i,
                      bool with_systems);
-  static std::vector<Patch> patches_of(const std::vector<Sample>& samples);
   void evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface, int other,
                      double erosion, const Eigen::Isometry3d& T_other_body, bool with_system,
                      Half& half);
   void add_sample(const SignedDistanceField& field, const Eigen::AlignedBox3f& box,
-                  const Eigen::Isometry3f& T_other_body, const Sample& sample, float erosion,
-                  bool with_system, Half& half) const;
+                  const Eigen::Isometry3f& T_other_body, const ErodedSurface::Sample& sample,
+                  float erosion, bool with_system, Half& half) const;
 
   Executor executor_;
   double weight_ = 0.0;  ///< lambda / sigma_c^2

@@ -21,12 +21,20 @@ namespace lockbox {
 
 class FreeSpaceTerm {
  public:
+  /// What a selection is made from, by reference: the model as it was drawn, and the image.
+  struct Scene {
+    const ArticulatedModel& model;
+    const VisibleSurface& surface;
+    const ViewSamples& samples;     ///< of the surface
+    const OutlinePoints& outlines;  ///< of the surface
+    const TiledCloud& cloud;
+    const RegistrationOptions& options;
+    const Executor& executor;
+  };
+
   /// Selects the samples that are seen through at these poses, and what they and the outlines are
-  /// pulled to. samples, outlines: of the surface. spread: metres that the poses may be off.
-  void select(const ArticulatedModel& model, const VisibleSurface& surface,
-              const ViewSamples& samples, const OutlinePoints& outlines,
-              const BodyPoses& T_camera_body, const TiledCloud& cloud,
-              const RegistrationOptions& options, double spread, const Executor& executor);
+  /// pulled to. spread: metres that the poses may be off.
+  void select(const Scene& scene, const BodyPoses& T_camera_body, double spread);
 
   /// Adds each body's system, of the selected samples at these poses. spread: how far off the poses
   /// may still be, metres. Returns the cost relative to that of all selected samples being
@@ -44,12 +52,9 @@ class FreeSpaceTerm {
   std::size_t pulled_samples() const { return pulls_.size(); }
 
  private:
-  void collect_seen_through(const ViewSamples& samples, const BodyPoses& T_camera_body,
-                            const TiledCloud& cloud, const RegistrationOptions& options,
-                            const Executor& executor);
-  void aim_outlines(const OutlinePoints& outlines, const BodyPoses& T_camera_body,
-                    const TiledCloud& cloud, const RegistrationOptions& options, double spread,
-                    const Executor& executor);
+  void collect_seen_through(const Scene& scene, const BodyPoses& T_camera_body);
+  void aim_seen_through(const Scene& scene, const BodyPoses& T_camera_body, double spread);
+  void aim_outlines(const Scene& scene, const BodyPoses& T_camera_body, double spread);
   void append_chunk_pulls(std::size_t chunks);
   kernels::PullLoss pull_loss() const;
   void add_to(TileSystem& system, const FreeSpacePull& pull,

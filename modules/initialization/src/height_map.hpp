@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A view resampled into the frame of a plane: how high what the camera saw stands over it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <vector>
+
+#include "coarse_view.hpp"
+#include "planar_regions.hpp"
+
+namespace lockbox {
+
+/// What stands over a plane, in the plane's frame.
+struct HeightMap {
+  int width;
+  int height;
+  Eigen::Vector2d corner;  ///< centre of cell (0, 0), plane frame
+  double cell_size;
+  std::vector<float>
+      heights;                ///< metres; far below where the camera saw through, NaN where nothing
+  std::vector<float> sigmas;  ///< standard deviations of the heights
+
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+struct HeightMapSize {
+  double cell;    ///< metres
+  double beyond;  ///< metres that the map reaches beyond the region at least
+  int margin;     ///< cells more on each side
+};
+
+/// noise: standard deviation of 1/depth of a pixel, 1/metre.
+HeightMap height_map(const CoarseView& view, const PlanarRegion& region,
+                     const Eigen::Isometry3d& T_camera_plane, double noise,
+                     const HeightMapSize& size);
+
+}  // namespace lockbox

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A body's surface, moved inwards: samples of the level set f = -erosion of its field, to be looked
+// up in the fields of other bodies.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "lockbox/model/articulated_model.hpp"
+
+namespace lockbox {
+
+struct ErodedSurface {
+  struct Sample {
+    Eigen::Vector3f p_body;
+    Eigen::Vector3f normal;
+    double share;  ///< of the body's surface
+  };
+  /// Consecutive samples, which are neighbours, and the ball that they lie in.
+  struct Patch {
+    std::size_t first;
+    std::size_t size;  ///< padded
+    Eigen::Vector3d centre;
+    double radius;
+  };
+
+  static constexpr std::size_t kSamplesInPatch = 128;  ///< at most
+
+  /// erosion: metres, not negative. The body must have a field.
+  ErodedSurface(const ArticulatedModel& model, int body_index, double erosion_depth);
+
+  /// How deep the deepest sample sits in another body, metres; 0 if none does.
+  double deepest_in(const SignedDistanceField& other, const Eigen::Isometry3d& T_other_body) const;
+
+  int body;
+  double erosion;  ///< metres
+  std::vector<Sample> samples;
+  std::vector<float> x;  ///< their p_body, padded, as the kernels read them
+  std::vector<float> y;
+  std::vector<float> z;
+  std::vector<Patch> patches;
+};
+
+}  // namespace lockbox
