@@ -12,6 +12,10 @@ namespace {
 constexpr int kStretch = 8;            // pixels along each side of what makes a stretch of outline
 constexpr double kFarBehind = 6.0;     // standard deviations: more says no more
 constexpr double kOutlinePrior = 8.0;  // outline pixels that would have to be seen to matter
+// What should be seen beside an outline and was not measured: next to a shadow or to an empty
+// background, an outline could otherwise be imagined anywhere. It counts for so much of one beyond
+// which the surface goes on.
+constexpr double kUnseen = 0.5;
 
 constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
@@ -31,6 +35,7 @@ std::size_t stretch_index(const RenderedDepth& image, int u, int v, int du, int 
 
 double share_that_continues(const RenderedDepth& image, const CoarseView& view, double noise,
                             double slack) {
+  double unseen = 0.0;
   std::vector<Stretch> stretches(stretch_index(image, image.width, image.height, 1, 1) + 1);
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
@@ -52,6 +57,7 @@ double share_that_continues(const RenderedDepth& image, const CoarseView& view, 
         if (image.id[in] != image.id[here] || image.id[out] != kNothing) continue;
         const auto z_in = static_cast<double>(view.depth[in]);
         const auto z_out = static_cast<double>(view.depth[out]);
+        if (!(z_in > 0.0)) unseen += 1.0;
         if (!(z_in > 0.0 && z_out > 0.0)) continue;
         const double w_here = 1.0 / double{image.depth[here]};
         const double w_in = 1.0 / double{image.depth[in]};
@@ -68,7 +74,7 @@ double share_that_continues(const RenderedDepth& image, const CoarseView& view, 
       }
     }
   }
-  double continues = 0.0;
+  double continues = kUnseen * unseen;
   double ends = kOutlinePrior;
   for (const Stretch& stretch : stretches) {
     if (stretch.count == 0.0) continue;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "height_map.hpp"
+#include "lockbox/kernels/window_sums.hpp"
 
 namespace lockbox {
 namespace {
@@ -36,6 +37,13 @@ Score cell_score(const Expectation& expected, float height, float sigma) {
   return static_cast<Score>(std::max(fitting, above > below ? kCovered : kSeenThrough));
 }
 
+/// Truncating is many times faster than the library's rounding, which this loop would wait for.
+int nearest_cell(float position) {
+  constexpr int kBeyondAll = 4096;  // makes positions positive; maps are much smaller
+  return static_cast<int>(position + (kBeyondAll + 0.5F)) - kBeyondAll;
+}
+
+/// The scores of a relief laid onto a map, for whole maps of shifts at once.
 class Correlation {
  public:
   Correlation(const HeightMap& map, const ModelRelief& relief, int margin)
@@ -43,28 +51,41 @@ class Correlation {
         relief_(relief),
         margin_(margin),
         columns_(map.width - 2 * margin),
-        rows_(map.height - 2 * margin) {
+        rows_(map.height - 2 * margin),
+        padded_columns_(padded(columns_)),
+        next_row_(map.width + padded_columns_ - columns_) {
     for (const Expectation& expectation : relief.expectations) {
-      auto& scores = cell_scores_.emplace_back(map.heights.size());
-      for (std::size_t i = 0; i < scores.size(); ++i) {
-        scores[i] = cell_score(expectation, map.heights[i], map.sigmas[i]);
+      auto& scores = cell_scores_.emplace_back(cells(next_row_, map.height));
+      for (int y = 0; y < map.height; ++y) {
+        for (int x = 0; x < map.width; ++x) {
+          const std::size_t cell = map.index(x, y);
+          scores[index(x, y)] = cell_score(expectation, map.heights[cell], map.sigmas[cell]);
+        }
       }
     }
-    sums_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    sums_.resize(cells(padded_columns_, rows_));
   }
 
-  /// The sums for a relief turned by the angle, for all its positions (columns x rows).
-  const std::vector<Score>& at(double angle) {
-    std::fill(sums_.begin(), sums_.end(), Score{0});
+  /// Sums up a relief turned by the angle, for all its positions (columns x rows).
+  void turn_to(double angle) {
     const auto c = static_cast<float>(std::cos(angle) / map_.cell_size);
     const auto s = static_cast<float>(std::sin(angle) / map_.cell_size);
+    windows_.clear();
     for (std::size_t i = 0; i < relief_.cells.size(); i += kStride) {
       const ReliefCell& cell = relief_.cells[i];
-      const auto dx = static_cast<int>(std::lround(c * cell.x - s * cell.y));
-      const auto dy = static_cast<int>(std::lround(s * cell.x + c * cell.y));
-      add(cell_scores_[static_cast<std::size_t>(cell.expectation)], dx, dy);
+      const int dx = nearest_cell(c * cell.x - s * cell.y);
+      const int dy = nearest_cell(s * cell.x + c * cell.y);
+      windows_.push_back(cell_scores_[static_cast<std::size_t>(cell.expectation)].data() +
+                         index(margin_ + dx, margin_ + dy));
     }
-    return sums_;
+    kernels::add_windows(
+        {windows_, static_cast<std::size_t>(next_row_), static_cast<std::size_t>(padded_columns_),
+         static_cast<std::size_t>(rows_)},
+        sums_.data());
+  }
+
+  int sum(int x, int y) const {
+    return int{sums_[cells(padded_columns_, y) + static_cast<std::size_t>(x)]};
   }
 
   /// The sum over all cells, for one position (cells) and angle.
@@ -75,10 +96,10 @@ class Correlation {
     const auto top = static_cast<float>(y + margin_);
     int sum = 0;
     for (const ReliefCell& cell : relief_.cells) {
-      const auto u = static_cast<int>(std::lround(left + c * cell.x - s * cell.y));
-      const auto v = static_cast<int>(std::lround(top + s * cell.x + c * cell.y));
+      const int u = nearest_cell(left + c * cell.x - s * cell.y);
+      const int v = nearest_cell(top + s * cell.x + c * cell.y);
       if (u < 0 || v < 0 || u >= map_.width || v >= map_.height) continue;
-      sum += cell_scores_[static_cast<std::size_t>(cell.expectation)][map_.index(u, v)];
+      sum += cell_scores_[static_cast<std::size_t>(cell.expectation)][index(u, v)];
     }
     return sum;
   }
@@ -87,14 +108,15 @@ class Correlation {
   int rows() const { return rows_; }
 
  private:
-  void add(const std::vector<Score>& scores, int dx, int dy) {
-    for (int row = 0; row < rows_; ++row) {
-      const Score* from = scores.data() + map_.index(margin_ + dx, row + margin_ + dy);
-      Score* to = sums_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-      for (int column = 0; column < columns_; ++column) {
-        to[column] = static_cast<Score>(to[column] + from[column]);
-      }
-    }
+  static std::size_t cells(int width, int height) {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  static int padded(int columns) {
+    constexpr int kBlock = static_cast<int>(kernels::kWindowBlock);
+    return (columns + kBlock - 1) / kBlock * kBlock;
+  }
+  std::size_t index(int x, int y) const {
+    return cells(next_row_, y) + static_cast<std::size_t>(x);
   }
 
   const HeightMap& map_;
@@ -102,7 +124,10 @@ class Correlation {
   int margin_;
   int columns_;
   int rows_;
-  std::vector<std::vector<Score>> cell_scores_;
+  int padded_columns_;
+  int next_row_;                                 ///< of the scores: the map's width, padded
+  std::vector<std::vector<Score>> cell_scores_;  ///< by expectation; 0 in the padding
+  std::vector<const Score*> windows_;
   std::vector<Score> sums_;
 };
 
@@ -114,20 +139,18 @@ struct Peak {
   double y;
 };
 
-void collect_peaks(const std::vector<Score>& sums, int columns, int rows, int turn, int least,
-                   std::vector<Peak>& peaks) {
-  const auto at = [&](int x, int y) {
-    return int{sums[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
-                    static_cast<std::size_t>(x)]};
-  };
+void collect_peaks(const Correlation& correlation, int turn, int least, std::vector<Peak>& peaks) {
+  const int columns = correlation.columns();
+  const int rows = correlation.rows();
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
-      const int here = at(x, y);
+      const int here = correlation.sum(x, y);
       if (here < least) continue;
-      const bool peak = (x == 0 || at(x - 1, y) <= here) && (y == 0 || at(x, y - 1) <= here) &&
-                        (x + 1 == columns || at(x + 1, y) < here) &&
-                        (y + 1 == rows || at(x, y + 1) < here);
-      if (peak) peaks.push_back({here, double(turn), double(x), double(y)});
+      const bool is_peak = (x == 0 || correlation.sum(x - 1, y) <= here) &&
+                           (y == 0 || correlation.sum(x, y - 1) <= here) &&
+                           (x + 1 == columns || correlation.sum(x + 1, y) < here) &&
+                           (y + 1 == rows || correlation.sum(x, y + 1) < here);
+      if (is_peak) peaks.push_back({here, double(turn), double(x), double(y)});
     }
   }
 }
@@ -183,8 +206,8 @@ std::vector<ReliefMatch> match_relief(const CoarseView& view, const PlanarRegion
                                       static_cast<float>(relief.cells.size()));
   std::vector<Peak> peaks;
   for (int turn = 0; turn < turns; ++turn) {
-    collect_peaks(correlation.at(step * turn), correlation.columns(), correlation.rows(), turn,
-                  least, peaks);
+    correlation.turn_to(step * turn);
+    collect_peaks(correlation, turn, least, peaks);
   }
   peaks = strongest(std::move(peaks), turns, kPeaksRefined);
   for (Peak& peak : peaks) climb(correlation, step, peak);

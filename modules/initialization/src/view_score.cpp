@@ -11,7 +11,7 @@ namespace lockbox {
 namespace {
 
 // Of one pixel.
-constexpr double kOccluded = -0.3;
+constexpr double kOccluded = -0.15;
 constexpr double kSeenThrough = -6.0;
 constexpr double kFallOff = 0.22;      // a deviation of three standard deviations costs two
 constexpr double kSteepest = 5.0;      // tangent of the incidence beyond which surfaces count alike
