@@ -24,9 +24,9 @@ constexpr std::size_t kMatchesEach = 8;  // of one relief on one region
 constexpr int kAnchorPositions = 5;      // of a joint between base and a matched side
 
 // What stages keep: before joints are known, less says little.
-constexpr Selection kMatched{0.15, 96};
-constexpr Selection kPlaced{0.15, 24};
-constexpr Selection kPosed{0.3, 4};
+constexpr Selection kMatched{0.1, 96};
+constexpr Selection kPlaced{0.1, 32};
+constexpr Selection kPosed{0.25, 4};
 
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
 std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
@@ -214,7 +214,9 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
   for (const Hypothesis& hypothesis : hypotheses) {
     if (hypothesis.score > 0.0) {
       const auto& result = fine.align(cloud, hypothesis.configuration, {0.0, 0});
-      const double score = hypothesis.score * least_consent(result.body_agreement);
+      const double conviction =
+          halves.front().evidence(hypothesis.configuration, kFineSlack, all_bodies).conviction();
+      const double score = conviction * least_consent(result.body_agreement);
       candidates.push_back({hypothesis.configuration, score, result.agreement});
     }
   }

@@ -192,6 +192,13 @@ double ViewEvidence::total(double tolerance) const {
          visible * visible;
 }
 
+double ViewEvidence::conviction() const {
+  const double share = measured > 0.0 ? explained / measured : 0.0;
+  const double pixels = explained * std::pow(1.0 - continues, kContinuing) +
+                        kSeenThrough * contradicted + kOccluded * occluded;
+  return std::sqrt(std::max(0.0, pixels * share)) * in_view;
+}
+
 /// Of what whole_ shows.
 ViewEvidence ViewScore::count_pixels(double slack) const {
   const RenderedDepth& image = whole_.image;
@@ -201,6 +208,7 @@ ViewEvidence ViewScore::count_pixels(double slack) const {
       const std::size_t pixel = image.index(u, v);
       if (image.id[pixel] == kNothing || !(view_->depth[pixel] > 0.0F)) continue;
       const double score = pixel_score(whole_, u, v, slack);
+      evidence.measured += 1.0;
       if (score > 0.0) {
         evidence.explained += score;
       } else if (view_->depth[pixel] > image.depth[pixel]) {

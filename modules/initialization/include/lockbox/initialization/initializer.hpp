@@ -25,7 +25,7 @@ struct InitializerOptions {
 /// One answer to where the model is.
 struct Candidate {
   Configuration configuration;
-  double score = 0.0;  ///< of coarse pixels explained, less what contradicts; compares in one frame
+  double score = 0.0;  ///< the larger, the more convincing; compares within one frame
   Agreement agreement;
 };
 
