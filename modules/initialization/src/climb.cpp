@@ -10,10 +10,6 @@
 namespace lockbox {
 namespace {
 
-constexpr std::array<double, 3> kSteps{0.004, 0.002, 0.001};  // metres that surfaces move
-constexpr int kRounds = 2;                                    // with each of them
-constexpr double kSlack = 0.002;  // metres: what real objects differ from their models by
-
 /// The configuration with one unknown (base twist about the centre, joint variables) changed so
 /// that no surface moves farther than `step`.
 Configuration moved(const KinematicTree& tree, const Configuration& configuration,
@@ -36,22 +32,22 @@ Configuration moved(const KinematicTree& tree, const Configuration& configuratio
 
 }  // namespace
 
-void climb(const KinematicTree& tree, std::vector<ViewScore>& scores, const Executor& executor,
-           Configuration& configuration) {
+void climb(const KinematicTree& tree, std::span<ViewScore> scores, const Executor& executor,
+           const ClimbPlan& plan, Configuration& configuration) {
   const int unknowns = 6 + tree.variables();
   const ModelLevers levers = model_levers(tree);
-  double best = scores.front().fit(configuration, kSlack);
+  double best = scores.front().fit(configuration, plan.slack);
   std::array<Configuration, 2> trials;  // to either side
   std::array<double, 2> fits{};
-  for (const double step : kSteps) {
+  for (const double step : plan.steps) {
     bool is_better = true;
-    for (int round = 0; round < kRounds && is_better; ++round) {
+    for (int round = 0; round < plan.rounds && is_better; ++round) {
       is_better = false;
       for (int unknown = 0; unknown < unknowns; ++unknown) {
         executor.for_each(trials.size(), [&](std::size_t side) {
           const double way = side == 0 ? step : -step;
           trials[side] = moved(tree, configuration, levers, unknown, way);
-          fits[side] = scores[Executor::worker()].fit(trials[side], kSlack);
+          fits[side] = scores[Executor::worker()].fit(trials[side], plan.slack);
         });
         const std::size_t side = fits[0] > best ? 0 : 1;
         if (fits[side] > best) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "lockbox/core/parallel.hpp"
@@ -9,11 +10,17 @@
 
 namespace lockbox {
 
+struct ClimbPlan {
+  std::vector<double> steps;  ///< metres that surfaces move, one size after the other
+  int rounds;                 ///< over all unknowns with each of them, at most
+  double slack;               ///< metres that surfaces may be off
+};
+
 /// Moves base and joints, one unknown after the other, to where the drawn model fits the view best:
-/// by a few millimetres of its surfaces at first, then by ever smaller steps. What is seen beside
-/// the model counts against a drawing, so that a wall just behind cannot pull it away. scores: of
-/// the same view, one for each worker of the executor.
-void climb(const KinematicTree& tree, std::vector<ViewScore>& scores, const Executor& executor,
-           Configuration& configuration);
+/// by large steps at first, then by ever smaller ones. What is seen beside the model counts against
+/// a drawing, so that a wall just behind cannot pull it away, nor something that stands before it.
+/// scores: of the same view, one for each worker of the executor.
+void climb(const KinematicTree& tree, std::span<ViewScore> scores, const Executor& executor,
+           const ClimbPlan& plan, Configuration& configuration);
 
 }  // namespace lockbox

@@ -12,9 +12,9 @@ namespace {
 constexpr int kStretch = 8;            // pixels along each side of what makes a stretch of outline
 constexpr double kFarBehind = 6.0;     // standard deviations: more says no more
 constexpr double kOutlinePrior = 8.0;  // outline pixels that would have to be seen to matter
-// What should be seen beside an outline and was not measured: next to a shadow or to an empty
-// background, an outline could otherwise be imagined anywhere. It counts for so much of one beyond
-// which the surface goes on.
+// What should be seen inside of an outline and was not measured, nor farther in: next to a shadow
+// or to an empty background, an outline could otherwise be imagined anywhere. It counts for so much
+// of one beyond which the surface goes on.
 constexpr double kUnseen = 0.5;
 
 constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
@@ -29,6 +29,10 @@ std::size_t stretch_index(const RenderedDepth& image, int u, int v, int du, int 
   const int columns = image.width / kStretch + 1;
   const int direction = (du == 0 ? 2 : 0) + (du + dv > 0 ? 1 : 0);
   return static_cast<std::size_t>(4 * (v / kStretch * columns + u / kStretch) + direction);
+}
+
+bool is_measured(const CoarseView& view, int u, int v) {
+  return view.contains(u, v) && view.depth[view.index(u, v)] > 0.0F;
 }
 
 }  // namespace
@@ -57,7 +61,9 @@ double share_that_continues(const RenderedDepth& image, const CoarseView& view, 
         if (image.id[in] != image.id[here] || image.id[out] != kNothing) continue;
         const auto z_in = static_cast<double>(view.depth[in]);
         const auto z_out = static_cast<double>(view.depth[out]);
-        if (!(z_in > 0.0)) unseen += 1.0;
+        if (!(z_in > 0.0) && !is_measured(view, u - 3 * reach * du, v - 3 * reach * dv)) {
+          unseen += 1.0;
+        }
         if (!(z_in > 0.0 && z_out > 0.0)) continue;
         const double w_here = 1.0 / double{image.depth[here]};
         const double w_in = 1.0 / double{image.depth[in]};

@@ -7,6 +7,7 @@
 
 #include "climb.hpp"
 #include "joint_scan.hpp"
+#include "levers.hpp"
 #include "search_workspace.hpp"
 
 namespace lockbox {
@@ -19,9 +20,16 @@ constexpr double kHardlyLess = 0.95;
 constexpr double kEnoughPixels = 80.0;
 constexpr double kFinePixel = 0.0028;  // metres: larger ones are worth looking at one by one
 constexpr std::size_t kLeastSamples = 20;
-constexpr std::size_t kMostRegions = 16;
+constexpr std::size_t kMostRegions = 32;
 constexpr std::size_t kMatchesEach = 8;  // of one relief on one region
 constexpr int kAnchorPositions = 5;      // of a joint between base and a matched side
+
+// Coarse steps for a view of coarse pixels; fine ones, with what real objects differ from their
+// models by.
+const ClimbPlan kClimbFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
+const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
+constexpr std::size_t kMostClimbs = 12;
+constexpr double kWorthClimbing = 0.5;  // of the best one's score
 
 // What stages keep: before joints are known, less says little.
 constexpr Selection kMatched{0.1, 96};
@@ -52,6 +60,13 @@ double least_consent(const std::vector<Agreement>& bodies) {
   }
   return least;
 }
+
+/// A candidate before it is compared with others.
+struct Answer {
+  Candidate candidate;
+  Eigen::Vector3d centre;  ///< of the model, metres, camera frame
+  double total;            ///< of the evidence
+};
 
 }  // namespace
 
@@ -135,15 +150,24 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses) {
 
 /// All joints sought over their ranges.
 void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses) {
+  const double worth_climbing = hypotheses.empty() ? 0.0 : kWorthClimbing * hypotheses[0].score;
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
+    const bool is_climbed = i < kMostClimbs && hypothesis.score >= worth_climbing;
     scan_joints(model.tree, score(), all_variables, 0.01, kScan, hypothesis.configuration);
     hypothesis.score = judge_closely(hypothesis.configuration, 0.006);
     Hypothesis refined = hypothesis;
     align_base(0.015, 5, refined.configuration);
     scan_joints(model.tree, score(), all_variables, 0.006, kScan, refined.configuration);
     refined.score = judge_closely(refined.configuration, 0.006);
+    // What stands before the object may pull a registration away from it, but not a drawing.
+    Hypothesis climbed = hypothesis;
+    if (is_climbed) {
+      climb(model.tree, std::span(&score(), 1), Executor(1), kClimbFar, climbed.configuration);
+      climbed.score = judge_closely(climbed.configuration, 0.006);
+    }
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
+    if (climbed.score > hypothesis.score) hypothesis = std::move(climbed);
   });
   hypotheses = best_apart(std::move(hypotheses), kPosed);
 }
@@ -169,7 +193,7 @@ void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
                                          std::vector<Hypothesis>& hypotheses) {
   align_if_better(cloud, hypotheses);
   for (Hypothesis& hypothesis : hypotheses) {
-    climb(model.tree, halves, executor, hypothesis.configuration);
+    climb(model.tree, halves, executor, kClimbClosely, hypothesis.configuration);
   }
   align_if_better(cloud, hypotheses);
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
@@ -208,17 +232,36 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
   hypotheses = best_apart(std::move(hypotheses), kPosed);  // some have met
 }
 
+/// Answers in the same place compete for the same pixels: there the one that explains more is
+/// better. Places are compared by how convincing the best answer in each is.
 std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
                                                     const std::vector<Hypothesis>& hypotheses) {
-  std::vector<Candidate> candidates;
+  const ModelLevers levers = model_levers(model.tree);
+  std::vector<Answer> answers;
   for (const Hypothesis& hypothesis : hypotheses) {
-    if (hypothesis.score > 0.0) {
-      const auto& result = fine.align(cloud, hypothesis.configuration, {0.0, 0});
-      const double conviction =
-          halves.front().evidence(hypothesis.configuration, kFineSlack, all_bodies).conviction();
-      const double score = conviction * least_consent(result.body_agreement);
-      candidates.push_back({hypothesis.configuration, score, result.agreement});
+    if (hypothesis.score <= 0.0) continue;
+    const auto& result = fine.align(cloud, hypothesis.configuration, {0.0, 0});
+    const double consent = least_consent(result.body_agreement);
+    const double conviction =
+        halves.front().evidence(hypothesis.configuration, kFineSlack, all_bodies).conviction();
+    answers.push_back({{hypothesis.configuration, consent * conviction, result.agreement},
+                       hypothesis.configuration.T_camera_base * levers.centre,
+                       consent * hypothesis.score});
+  }
+  std::stable_sort(answers.begin(), answers.end(),
+                   [](const Answer& a, const Answer& b) { return a.total > b.total; });
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    Answer& answer = answers[i];
+    const auto best_there =
+        std::find_if(answers.begin(), answers.begin() + static_cast<std::ptrdiff_t>(i + 1),
+                     [&](const Answer& other) {
+                       return (other.centre - answer.centre).norm() < 2.0 * levers.radius;
+                     });
+    if (best_there->total > answer.total) {
+      answer.candidate.score = best_there->candidate.score * answer.total / best_there->total;
     }
+    candidates.push_back(answer.candidate);
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });

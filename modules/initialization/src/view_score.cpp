@@ -13,11 +13,12 @@ namespace {
 // Of one pixel.
 constexpr double kOccluded = -0.15;
 constexpr double kSeenThrough = -6.0;
-constexpr double kFallOff = 0.22;      // a deviation of three standard deviations costs two
-constexpr double kSteepest = 5.0;      // tangent of the incidence beyond which surfaces count alike
-constexpr double kContinuing = 8.0;    // exponent: how fast an outline that goes on takes belief
-constexpr double kInViewEnough = 0.5;  // of the surface; with less in view, doubt grows
-constexpr double kSamples = 200.0;     // of each body's surface
+constexpr double kFallOff = 0.22;    // a deviation of three standard deviations costs two
+constexpr double kSteepest = 5.0;    // tangent of the incidence beyond which surfaces count alike
+constexpr double kContinuing = 8.0;  // exponent: how fast an outline that goes on takes belief
+constexpr double kContinuingAtLast = 12.0;  // when answers are compared
+constexpr double kInViewEnough = 0.5;       // of the surface; with less in view, doubt grows
+constexpr double kSamples = 200.0;          // of each body's surface
 
 constexpr float kContrastGate = 6.0F;  // standard deviations of a pixel
 
@@ -194,9 +195,9 @@ double ViewEvidence::total(double tolerance) const {
 
 double ViewEvidence::conviction() const {
   const double share = measured > 0.0 ? explained / measured : 0.0;
-  const double pixels = explained * std::pow(1.0 - continues, kContinuing) +
+  const double pixels = explained * std::pow(1.0 - continues, kContinuingAtLast) +
                         kSeenThrough * contradicted + kOccluded * occluded;
-  return std::sqrt(std::max(0.0, pixels * share)) * in_view;
+  return std::sqrt(std::max(0.0, pixels * share * in_view));
 }
 
 /// Of what whole_ shows.
