@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random scenes of `lockbox experiment global` in which the object was once sought in vain.
+#include <gtest/gtest.h>
+
+#include "lockbox/evaluation/global_experiment.hpp"
+#include "seen_model.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr PinholeCamera kCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
+
+struct HardScene {
+  const char* what;
+  const char* model;
+  std::uint64_t seed;
+  std::uint64_t number;
+};
+
+void PrintTo(const HardScene& scene, std::ostream* out) {
+  *out << scene.what;
+}
+
+class HardScenes : public ::testing::TestWithParam<HardScene> {};
+
+TEST_P(HardScenes, AreRight) {
+  const HardScene& scene = GetParam();
+  GlobalExperiment experiment(shipped(scene.model), kCamera, sensor_model("primesense"), scene.seed,
+                              Executor());
+  const GlobalResult result = experiment.search_scene(scene.number);
+  EXPECT_TRUE(result.determined);
+  EXPECT_TRUE(result.right) << "wrong: " << result.wrong;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Initializer, HardScenes,
+    ::testing::Values(HardScene{"FlatBoxBeforeAnEmptyBackground", "cabinet", 5, 22},
+                      HardScene{"NearFlatBoxOfWhichASideIsInView", "rigid_block", 11, 17},
+                      HardScene{"BoxThatPullsTheBoardAway", "lockbox", 11, 28}),
+    [](const auto& scene) { return std::string(scene.param.what); });
+
+}  // namespace
+}  // namespace lockbox
