@@ -18,7 +18,13 @@ bool are_apart(const Hypothesis& a, const Hypothesis& b) {
 
 }  // namespace
 
-std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection) {
+bool are_in_one_place(const ModelLevers& levers, const Configuration& a, const Configuration& b) {
+  return (a.T_camera_base * levers.centre - b.T_camera_base * levers.centre).norm() <
+         2.0 * levers.radius;
+}
+
+std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection,
+                                   const ModelLevers& levers) {
   std::stable_sort(hypotheses.begin(), hypotheses.end(),
                    [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
   std::vector<Hypothesis> kept;
@@ -28,8 +34,13 @@ std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Sel
         (best > 0.0 && hypothesis.score < selection.least_share * best)) {
       break;
     }
-    if (std::all_of(kept.begin(), kept.end(),
-                    [&](const Hypothesis& other) { return are_apart(hypothesis, other); })) {
+    const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Hypothesis& other) {
+      return are_apart(hypothesis, other);
+    });
+    const auto there = std::count_if(kept.begin(), kept.end(), [&](const Hypothesis& other) {
+      return are_in_one_place(levers, hypothesis.configuration, other.configuration);
+    });
+    if (is_new && static_cast<std::size_t>(there) < selection.most_in_place) {
       kept.push_back(hypothesis);
     }
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "levers.hpp"
 #include "lockbox/model/configuration.hpp"
 
 namespace lockbox {
@@ -19,9 +20,14 @@ struct Hypothesis {
 struct Selection {
   double least_share;  ///< of the best one's score, if that is positive
   std::size_t most;
+  std::size_t most_in_place;  ///< so that no place crowds out all others
 };
 
+/// Whether the model would take the same place in the view: balls around it overlap.
+bool are_in_one_place(const ModelLevers& levers, const Configuration& a, const Configuration& b);
+
 /// The best hypotheses, best first, whose bases are apart: 40 mm or 0.15 radians.
-std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection);
+std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection,
+                                   const ModelLevers& levers);
 
 }  // namespace lockbox

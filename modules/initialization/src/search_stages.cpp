@@ -32,9 +32,9 @@ constexpr std::size_t kMostClimbs = 12;
 constexpr double kWorthClimbing = 0.5;  // of the best one's score
 
 // What stages keep: before joints are known, less says little.
-constexpr Selection kMatched{0.1, 96};
-constexpr Selection kPlaced{0.1, 32};
-constexpr Selection kPosed{0.25, 4};
+constexpr Selection kMatched{0.1, 96, 96};
+constexpr Selection kPlaced{0.1, 32, 32};
+constexpr Selection kPosed{0.25, 4, 3};
 
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
 std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
@@ -64,8 +64,7 @@ double least_consent(const std::vector<Agreement>& bodies) {
 /// A candidate before it is compared with others.
 struct Answer {
   Candidate candidate;
-  Eigen::Vector3d centre;  ///< of the model, metres, camera frame
-  double total;            ///< of the evidence
+  double total;  ///< of the evidence
 };
 
 }  // namespace
@@ -76,6 +75,7 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       options(given),
       executor(workers),
       reliefs(make_reliefs(model.tree, executor)),
+      levers(model_levers(model.tree)),
       all_variables(static_cast<std::size_t>(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1),
       fine(model, options.registration, executor) {
@@ -129,7 +129,7 @@ std::vector<Hypothesis> Initializer::Workspace::match(const CoarseView& view) {
   });
   std::vector<Hypothesis> all;
   for (auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  return best_apart(std::move(all), kMatched);
+  return best_apart(std::move(all), kMatched, levers);
 }
 
 /// Base poses made exact as far as the known bodies tell, and a glance at the joints.
@@ -145,7 +145,7 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses) {
     scan_joints(model.tree, score(), all_variables, 0.02, kGlance, hypotheses[i].configuration);
     hypotheses[i].score = judge(hypotheses[i], 0.02, 0.5);
   });
-  hypotheses = best_apart(std::move(hypotheses), kPlaced);
+  hypotheses = best_apart(std::move(hypotheses), kPlaced, levers);
 }
 
 /// All joints sought over their ranges.
@@ -169,7 +169,7 @@ void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses) {
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
     if (climbed.score > hypothesis.score) hypothesis = std::move(climbed);
   });
-  hypotheses = best_apart(std::move(hypotheses), kPosed);
+  hypotheses = best_apart(std::move(hypotheses), kPosed, levers);
 }
 
 /// Base and joints together, in the coarse view.
@@ -185,7 +185,7 @@ void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses) {
     hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
   });
-  hypotheses = best_apart(std::move(hypotheses), kPosed);
+  hypotheses = best_apart(std::move(hypotheses), kPosed, levers);
 }
 
 /// The same at full resolution.
@@ -229,14 +229,13 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
       hypothesis.score = score;
     }
   });
-  hypotheses = best_apart(std::move(hypotheses), kPosed);  // some have met
+  hypotheses = best_apart(std::move(hypotheses), kPosed, levers);  // some have met
 }
 
 /// Answers in the same place compete for the same pixels: there the one that explains more is
 /// better. Places are compared by how convincing the best answer in each is.
 std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
                                                     const std::vector<Hypothesis>& hypotheses) {
-  const ModelLevers levers = model_levers(model.tree);
   std::vector<Answer> answers;
   for (const Hypothesis& hypothesis : hypotheses) {
     if (hypothesis.score <= 0.0) continue;
@@ -245,7 +244,6 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
     const double conviction =
         halves.front().evidence(hypothesis.configuration, kFineSlack, all_bodies).conviction();
     answers.push_back({{hypothesis.configuration, consent * conviction, result.agreement},
-                       hypothesis.configuration.T_camera_base * levers.centre,
                        consent * hypothesis.score});
   }
   std::stable_sort(answers.begin(), answers.end(),
@@ -256,7 +254,8 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
     const auto best_there =
         std::find_if(answers.begin(), answers.begin() + static_cast<std::ptrdiff_t>(i + 1),
                      [&](const Answer& other) {
-                       return (other.centre - answer.centre).norm() < 2.0 * levers.radius;
+                       return are_in_one_place(levers, other.candidate.configuration,
+                                               answer.candidate.configuration);
                      });
     if (best_there->total > answer.total) {
       answer.candidate.score = best_there->candidate.score * answer.total / best_there->total;

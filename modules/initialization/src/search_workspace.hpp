@@ -18,6 +18,7 @@ struct Initializer::Workspace {
   InitializerOptions options;
   Executor executor;
   std::vector<ModelRelief> reliefs;
+  ModelLevers levers;
   std::vector<int> all_variables;
   std::vector<std::uint8_t> all_bodies;
   /// By worker.
