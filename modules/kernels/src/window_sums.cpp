@@ -14,20 +14,20 @@ namespace hn = hwy::HWY_NAMESPACE;
 using NumberTag = hn::CappedTag<std::int16_t, kWindowBlock>;
 using Number = hn::Vec<NumberTag>;
 
-/// kRows rows of as many columns as a vector has lanes, kept in registers.
-template <std::size_t kRows>
+/// Some rows of as many columns as a vector has lanes, kept in registers.
+template <std::size_t Rows>
 HWY_INLINE void add_strip(const Windows& windows, const std::size_t row, const std::size_t column,
                           std::int16_t* const sums) {
   const NumberTag tag;
-  Number sum[kRows];
-  for (std::size_t i = 0; i < kRows; ++i) sum[i] = hn::Zero(tag);
+  Number sum[Rows];
+  for (std::size_t i = 0; i < Rows; ++i) sum[i] = hn::Zero(tag);
   for (const std::int16_t* const first : windows.first) {
     const std::int16_t* const from = first + row * windows.next_row + column;
-    for (std::size_t i = 0; i < kRows; ++i) {
+    for (std::size_t i = 0; i < Rows; ++i) {
       sum[i] = hn::Add(sum[i], hn::LoadU(tag, from + i * windows.next_row));
     }
   }
-  for (std::size_t i = 0; i < kRows; ++i) {
+  for (std::size_t i = 0; i < Rows; ++i) {
     hn::StoreU(sum[i], tag, sums + (row + i) * windows.columns + column);
   }
 }
