@@ -17,9 +17,8 @@ struct HeightMap {
   int height;
   Eigen::Vector2d corner;  ///< centre of cell (0, 0), plane frame
   double cell_size;
-  std::vector<float>
-      heights;                ///< metres; far below where the camera saw through, NaN where nothing
-  std::vector<float> sigmas;  ///< standard deviations of the heights
+  std::vector<float> heights;  ///< metres; far below: seen through; NaN: nothing known
+  std::vector<float> sigmas;   ///< standard deviations of the heights
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

@@ -35,62 +35,86 @@ bool is_measured(const CoarseView& view, int u, int v) {
   return view.contains(u, v) && view.depth[view.index(u, v)] > 0.0F;
 }
 
+/// Goes over the outline of what is drawn.
+class OutlineSurvey {
+ public:
+  OutlineSurvey(const RenderedDepth& image, const CoarseView& view, double noise, double slack)
+      : image_(image),
+        view_(view),
+        noise_(noise),
+        slack_(slack),
+        stretches_(stretch_index(image, image.width, image.height, 1, 1) + 1) {}
+
+  /// From a pixel of what is drawn to its neighbour.
+  void look_across(int u, int v, int du, int dv) {
+    if (!view_.contains(u + du, v + dv) || image_.id[image_.index(u + du, v + dv)] != kNothing) {
+      return;
+    }
+    const std::size_t here = image_.index(u, v);
+    const double pixel_size = double{image_.depth[here]} / view_.camera.fx;
+    const int reach = 1 + static_cast<int>(std::ceil(slack_ / pixel_size));
+    const int in_u = u - reach * du;
+    const int in_v = v - reach * dv;
+    const int out_u = u + (reach + 1) * du;
+    const int out_v = v + (reach + 1) * dv;
+    if (!view_.contains(in_u, in_v) || !view_.contains(out_u, out_v)) return;
+    const std::size_t in = image_.index(in_u, in_v);
+    const std::size_t out = image_.index(out_u, out_v);
+    if (image_.id[in] != image_.id[here] || image_.id[out] != kNothing) return;
+    const auto z_in = static_cast<double>(view_.depth[in]);
+    const auto z_out = static_cast<double>(view_.depth[out]);
+    if (!(z_in > 0.0) && !is_measured(view_, u - 3 * reach * du, v - 3 * reach * dv)) {
+      unseen_ += 1.0;
+    }
+    if (!(z_in > 0.0 && z_out > 0.0)) return;
+    const double w_here = 1.0 / double{image_.depth[here]};
+    const double w_in = 1.0 / double{image_.depth[in]};
+    const double off = std::abs(1.0 / z_in - w_in) / (w_in * w_in);
+    if (off > 3.0 * (slack_ + noise_ / (w_in * w_in))) return;  // not this surface's outline
+    const double slope = (w_here - w_in) / reach;
+    // How much nearer the measured surface is than its continuation, standard deviations.
+    const double nearer = (1.0 / z_out - 1.0 / z_in - slope * (2.0 * reach + 1.0)) / (1.5 * noise_);
+    if (nearer > 2.0) return;  // an occluder, or what the model stands on
+    Stretch& stretch = stretches_[stretch_index(image_, u, v, du, dv)];
+    stretch.sum += std::max(nearer, -kFarBehind);
+    stretch.count += 1.0;
+  }
+
+  double share_that_continues() const {
+    double continues = kUnseen * unseen_;
+    double ends = kOutlinePrior;
+    for (const Stretch& stretch : stretches_) {
+      if (stretch.count == 0.0) continue;
+      // Neighbours err alike, so that a mean is never better than that of a few.
+      const double step = stretch.sum / stretch.count * std::sqrt(std::min(stretch.count, 4.0));
+      const double same = std::exp(-0.5 * step * step);
+      continues += same * stretch.count;
+      ends += (1.0 - same) * stretch.count;
+    }
+    return continues / (continues + ends);
+  }
+
+ private:
+  const RenderedDepth& image_;
+  const CoarseView& view_;
+  double noise_;
+  double slack_;
+  std::vector<Stretch> stretches_;
+  double unseen_ = 0.0;  ///< pixels of the outline
+};
+
 }  // namespace
 
 double share_that_continues(const RenderedDepth& image, const CoarseView& view, double noise,
                             double slack) {
-  double unseen = 0.0;
-  std::vector<Stretch> stretches(stretch_index(image, image.width, image.height, 1, 1) + 1);
+  OutlineSurvey survey(image, view, noise, slack);
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
-      const std::size_t here = image.index(u, v);
-      if (image.id[here] == kNothing) continue;
-      for (const auto& [du, dv] : kNeighbours) {
-        if (!view.contains(u + du, v + dv) || image.id[image.index(u + du, v + dv)] != kNothing) {
-          continue;
-        }
-        const double pixel_size = double{image.depth[here]} / view.camera.fx;
-        const int reach = 1 + static_cast<int>(std::ceil(slack / pixel_size));
-        const int in_u = u - reach * du;
-        const int in_v = v - reach * dv;
-        const int out_u = u + (reach + 1) * du;
-        const int out_v = v + (reach + 1) * dv;
-        if (!view.contains(in_u, in_v) || !view.contains(out_u, out_v)) continue;
-        const std::size_t in = image.index(in_u, in_v);
-        const std::size_t out = image.index(out_u, out_v);
-        if (image.id[in] != image.id[here] || image.id[out] != kNothing) continue;
-        const auto z_in = static_cast<double>(view.depth[in]);
-        const auto z_out = static_cast<double>(view.depth[out]);
-        if (!(z_in > 0.0) && !is_measured(view, u - 3 * reach * du, v - 3 * reach * dv)) {
-          unseen += 1.0;
-        }
-        if (!(z_in > 0.0 && z_out > 0.0)) continue;
-        const double w_here = 1.0 / double{image.depth[here]};
-        const double w_in = 1.0 / double{image.depth[in]};
-        const double off = std::abs(1.0 / z_in - w_in) / (w_in * w_in);
-        if (off > 3.0 * (slack + noise / (w_in * w_in))) continue;  // not this surface's outline
-        const double slope = (w_here - w_in) / reach;
-        // How much nearer the measured surface is than its continuation, standard deviations.
-        const double nearer =
-            (1.0 / z_out - 1.0 / z_in - slope * (2.0 * reach + 1.0)) / (1.5 * noise);
-        if (nearer > 2.0) continue;  // an occluder, or what the model stands on
-        Stretch& stretch = stretches[stretch_index(image, u, v, du, dv)];
-        stretch.sum += std::max(nearer, -kFarBehind);
-        stretch.count += 1.0;
-      }
+      if (image.id[image.index(u, v)] == kNothing) continue;
+      for (const auto& [du, dv] : kNeighbours) survey.look_across(u, v, du, dv);
     }
   }
-  double continues = kUnseen * unseen;
-  double ends = kOutlinePrior;
-  for (const Stretch& stretch : stretches) {
-    if (stretch.count == 0.0) continue;
-    // Neighbours err alike, so that a mean is never better than that of a few.
-    const double step = stretch.sum / stretch.count * std::sqrt(std::min(stretch.count, 4.0));
-    const double same = std::exp(-0.5 * step * step);
-    continues += same * stretch.count;
-    ends += (1.0 - same) * stretch.count;
-  }
-  return continues / (continues + ends);
+  return survey.share_that_continues();
 }
 
 }  // namespace lockbox

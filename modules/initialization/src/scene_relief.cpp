@@ -37,7 +37,7 @@ Score cell_score(const Expectation& expected, float height, float sigma) {
   return static_cast<Score>(std::max(fitting, above > below ? kCovered : kSeenThrough));
 }
 
-/// Truncating is many times faster than the library's rounding, which this loop would wait for.
+/// Truncates: the library's rounding is a call, which took a thirtieth of a search.
 int nearest_cell(float position) {
   constexpr int kBeyondAll = 4096;  // makes positions positive; maps are much smaller
   return static_cast<int>(position + (kBeyondAll + 0.5F)) - kBeyondAll;

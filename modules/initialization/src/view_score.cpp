@@ -10,15 +10,9 @@
 namespace lockbox {
 namespace {
 
-// Of one pixel.
-constexpr double kOccluded = -0.15;
-constexpr double kSeenThrough = -6.0;
-constexpr double kFallOff = 0.22;    // a deviation of three standard deviations costs two
-constexpr double kSteepest = 5.0;    // tangent of the incidence beyond which surfaces count alike
-constexpr double kContinuing = 8.0;  // exponent: how fast an outline that goes on takes belief
-constexpr double kContinuingAtLast = 12.0;  // when answers are compared
-constexpr double kInViewEnough = 0.5;       // of the surface; with less in view, doubt grows
-constexpr double kSamples = 200.0;          // of each body's surface
+constexpr double kFallOff = 0.22;   // a deviation of three standard deviations costs two
+constexpr double kSteepest = 5.0;   // tangent of the incidence beyond which surfaces count alike
+constexpr double kSamples = 200.0;  // of each body's surface
 
 constexpr float kContrastGate = 6.0F;  // standard deviations of a pixel
 
@@ -184,22 +178,6 @@ double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
   return facing > 0.0 ? inside / facing : 0.0;
 }
 
-double ViewEvidence::total(double tolerance) const {
-  const double visible = std::min(1.0, in_view / kInViewEnough);
-  const double believed = 1.0 - std::pow(continues, 1.5);
-  return (explained * std::pow(believed, (1.0 - 0.7 * tolerance) * kContinuing) +
-          (1.0 - 0.7 * tolerance) * kSeenThrough * contradicted +
-          (1.0 - tolerance) * kOccluded * occluded) *
-         visible * visible;
-}
-
-double ViewEvidence::conviction() const {
-  const double share = measured > 0.0 ? explained / measured : 0.0;
-  const double pixels = explained * std::pow(1.0 - continues, kContinuingAtLast) +
-                        kSeenThrough * contradicted + kOccluded * occluded;
-  return std::sqrt(std::max(0.0, pixels * share * in_view));
-}
-
 /// Of what whole_ shows.
 ViewEvidence ViewScore::count_pixels(double slack) const {
   const RenderedDepth& image = whole_.image;
@@ -235,8 +213,7 @@ ViewEvidence ViewScore::evidence(const Configuration& configuration, double slac
 double ViewScore::fit(const Configuration& configuration, double slack) {
   nearest_reach_ = 0.0;
   draw(configuration, std::vector<std::uint8_t>(tree_.bodies.size(), 1), whole_);
-  const ViewEvidence evidence = count_pixels(slack);
-  return evidence.explained + kSeenThrough * evidence.contradicted + kOccluded * evidence.occluded;
+  return count_pixels(slack).fit();
 }
 
 std::vector<double> ViewScore::scan(const Configuration& configuration, int variable,

@@ -12,27 +12,9 @@
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
+#include "view_evidence.hpp"
 
 namespace lockbox {
-
-/// What speaks for a configuration and against it.
-struct ViewEvidence {
-  double measured = 0.0;      ///< pixels of the view that show the model and have a depth
-  double explained = 0.0;     ///< of them, weighted by how well
-  double contradicted = 0.0;  ///< pixels that the camera saw through
-  double occluded = 0.0;      ///< pixels with something in front
-  double continues = 0.0;     ///< share of the outline beyond which the surface goes on
-  double in_view = 0.0;       ///< share of the surface that faces the camera: within the image
-
-  /// The larger, the better, among guesses that are still to be refined; tolerance: 1 before
-  /// anything is refined, 0 when all is.
-  double total(double tolerance) const;
-
-  /// The larger, the more convincing an answer, among ones that have nothing to do with each other.
-  /// Pixels that go together are no independent witnesses, so their root counts: a near box of
-  /// which only a side is in view shows more of them than a far object that is seen entirely.
-  double conviction() const;
-};
 
 /// Draws on one thread; reuses its buffers. Tree and view are referred to.
 class ViewScore {

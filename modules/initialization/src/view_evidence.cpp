@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lockbox {
+namespace {
+
+constexpr double kContinuing = 8.0;  // exponent: how fast an outline that goes on takes belief
+constexpr double kContinuingAtLast = 12.0;  // when answers are compared
+constexpr double kInViewEnough = 0.5;       // of the surface; with less in view, doubt grows
+
+}  // namespace
+
+double ViewEvidence::fit() const {
+  return explained + kSeenThrough * contradicted + kOccluded * occluded;
+}
+
+double ViewEvidence::total(double tolerance) const {
+  const double visible = std::min(1.0, in_view / kInViewEnough);
+  const double believed = 1.0 - std::pow(continues, 1.5);
+  return (explained * std::pow(believed, (1.0 - 0.7 * tolerance) * kContinuing) +
+          (1.0 - 0.7 * tolerance) * kSeenThrough * contradicted +
+          (1.0 - tolerance) * kOccluded * occluded) *
+         visible * visible;
+}
+
+double ViewEvidence::conviction() const {
+  const double share = measured > 0.0 ? explained / measured : 0.0;
+  const double pixels = explained * std::pow(1.0 - continues, kContinuingAtLast) +
+                        kSeenThrough * contradicted + kOccluded * occluded;
+  return std::sqrt(std::max(0.0, pixels * share * in_view));
+}
+
+}  // namespace lockbox
