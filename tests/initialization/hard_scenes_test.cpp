@@ -35,6 +35,7 @@ TEST_P(HardScenes, AreRight) {
 INSTANTIATE_TEST_SUITE_P(
     Initializer, HardScenes,
     ::testing::Values(HardScene{"FlatBoxBeforeAnEmptyBackground", "cabinet", 5, 22},
+                      HardScene{"OpenDoorThatShowsWhatLiesDeep", "cabinet", 11, 22},
                       HardScene{"NearFlatBoxOfWhichASideIsInView", "rigid_block", 11, 17},
                       HardScene{"BoxThatPullsTheBoardAway", "lockbox", 11, 28}),
     [](const auto& scene) { return std::string(scene.param.what); });

@@ -24,10 +24,11 @@ class Occluders : public ::testing::Test {
     return configuration;
   }();
 
-  /// From where tracking would start.
-  RegistrationResult registered(const Scene& scene) const {
+  /// From where tracking would start, unless told.
+  RegistrationResult registered(const Scene& scene,
+                                const Annealing& annealing = {0.003, 15, false, 3}) const {
     ArticulatedRegistration registration(model_, {}, Executor());
-    return registration.align(seen(model_, truth_, scene), truth_, {0.003, 15, false, 3});
+    return registration.align(seen(model_, truth_, scene), truth_, annealing);
   }
 
   Eigen::VectorXd difference(const Configuration& a, const Configuration& b) const {
@@ -84,6 +85,26 @@ TEST_F(Occluders, InFrontMoveNoEstimateByMoreThanTheNoise) {
     }
   }
   EXPECT_LT(squares, count);
+}
+
+TEST_F(Occluders, ThatHideMostDoNotPullWhileGatesAreWide) {
+  constexpr double kSpread = 0.015;
+  for (const double side : {-1.0, 1.0}) {
+    for (const double tilt : {-0.1, 0.0, 0.1}) {
+      Scene scene = wall_behind(0.6);
+      SceneBox plank = box_at(0.0, 0.0, 0.0);
+      plank.size = {1.6, 0.6, 0.04};
+      const double lowest_edge = 0.3 * std::abs(std::sin(tilt)) + 0.02;  // under its middle
+      plank.pose = Eigen::Translation3d(0.0, 0.1 * side, highest() + 0.03 + lowest_edge) *
+                   Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitX());
+      scene.boxes.push_back(plank);
+      const RegistrationResult hidden = registered(scene, {kSpread, 8});
+      const Twist moved =
+          log_se3(truth_.T_camera_base.inverse() * hidden.configuration.T_camera_base);
+      EXPECT_LT(moved.head<3>().norm(), 0.001) << "side " << side << ", tilted by " << tilt;
+      EXPECT_LT(moved.tail<3>().norm(), 0.002) << "side " << side << ", tilted by " << tilt;
+    }
+  }
 }
 
 TEST_F(Occluders, ThatTouchMoveNoEstimateByMoreThanThreeSigma) {

@@ -12,7 +12,6 @@ constexpr float kSlack = 0.006F;  // metres that plane and relief may be off
 constexpr float kGate = 3.0F;     // standard deviations
 constexpr int kMostCells = 224;   // along each side, without margins
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-constexpr float kBelow = -1e3F;
 
 Eigen::AlignedBox2d region_bounds(const CoarseView& view, const PlanarRegion& region,
                                   const Eigen::Isometry3d& T_plane_camera) {
@@ -49,7 +48,7 @@ void look_through(const CoarseView& view, const Eigen::Isometry3d& T_camera_plan
       const auto over = static_cast<float>(normal.dot((z - p.z()) * ray));
       const std::size_t i = map.index(x, y);
       if (over > kGate * sigma) continue;  // something in front: it lies over another cell
-      map.heights[i] = over < -kGate * sigma - 0.05F ? kBelow : over;
+      map.heights[i] = over < -kGate * sigma - kDeepest ? kBelow : over;
       map.sigmas[i] = sigma;
     }
   }

@@ -11,13 +11,18 @@
 
 namespace lockbox {
 
+/// Metres under the plane to which heights are told apart. What is seen deeper through a cell lies
+/// far from it in the map, as the view is oblique: its height is kBelow.
+inline constexpr float kDeepest = 0.05F;
+inline constexpr float kBelow = -1e3F;
+
 /// What stands over a plane, in the plane's frame.
 struct HeightMap {
   int width;
   int height;
   Eigen::Vector2d corner;  ///< centre of cell (0, 0), plane frame
   double cell_size;
-  std::vector<float> heights;  ///< metres; far below: seen through; NaN: nothing known
+  std::vector<float> heights;  ///< metres, or kBelow; NaN: nothing known
   std::vector<float> sigmas;   ///< standard deviations of the heights
 
   std::size_t index(int x, int y) const {

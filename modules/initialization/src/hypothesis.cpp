@@ -18,9 +18,8 @@ bool are_apart(const Hypothesis& a, const Hypothesis& b) {
 
 }  // namespace
 
-bool are_in_one_place(const ModelLevers& levers, const Configuration& a, const Configuration& b) {
-  return (a.T_camera_base * levers.centre - b.T_camera_base * levers.centre).norm() <
-         2.0 * levers.radius;
+double place_distance(const ModelLevers& levers, const Configuration& a, const Configuration& b) {
+  return (a.T_camera_base * levers.centre - b.T_camera_base * levers.centre).norm() / levers.radius;
 }
 
 std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection,
@@ -38,7 +37,8 @@ std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Sel
       return are_apart(hypothesis, other);
     });
     const auto there = std::count_if(kept.begin(), kept.end(), [&](const Hypothesis& other) {
-      return are_in_one_place(levers, hypothesis.configuration, other.configuration);
+      return place_distance(levers, hypothesis.configuration, other.configuration) <
+             selection.place;
     });
     if (is_new && static_cast<std::size_t>(there) < selection.most_in_place) {
       kept.push_back(hypothesis);

@@ -20,11 +20,13 @@ struct Hypothesis {
 struct Selection {
   double least_share;  ///< of the best one's score, if that is positive
   std::size_t most;
-  std::size_t most_in_place;  ///< so that no place crowds out all others
+  double place;               ///< radii of the model across: what counts as one place
+  std::size_t most_in_place;  ///< so that none crowds out all others
 };
 
-/// Whether the model would take the same place in the view: balls around it overlap.
-bool are_in_one_place(const ModelLevers& levers, const Configuration& a, const Configuration& b);
+/// How far apart the model's middle is, in radii of the model; at less than 2 balls around it
+/// overlap.
+double place_distance(const ModelLevers& levers, const Configuration& a, const Configuration& b);
 
 /// The best hypotheses, best first, whose bases are apart: 40 mm or 0.15 radians.
 std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection,

@@ -29,6 +29,7 @@ Score cell_score(const Expectation& expected, float height, float sigma) {
     const bool continues = std::abs(height - expected.low) < 1.5F * sigma;
     return static_cast<Score>(continues ? kContinues : 0.0F);
   }
+  if (height == kBelow && expected.low < -kDeepest) return 0;  // this may be what is expected
   const float above = (height - expected.high) / sigma;
   const float below = (expected.low - height) / sigma;
   const float most = expected.low == expected.high ? kExplained : kInRange;

@@ -24,17 +24,18 @@ constexpr std::size_t kMostRegions = 32;
 constexpr std::size_t kMatchesEach = 8;  // of one relief on one region
 constexpr int kAnchorPositions = 5;      // of a joint between base and a matched side
 
+constexpr bool kHoldJoints = true;
+constexpr int kRounds = 2;  // gates begin anew where the first round has come
 // Coarse steps for a view of coarse pixels; fine ones, with what real objects differ from their
 // models by.
 const ClimbPlan kClimbFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
 const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
-constexpr std::size_t kMostClimbs = 12;
-constexpr double kWorthClimbing = 0.5;  // of the best one's score
 
 // What stages keep: before joints are known, less says little.
-constexpr Selection kMatched{0.1, 96, 96};
-constexpr Selection kPlaced{0.1, 32, 32};
-constexpr Selection kPosed{0.25, 4, 3};
+constexpr double kSamePlace = 2.0;  // radii: balls around the model overlap
+constexpr Selection kMatched{0.1, 96, 0.5, 16};
+constexpr Selection kPlaced{0.1, 32, 0.5, 6};
+constexpr Selection kPosed{0.25, 4, kSamePlace, 3};
 
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
 std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
@@ -136,7 +137,7 @@ std::vector<Hypothesis> Initializer::Workspace::match(const CoarseView& view) {
 void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses) {
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis refined = hypotheses[i];
-    align_base(0.025, 4, refined.configuration);
+    align_coarsely(0.025, 4, refined.configuration, kHoldJoints);
     refined.score = judge(refined, 0.01, 1.0);
     hypotheses[i].score = judge(hypotheses[i], 0.01, 1.0);
     // Joints that stand elsewhere than assumed may have pulled the base away.
@@ -148,26 +149,16 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses) {
   hypotheses = best_apart(std::move(hypotheses), kPlaced, levers);
 }
 
-/// All joints sought over their ranges.
+/// All joints sought over their ranges, then moved together with the base.
 void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses) {
-  const double worth_climbing = hypotheses.empty() ? 0.0 : kWorthClimbing * hypotheses[0].score;
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
-    const bool is_climbed = i < kMostClimbs && hypothesis.score >= worth_climbing;
     scan_joints(model.tree, score(), all_variables, 0.01, kScan, hypothesis.configuration);
     hypothesis.score = judge_closely(hypothesis.configuration, 0.006);
     Hypothesis refined = hypothesis;
-    align_base(0.015, 5, refined.configuration);
-    scan_joints(model.tree, score(), all_variables, 0.006, kScan, refined.configuration);
+    for (int round = 0; round < kRounds; ++round) align_coarsely(0.015, 8, refined.configuration);
     refined.score = judge_closely(refined.configuration, 0.006);
-    // What stands before the object may pull a registration away from it, but not a drawing.
-    Hypothesis climbed = hypothesis;
-    if (is_climbed) {
-      climb(model.tree, std::span(&score(), 1), Executor(1), kClimbFar, climbed.configuration);
-      climbed.score = judge_closely(climbed.configuration, 0.006);
-    }
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
-    if (climbed.score > hypothesis.score) hypothesis = std::move(climbed);
   });
   hypotheses = best_apart(std::move(hypotheses), kPosed, levers);
 }
@@ -177,13 +168,16 @@ void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses) {
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
     Hypothesis refined = hypothesis;
-    refined.configuration = coarse[Executor::worker()]
-                                .align(coarse_cloud, hypothesis.configuration, {0.005, 6})
-                                .configuration;
+    align_coarsely(0.005, 6, refined.configuration);
     scan_joints(model.tree, score(), all_variables, 0.004, kScan, refined.configuration);
     refined.score = judge_closely(refined.configuration, kFineSlack);
+    // What stands before the object may pull a registration along it, but not a drawing.
+    Hypothesis climbed = hypothesis;
+    climb(model.tree, std::span(&score(), 1), Executor(1), kClimbFar, climbed.configuration);
+    climbed.score = judge_closely(climbed.configuration, kFineSlack);
     hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
+    if (climbed.score > hypothesis.score) hypothesis = std::move(climbed);
   });
   hypotheses = best_apart(std::move(hypotheses), kPosed, levers);
 }
@@ -254,8 +248,8 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
     const auto best_there =
         std::find_if(answers.begin(), answers.begin() + static_cast<std::ptrdiff_t>(i + 1),
                      [&](const Answer& other) {
-                       return are_in_one_place(levers, other.candidate.configuration,
-                                               answer.candidate.configuration);
+                       return place_distance(levers, other.candidate.configuration,
+                                             answer.candidate.configuration) < kSamePlace;
                      });
     if (best_there->total > answer.total) {
       answer.candidate.score = best_there->candidate.score * answer.total / best_there->total;
@@ -268,11 +262,10 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
   return candidates;
 }
 
-void Initializer::Workspace::align_base(double spread, int iterations,
-                                        Configuration& configuration) {
-  constexpr bool kHoldJoints = true;
+void Initializer::Workspace::align_coarsely(double spread, int iterations,
+                                            Configuration& configuration, bool hold_joints) {
   configuration = coarse[Executor::worker()]
-                      .align(coarse_cloud, configuration, {spread, iterations, kHoldJoints})
+                      .align(coarse_cloud, configuration, {spread, iterations, hold_joints})
                       .configuration;
 }
 

@@ -43,7 +43,8 @@ struct Initializer::Workspace {
   void add_matched(const ModelRelief& relief, const ReliefMatch& match,
                    std::vector<Hypothesis>& hypotheses) const;
   void align_if_better(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses);
-  void align_base(double spread, int iterations, Configuration& configuration);
+  void align_coarsely(double spread, int iterations, Configuration& configuration,
+                      bool hold_joints = false);
   double judge(const Hypothesis& hypothesis, double slack, double tolerance);
   double judge_closely(const Configuration& configuration, double slack);
   ViewScore& score() { return scores[Executor::worker()]; }

@@ -81,21 +81,24 @@ HWY_INLINE Float density2(const Hit& hit, const Float stretch) {
                  hn::Exp(df, hn::Max(hn::Neg(s), hn::Set(df, -80.0F))));
 }
 
-/// Whether the rays are predicted to meet the body near the points, but not in the nearest surface:
-/// that, taken for a plane, would pass through the predicted point.
-HWY_INLINE hn::Mask<FloatTag> is_open(const Hit& hit, const PointNoise& noise, const Float z,
-                                      const Float predicted, const float cut) {
+/// Whether what lies `off` behind the points on their rays is within their reach.
+HWY_INLINE hn::Mask<FloatTag> is_within_reach(const PointNoise& noise, const Float z,
+                                              const Float off, const float cut) {
   const FloatTag df;
   const Float depth_sigma = sigma_z(noise, z);
   const Float variance =
       hn::MulAdd(depth_sigma, depth_sigma, hn::Set(df, noise.spread * noise.spread));
-  const Float off = hn::Sub(predicted, z);
-  const auto is_near = hn::Lt(hn::Mul(off, off), hn::Mul(hn::Set(df, cut * cut), variance));
+  return hn::Lt(hn::Mul(off, off), hn::Mul(hn::Set(df, cut * cut), variance));
+}
+
+/// Whether the nearest surface, taken for a plane, passes through the points that lie `off` behind
+/// on the rays.
+HWY_INLINE hn::Mask<FloatTag> is_same_plane(const Hit& hit, const Float z, const Float off) {
+  const FloatTag df;
   const Float missed = hn::MulAdd(hn::Div(off, z), hit.along, hit.distance);
   const Float missed2 = hn::Mul(hn::Mul(missed, missed), hit.inverse_variance);
   const auto explains = hn::Gt(hit.inverse_variance, hn::Zero(df));
-  const auto is_same = hn::And(explains, hn::Lt(missed2, hn::Set(df, kSamePlane * kSamePlane)));
-  return hn::AndNot(is_same, is_near);
+  return hn::And(explains, hn::Lt(missed2, hn::Set(df, kSamePlane * kSamePlane)));
 }
 
 /// Replaces the nearest surface by the planes that the rays meet, where those are more likely.

@@ -49,8 +49,13 @@ bool look_up_points(const FieldView& field, const RigidMotion& motion, const Poi
     hn::StoreU(hn::IfThenElse(hit.inside, hit.distance, hn::Set(df, kPadding)), df,
                hits.nearest + i);
     const Float depth = hn::LoadU(df, predicted.depth + i);
+    const Float off = hn::Sub(depth, p[2]);
     const auto shows_body = hn::Eq(hn::LoadU(df, predicted.body + i), hn::Set(df, body));
-    const auto competes = hn::And(shows_body, is_open(hit, noise, p[2], depth, cut));
+    const auto is_near = is_within_reach(noise, p[2], off, cut);
+    const auto stands_before = hn::AndNot(is_near, hn::Gt(off, hn::Zero(df)));
+    hit.inverse_variance =
+        hn::IfThenZeroElse(hn::And(shows_body, stands_before), hit.inverse_variance);
+    const auto competes = hn::And(shows_body, hn::AndNot(is_same_plane(hit, p[2], off), is_near));
     if (!hn::AllFalse(df, competes)) {
       const auto wins = let_rays_compete(field, motion, noise, p, depth, competes, hit);
       store_planes(hit, wins, planes, i);
