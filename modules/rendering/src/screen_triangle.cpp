@@ -14,10 +14,10 @@ Edge edge_between(const Vertex& top, const Vertex& bottom) {
   return {top.u, top.v, rows > 0.0 ? (bottom.u - top.u) / rows : 0.0};
 }
 
-void append_projected(const PinholeCamera& camera, const Vertex& a, const Vertex& b,
-                      const Vertex& c, std::int16_t id, std::vector<ScreenTriangle>& triangles) {
-  const auto [left, right] = std::minmax({a.u, b.u, c.u});
-  if (first_centre(left, camera.width) == first_centre(right, camera.width)) {
+void append_projected(const Vertex& a, const Vertex& b, const Vertex& c, std::int16_t id,
+                      std::vector<ScreenTriangle>& triangles) {
+  // Most triangles of a fine mesh lie between pixel centres.
+  if ((a.column == b.column && a.column == c.column) || (a.row == b.row && a.row == c.row)) {
     return;
   }
   std::array<const Vertex*, 3> sorted = {&a, &b, &c};
@@ -27,12 +27,9 @@ void append_projected(const PinholeCamera& camera, const Vertex& a, const Vertex
   const Vertex& middle = *sorted[1];
   const Vertex& bottom = *sorted[2];
   ScreenTriangle t;
-  t.first_row = first_centre(top.v, camera.height);
-  t.middle_row = first_centre(middle.v, camera.height);
-  t.end_row = first_centre(bottom.v, camera.height);
-  if (t.first_row == t.end_row) {
-    return;
-  }
+  t.first_row = top.row;
+  t.middle_row = middle.row;
+  t.end_row = bottom.row;
 
   const double middle_u = middle.u - top.u;
   const double middle_v = middle.v - top.v;
@@ -76,8 +73,9 @@ Vertex crossing(const PinholeCamera& camera, double near, const Vertex& behind,
 
 Vertex projected(const PinholeCamera& camera, const Eigen::Vector3d& p_camera) {
   const double inverse_z = 1.0 / p_camera.z();
-  return {p_camera, camera.fx * p_camera.x() * inverse_z + camera.cx,
-          camera.fy * p_camera.y() * inverse_z + camera.cy, inverse_z};
+  const double u = camera.fx * p_camera.x() * inverse_z + camera.cx;
+  const double v = camera.fy * p_camera.y() * inverse_z + camera.cy;
+  return {p_camera, u, v, inverse_z, first_centre(u, camera.width), first_centre(v, camera.height)};
 }
 
 void append_screen_triangles(const PinholeCamera& camera, double near, const Vertex& a,
@@ -87,20 +85,20 @@ void append_screen_triangles(const PinholeCamera& camera, double near, const Ver
   const auto visible = [near](const Vertex* vertex) { return vertex->p_camera.z() >= near; };
   const auto count = std::count_if(v.begin(), v.end(), visible);
   if (count == 3) {
-    append_projected(camera, a, b, c, id, triangles);
+    append_projected(a, b, c, id, triangles);
   } else if (count == 2) {
     while (visible(v[2])) {
       std::rotate(v.begin(), v.begin() + 1, v.end());
     }
     const Vertex d = crossing(camera, near, *v[1], *v[2]);
     const Vertex e = crossing(camera, near, *v[0], *v[2]);
-    append_projected(camera, *v[0], *v[1], d, id, triangles);
-    append_projected(camera, *v[0], d, e, id, triangles);
+    append_projected(*v[0], *v[1], d, id, triangles);
+    append_projected(*v[0], d, e, id, triangles);
   } else if (count == 1) {
     while (!visible(v[0])) {
       std::rotate(v.begin(), v.begin() + 1, v.end());
     }
-    append_projected(camera, *v[0], crossing(camera, near, *v[0], *v[1]),
+    append_projected(*v[0], crossing(camera, near, *v[0], *v[1]),
                      crossing(camera, near, *v[0], *v[2]), id, triangles);
   }
 }

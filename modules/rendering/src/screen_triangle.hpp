@@ -17,6 +17,8 @@ struct Vertex {
   double u;
   double v;
   double inverse_z;
+  int column;  ///< of the first pixel centres that are not before it, nor outside of the image
+  int row;
 };
 
 Vertex projected(const PinholeCamera& camera, const Eigen::Vector3d& p_camera);
