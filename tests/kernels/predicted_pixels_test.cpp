@@ -88,16 +88,14 @@ class SomethingBefore : public SeenSphere {
     x.fill(0.0F);
     y.fill(0.0F);
     z.fill(kBefore);
+    predicted_body.fill(kBody);
+    predicted_depth.fill(kFarBehind);
   }
 };
 
 TEST_F(SomethingBefore, WhatThePixelShowsOfTheBodyExplainsNothing) {
-  predicted_body[0] = kBody;
-  predicted_depth[0] = kFarBehind;
-  predicted_body[1] = kBody;
-  predicted_depth[1] = kFarBehind - 2.0F * (kFarBehind - kBefore);  // as far before the point
+  predicted_depth[1] = kBefore - (kFarBehind - kBefore);  // as far before the point
   predicted_body[2] = kBody + 1.0F;
-  predicted_depth[2] = kFarBehind;
   look_up_all();
   EXPECT_EQ(inverse_variance[0], 0.0F);
   EXPECT_GT(inverse_variance[1], 0.0F);
@@ -105,9 +103,13 @@ TEST_F(SomethingBefore, WhatThePixelShowsOfTheBodyExplainsNothing) {
 }
 
 TEST_F(SomethingBefore, WhatMayBeAsFarOffStillExplains) {
-  predicted_body.fill(kBody);
-  predicted_depth.fill(kFarBehind);
   noise.spread = 1.1F * (kFarBehind - kBefore) / kCut;
+  look_up_all();
+  EXPECT_GT(inverse_variance[0], 0.0F);
+}
+
+TEST_F(SomethingBefore, TheEdgeOfAGrooveStillExplains) {
+  predicted_depth.fill(kBefore + 0.03F);
   look_up_all();
   EXPECT_GT(inverse_variance[0], 0.0F);
 }

@@ -14,6 +14,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
 
+// Metres that something else stands before a body. The edge of one of its own grooves may be nearer
+// than the groove that a pixel beside it is predicted to show.
+constexpr float kClearlyBefore = 0.05F;
+
 HWY_INLINE void store(const Hit& hit, const FieldHits& hits, std::size_t i) {
   const FloatTag df;
   hn::StoreU(hn::IfThenElse(hit.inside, hit.distance, hn::Set(df, kPadding)), df,
@@ -52,7 +56,7 @@ bool look_up_points(const FieldView& field, const RigidMotion& motion, const Poi
     const Float off = hn::Sub(depth, p[2]);
     const auto shows_body = hn::Eq(hn::LoadU(df, predicted.body + i), hn::Set(df, body));
     const auto is_near = is_within_reach(noise, p[2], off, cut);
-    const auto stands_before = hn::AndNot(is_near, hn::Gt(off, hn::Zero(df)));
+    const auto stands_before = hn::AndNot(is_near, hn::Gt(off, hn::Set(df, kClearlyBefore)));
     hit.inverse_variance =
         hn::IfThenZeroElse(hn::And(shows_body, stands_before), hit.inverse_variance);
     const auto competes = hn::And(shows_body, hn::AndNot(is_same_plane(hit, p[2], off), is_near));

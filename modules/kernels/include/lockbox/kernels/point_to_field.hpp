@@ -86,9 +86,9 @@ inline constexpr float kNoPlane = 1e30F;
 /// Planes that win are written to `planes`, other points are left as they are there. Returns
 /// whether any won.
 ///
-/// A point that lies more than cut standard deviations before what its pixel is predicted to show
-/// of the body gets inverse_variance 0, too: something stands before the body there, however near
-/// to another side of it.
+/// A point that lies more than cut standard deviations, and 50 mm, before what its pixel is
+/// predicted to show of the body gets inverse_variance 0, too: something else stands there, however
+/// near to another side of the body.
 bool look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
              const PointSpan& points, const PredictedPixels& predicted, float body, float cut,
              const FieldHits& hits, const BodyPlanes& planes);
