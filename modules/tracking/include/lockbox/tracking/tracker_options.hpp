@@ -35,7 +35,7 @@ struct TrackerOptions {
   /// the part that is explained or contradicted; of each body, too, for or against which at least
   /// so many pixels speak. Right bodies reach 0.93.
   double least_explained = 0.15;
-  double least_agreement = 0.85;
+  double least_agreement = 0.9;
   double least_body_agreement = 0.75;
   double least_body_pixels = 80.0;
   double most_continued = 0.85;  ///< of the outline: there the scene goes on as the model's surface
