@@ -26,6 +26,7 @@ constexpr int kAnchorPositions = 5;      // of a joint between base and a matche
 
 constexpr bool kHoldJoints = true;
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
+
 // Coarse steps for a view of coarse pixels; fine ones, with what real objects differ from their
 // models by.
 const ClimbPlan kClimbFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
@@ -67,6 +68,27 @@ struct Answer {
   Candidate candidate;
   double total;  ///< of the evidence
 };
+
+/// Answers in the same place compete for the same pixels: there the one that explains more is
+/// better. Places are compared by how convincing the best answer in each is. Best first.
+std::vector<Candidate> compared_by_place(std::vector<Answer> answers, const ModelLevers& levers) {
+  std::stable_sort(answers.begin(), answers.end(),
+                   [](const Answer& a, const Answer& b) { return a.total > b.total; });
+  std::vector<Candidate> candidates;
+  for (auto answer = answers.begin(); answer != answers.end(); ++answer) {
+    const auto best_there = std::find_if(answers.begin(), answer, [&](const Answer& other) {
+      return place_distance(levers, other.candidate.configuration,
+                            answer->candidate.configuration) < kSamePlace;
+    });
+    if (best_there->total > answer->total) {
+      answer->candidate.score = best_there->candidate.score * answer->total / best_there->total;
+    }
+    candidates.push_back(answer->candidate);
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  return candidates;
+}
 
 }  // namespace
 
@@ -226,8 +248,6 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
   hypotheses = best_apart(std::move(hypotheses), kPosed, levers);  // some have met
 }
 
-/// Answers in the same place compete for the same pixels: there the one that explains more is
-/// better. Places are compared by how convincing the best answer in each is.
 std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
                                                     const std::vector<Hypothesis>& hypotheses) {
   std::vector<Answer> answers;
@@ -240,24 +260,7 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
     answers.push_back({{hypothesis.configuration, consent * conviction, result.agreement},
                        consent * hypothesis.score});
   }
-  std::stable_sort(answers.begin(), answers.end(),
-                   [](const Answer& a, const Answer& b) { return a.total > b.total; });
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    Answer& answer = answers[i];
-    const auto best_there =
-        std::find_if(answers.begin(), answers.begin() + static_cast<std::ptrdiff_t>(i + 1),
-                     [&](const Answer& other) {
-                       return place_distance(levers, other.candidate.configuration,
-                                             answer.candidate.configuration) < kSamePlace;
-                     });
-    if (best_there->total > answer.total) {
-      answer.candidate.score = best_there->candidate.score * answer.total / best_there->total;
-    }
-    candidates.push_back(answer.candidate);
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  std::vector<Candidate> candidates = compared_by_place(std::move(answers), levers);
   candidates.resize(std::min(candidates.size(), options.most_candidates));
   return candidates;
 }
