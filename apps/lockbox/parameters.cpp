@@ -74,6 +74,7 @@ NamedValues parameters_in_force(const TrackerOptions& options) {
       {"noise_depth_quadratic", text(registration.noise.depth_quadratic)},
       {"noise_lateral_pixels", text(registration.noise.lateral_pixels)},
       {"noise_correlation", text(registration.noise_correlation)},
+      {"outline_correlation", text(registration.outline_correlation)},
       {"cut", text(registration.cut)},
       {"lambda_free", text(registration.lambda_free)},
       {"free_space_dead_zone", text(registration.free_space_dead_zone)},

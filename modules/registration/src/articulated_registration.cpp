@@ -82,12 +82,11 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   }
   // The covariance, and what the model explains, belong to the solution.
   linearize(cloud, 0.0);
+  result_.at_rest = result_.configuration;
   tile_systems_.clear();
   model_term_.append_tile_systems(tile_systems_);
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
-    // Thinned points have tiles of their own.
-    const std::size_t first_tile = points_ == &thinned_ ? thinned_.tiles().size() : 0;
-    free_term_.append_tile_systems(poses_, first_tile, tile_systems_);
+    refine(cloud.camera(), annealing.hold_joints);
   }
   covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
                        scale_, levers_, held_);
@@ -104,6 +103,32 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.residual_rms =
       totals.points > 0.0 ? std::sqrt(totals.weighted_squares / totals.points) : 0.0;
   return result_;
+}
+
+/// One more step, in which outlines weigh what their pixels are worth. From farther off, such
+/// weights would keep the estimate in wrong minima.
+void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_joints) {
+  const double outline_weight = options_.noise_correlation / options_.outline_correlation;
+  std::fill(systems_.begin(), systems_.end(), BodySystem{});
+  free_term_.add_outlines(poses_, outline_weight - options_.lambda_free, systems_);
+  for (std::size_t b = 0; b < systems_.size(); ++b) {
+    for (NormalEquations* equations : {&data_equations_, &equations_}) {
+      equations->add(systems_[b], jacobians_[b], 1.0 / options_.noise_correlation);
+    }
+  }
+  // Thinned points have tiles of their own.
+  const std::size_t first_tile = points_ == &thinned_ ? thinned_.tiles().size() : 0;
+  free_term_.append_tile_systems(poses_, first_tile, outline_weight, tile_systems_);
+  set_step_limits(hold_joints);
+  const Eigen::VectorXd& step = solver_.solve(equations_, 0.0, limits_, scale_);
+  const double distance = result_.configuration.T_camera_base.translation().norm();
+  if (largest_move(step) > options_.cut * options_.noise.sigma_lateral(distance, camera.fx)) {
+    return;  // outlines were not looked for so far away
+  }
+  apply_step(step, result_.configuration);
+  for (TileSystem& tile : tile_systems_) {
+    tile.gradient += tile.hessian * (jacobians_[static_cast<std::size_t>(tile.body)] * step).eval();
+  }
 }
 
 /// Draws what the configuration shows, and chooses where to look. What lies farther beside that

@@ -124,9 +124,12 @@ void FreeSpaceTerm::select(const Scene& scene, const BodyPoses& T_camera_body, d
   collect_seen_through(scene, T_camera_body);
   aim_seen_through(scene, T_camera_body, spread);
   append_chunk_pulls(scene.samples.chunks().size());
+  first_outline_ = pulls_.size();
   aim_outlines(scene, T_camera_body, spread);
   append_chunk_pulls(scene.outlines.bands());
-  by_body_.assign(pulls_, T_camera_body.size());
+  const std::span<const FreeSpacePull> all(pulls_);
+  seen_through_.assign(all.first(first_outline_), T_camera_body.size());
+  outlines_.assign(all.subspan(first_outline_), T_camera_body.size());
 }
 
 /// Towards what the camera saw around them.
@@ -207,21 +210,34 @@ void FreeSpaceTerm::collect_seen_through(const Scene& scene, const BodyPoses& T_
 double FreeSpaceTerm::linearize(const BodyPoses& T_camera_body, double spread,
                                 std::vector<BodySystem>& systems) {
   spread2_ = spread * spread;
-  for (const PullSet::Block& block : by_body_.blocks()) {
+  add_systems(seen_through_, T_camera_body, lambda_, systems);
+  add_systems(outlines_, T_camera_body, lambda_, systems);
+  return cost(T_camera_body);
+}
+
+void FreeSpaceTerm::add_outlines(const BodyPoses& T_camera_body, double weight,
+                                 std::vector<BodySystem>& systems) const {
+  add_systems(outlines_, T_camera_body, weight, systems);
+}
+
+void FreeSpaceTerm::add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
+                                std::vector<BodySystem>& systems) const {
+  for (const PullSet::Block& block : pulls.blocks()) {
     const auto body = static_cast<std::size_t>(block.body);
     const kernels::NormalSums sums = kernels::accumulate_pulls(
-        by_body_.span(block), to_rigid_motion(T_camera_body[body]), pull_loss());
-    systems[body] += to_system(sums, lambda_, 1.0);
+        pulls.span(block), to_rigid_motion(T_camera_body[body]), pull_loss());
+    systems[body] += to_system(sums, weight, 1.0);
   }
-  return cost(T_camera_body);
 }
 
 double FreeSpaceTerm::cost(const BodyPoses& T_camera_body) const {
   double total = 0.0;
-  for (const PullSet::Block& block : by_body_.blocks()) {
-    const auto body = static_cast<std::size_t>(block.body);
-    total +=
-        kernels::pull_cost(by_body_.span(block), to_rigid_motion(T_camera_body[body]), pull_loss());
+  for (const PullSet* pulls : {&seen_through_, &outlines_}) {
+    for (const PullSet::Block& block : pulls->blocks()) {
+      const auto body = static_cast<std::size_t>(block.body);
+      total +=
+          kernels::pull_cost(pulls->span(block), to_rigid_motion(T_camera_body[body]), pull_loss());
+    }
   }
   return lambda_ * total;
 }
@@ -232,24 +248,27 @@ kernels::PullLoss FreeSpaceTerm::pull_loss() const {
 
 /// Neighbours mostly follow each other.
 void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
+                                        double outline_weight,
                                         std::vector<TileSystem>& systems) const {
   const std::size_t first_system = systems.size();
-  for (const FreeSpacePull& pull : pulls_) {
+  for (std::size_t i = 0; i < pulls_.size(); ++i) {
+    const FreeSpacePull& pull = pulls_[i];
     const std::size_t tile = first_tile + pull.tile;
     if (systems.size() == first_system || systems.back().tile != tile ||
         systems.back().body != pull.body || systems.back().pixels != pull.pixels) {
       systems.push_back({tile, pull.body, pull.pixels, Matrix6::Zero(), Twist::Zero()});
     }
-    add_to(systems.back(), pull, T_camera_body[static_cast<std::size_t>(pull.body)]);
+    add_to(systems.back(), pull, T_camera_body[static_cast<std::size_t>(pull.body)],
+           i < first_outline_ ? lambda_ : outline_weight);
   }
 }
 
 void FreeSpaceTerm::add_to(TileSystem& system, const FreeSpacePull& pull,
-                           const Eigen::Isometry3d& T_camera_body) const {
+                           const Eigen::Isometry3d& T_camera_body, double weight) const {
   const double residual = pull.direction.dot(T_camera_body * pull.p_body - pull.target);
   const double inverse_variance = 1.0 / (pull.variance + spread2_);
   const double w =
-      lambda_ * pull.pixels * gaussian_share(residual, inverse_variance, cut_) * inverse_variance;
+      weight * pull.pixels * gaussian_share(residual, inverse_variance, cut_) * inverse_variance;
   const Eigen::Vector3d n_body = T_camera_body.linear().transpose() * pull.direction;
   Twist row;
   row << n_body, pull.p_body.cross(n_body);

@@ -10,7 +10,7 @@ constexpr std::size_t kMostInBlock = 256;
 
 }  // namespace
 
-void PullSet::assign(const std::vector<FreeSpacePull>& pulls, std::size_t bodies) {
+void PullSet::assign(std::span<const FreeSpacePull> pulls, std::size_t bodies) {
   lay_out(pulls, bodies);
   for (const FreeSpacePull& pull : pulls) {
     const std::size_t i = next_[static_cast<std::size_t>(pull.body)]++;
@@ -27,7 +27,7 @@ void PullSet::assign(const std::vector<FreeSpacePull>& pulls, std::size_t bodies
 }
 
 /// Makes room for the pulls of each body, and fills it with padding.
-void PullSet::lay_out(const std::vector<FreeSpacePull>& pulls, std::size_t bodies) {
+void PullSet::lay_out(std::span<const FreeSpacePull> pulls, std::size_t bodies) {
   next_.assign(bodies, 0);
   for (const FreeSpacePull& pull : pulls) ++next_[static_cast<std::size_t>(pull.body)];
   blocks_.clear();

@@ -37,7 +37,7 @@ bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess)
     return true;
   }
   // Frames that did not wait for a search went by, and joints may have moved anywhere in them.
-  return options_.background_search && consider(with_joints_sought(best_->configuration));
+  return options_.background_search && consider(with_joints_sought(best_->at_rest));
 }
 
 const RegistrationResult& Acquisition::with_joints_sought(const Configuration& start) {
@@ -69,7 +69,7 @@ const RegistrationResult& Acquisition::find_near(const DepthFrame& frame,
   keep_object(guess);
   const Configuration placed =
       registration_.align(cloud_, guess, {options_.start_spread, options_.start_iterations, true})
-          .configuration;
+          .at_rest;
   cloud_.assign(frame, options_.cloud, executor_);
   return registration_.align(cloud_, placed, narrow());
 }

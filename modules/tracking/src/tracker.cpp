@@ -78,9 +78,9 @@ void Tracker::search(const DepthFrame& frame) {
   report(*found);
   if (is_known()) {
     frames_searched_ = 0;
-    predictor_.reset(frame.stamp, found->configuration);
+    predictor_.reset(frame.stamp, found->at_rest);
     frames_in_sight_.assign(static_cast<std::size_t>(model_.tree.variables()), kFramesToKnowMotion);
-    guess_ = found->configuration;
+    guess_ = found->at_rest;
   }
 }
 
@@ -125,7 +125,7 @@ std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame
 /// far.
 std::optional<RegistrationResult> Tracker::brought_up_to_date(const RegistrationResult& answer) {
   RegistrationResult here = registration_.align(
-      cloud_, answer.configuration, {options_.start_joint_spread, options_.start_joint_iterations});
+      cloud_, answer.at_rest, {options_.start_joint_spread, options_.start_joint_iterations});
   const auto is_tracking = [this](const RegistrationResult& registered) {
     return judge(registered, options_) == TrackingStatus::tracking;
   };
@@ -136,7 +136,7 @@ std::optional<RegistrationResult> Tracker::brought_up_to_date(const Registration
   if (is_tracking(here)) {
     return here;
   }
-  guess_ = answer.configuration;
+  guess_ = answer.at_rest;
   ++answers_passed_;
   return std::nullopt;
 }
@@ -168,10 +168,10 @@ void Tracker::follow(const DepthFrame& frame) {
   const bool was_believed = result_.status == TrackingStatus::tracking;
   report(found);
   if (!was_believed && result_.status == TrackingStatus::tracking) {
-    predictor_.reset(frame.stamp, found.configuration);  // from where it never was is no motion
+    predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
   } else {
-    predictor_.update(frame.stamp, found.configuration, found.observable,
-                      registration_.surface_distance(prediction, found.configuration));
+    predictor_.update(frame.stamp, found.at_rest, found.observable,
+                      registration_.surface_distance(prediction, found.at_rest));
   }
   for (std::size_t v = 0; v < frames_in_sight_.size(); ++v) {
     frames_in_sight_[v] = found.observable[6 + v] ? frames_in_sight_[v] + 1 : 0;
@@ -179,7 +179,7 @@ void Tracker::follow(const DepthFrame& frame) {
     result_.observable[6 + v] = frames_in_sight_[v] >= kFramesToKnowMotion;
   }
   if (result_.status == TrackingStatus::tracking) {
-    guess_ = found.configuration;
+    guess_ = found.at_rest;
     frames_searched_ = 0;
   }
 }
@@ -190,7 +190,7 @@ const RegistrationResult& Tracker::come_to_rest(const Configuration& prediction,
   const RegistrationResult* result = &registered;
   Configuration start = prediction;
   for (int round = 0; round < options_.most_rounds && is_on_its_way(start, *result); ++round) {
-    start = result->configuration;
+    start = result->at_rest;
     result =
         &registration_.align(cloud_, start, {predictor_.spread(), options_.further_iterations});
   }
@@ -201,7 +201,7 @@ const RegistrationResult& Tracker::come_to_rest(const Configuration& prediction,
 /// may be uncertain enough for steps of millimetres to be no more than noise.
 bool Tracker::is_on_its_way(const Configuration& start, const RegistrationResult& result) const {
   return result.last_move > options_.resting_move ||
-         registration_.surface_distance(start, result.configuration) >
+         registration_.surface_distance(start, result.at_rest) >
              options_.registration.cut * predictor_.spread();
 }
 
@@ -220,7 +220,7 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
   const bool is_hidden = is_hidden_at_once(registered);
   best_ = registered;
   // It may be on its way still: then nothing is to be sought.
-  keep_better(registration_.align(cloud_, best_.configuration,
+  keep_better(registration_.align(cloud_, best_.at_rest,
                                   {predictor_.spread(), options_.further_iterations}),
               best_);
   seek_contradicted_joints(best_);
@@ -240,10 +240,9 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
 void Tracker::seek_contradicted_joints(RegistrationResult& best) {
   list_contradicted_joints(best);
   if (!sought_joints_.empty()) {
-    keep_better(
-        registration_.align(cloud_, acquisition_.find_joints(best.configuration, sought_joints_),
-                            {options_.start_joint_spread, options_.start_joint_iterations}),
-        best);
+    keep_better(registration_.align(cloud_, acquisition_.find_joints(best.at_rest, sought_joints_),
+                                    {options_.start_joint_spread, options_.start_joint_iterations}),
+                best);
   }
 }
 

@@ -41,7 +41,10 @@ struct Annealing {
 };
 
 struct RegistrationResult {
-  Configuration configuration;
+  Configuration configuration;  ///< the estimate
+  /// Before the last step, in which outlines weigh more (docs/mathematics.md): where to begin the
+  /// next time.
+  Configuration at_rest;
   Eigen::MatrixXd covariance;    ///< of (base twist, variables); twist in the base's frame
   Eigen::VectorXd sigma;         ///< standard deviations, square roots of its diagonal
   std::vector<bool> observable;  ///< by unknown: whether the data determines it
@@ -84,6 +87,7 @@ class ArticulatedRegistration {
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
                  std::optional<double> next_spread);
+  void refine(const PinholeCamera& camera, bool hold_joints);
   bool improve(const TiledCloud& cloud, double cost, bool hold_joints, double next_spread);
   void set_step_limits(bool hold_joints);
   void select_free_space(const TiledCloud& cloud, double spread);

@@ -44,10 +44,14 @@ class FreeSpaceTerm {
   /// The cost at other poses under the selection of the last linearisation.
   double cost(const BodyPoses& T_camera_body) const;
 
-  /// Appends what each pull of the last linearisation had to say. first_tile: number of the first
-  /// tile of the image among the tiles of the systems.
+  /// Adds the systems of the outlines once more, under the loss of the last linearisation.
+  void add_outlines(const BodyPoses& T_camera_body, double weight,
+                    std::vector<BodySystem>& systems) const;
+
+  /// Appends what each pull of the last linearisation had to say, with outlines so many times.
+  /// first_tile: number of the first tile of the image among the tiles of the systems.
   void append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
-                           std::vector<TileSystem>& systems) const;
+                           double outline_weight, std::vector<TileSystem>& systems) const;
 
   std::size_t pulled_samples() const { return pulls_.size(); }
 
@@ -56,9 +60,11 @@ class FreeSpaceTerm {
   void aim_seen_through(const Scene& scene, const BodyPoses& T_camera_body, double spread);
   void aim_outlines(const Scene& scene, const BodyPoses& T_camera_body, double spread);
   void append_chunk_pulls(std::size_t chunks);
+  void add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
+                   std::vector<BodySystem>& systems) const;
   kernels::PullLoss pull_loss() const;
-  void add_to(TileSystem& system, const FreeSpacePull& pull,
-              const Eigen::Isometry3d& T_camera_body) const;
+  void add_to(TileSystem& system, const FreeSpacePull& pull, const Eigen::Isometry3d& T_camera_body,
+              double weight) const;
 
   BodyPoses T_body_camera_;
   double lambda_ = 1.0;
@@ -68,7 +74,9 @@ class FreeSpaceTerm {
   std::vector<std::size_t> chunk_begins_;               ///< how many before each chunk; all
   std::vector<std::vector<FreeSpacePull>> chunk_pulls_;
   std::vector<FreeSpacePull> pulls_;
-  PullSet by_body_;
+  std::size_t first_outline_ = 0;  ///< of pulls_; before it, what is seen through
+  PullSet seen_through_;
+  PullSet outlines_;
   SampleLandings landings_;
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "lockbox/kernels/pulls.hpp"
@@ -33,7 +34,7 @@ class PullSet {
     std::size_t padded;
   };
 
-  void assign(const std::vector<FreeSpacePull>& pulls, std::size_t bodies);
+  void assign(std::span<const FreeSpacePull> pulls, std::size_t bodies);
 
   const std::vector<Block>& blocks() const { return blocks_; }
   kernels::PullSpan span(const Block& block) const;
@@ -41,7 +42,7 @@ class PullSet {
  private:
   enum Number { px, py, pz, tx, ty, tz, dx, dy, dz, variance, direction_variance, pixels, numbers };
 
-  void lay_out(const std::vector<FreeSpacePull>& pulls, std::size_t bodies);
+  void lay_out(std::span<const FreeSpacePull> pulls, std::size_t bodies);
 
   std::array<std::vector<float>, numbers> arrays_;
   std::vector<Block> blocks_;

@@ -42,6 +42,8 @@ struct RegistrationOptions {
 
   /// Neighbouring pixels err alike; the information in N of them is that of N / correlation.
   double noise_correlation = 20.0;
+  /// The same for pixels of an outline, in the last step: there each is a witness almost by itself.
+  double outline_correlation = 2.0;
 
   bool fixed_base = false;
   std::vector<bool> locked;  ///< by joint variable; empty: none
