@@ -37,6 +37,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(HardScene{"FlatBoxBeforeAnEmptyBackground", "cabinet", 5, 22},
                       HardScene{"OpenDoorThatShowsWhatLiesDeep", "cabinet", 11, 22},
                       HardScene{"NearFlatBoxOfWhichASideIsInView", "rigid_block", 11, 17},
+                      HardScene{"FlushOnAWallBesideANearBox", "rigid_block", 7, 23},
+                      HardScene{"BoxThatGoesOnBeyondABend", "rigid_block", 33, 5},
                       HardScene{"BoxThatPullsTheBoardAway", "lockbox", 11, 28}),
     [](const auto& scene) { return std::string(scene.param.what); });
 

@@ -14,4 +14,9 @@ namespace lockbox {
 double share_that_continues(const RenderedDepth& image, const CoarseView& view, double noise,
                             double slack);
 
+/// The same of outlines and bends: where the face of a box meets a side that falls back behind it,
+/// a surface that goes on in the face is another's.
+double share_that_continues_beyond_bends(const RenderedDepth& image, const CoarseView& view,
+                                         double noise, double slack);
+
 }  // namespace lockbox

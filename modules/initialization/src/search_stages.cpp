@@ -16,7 +16,7 @@ namespace {
 constexpr double kMedianNoise = 0.6;  // of the noise is left in the median of a block
 constexpr double kHalfNoise = 0.85;   // of the noise is left in its blocks
 constexpr double kFineSlack = 0.003;  // metres
-constexpr double kHardlyLess = 0.95;
+constexpr double kHardlyLess = 0.9;
 constexpr double kEnoughPixels = 80.0;
 constexpr double kFinePixel = 0.0028;  // metres: larger ones are worth looking at one by one
 constexpr std::size_t kLeastSamples = 20;
@@ -35,8 +35,8 @@ const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 // What stages keep: before joints are known, less says little.
 constexpr double kSamePlace = 2.0;  // radii: balls around the model overlap
 constexpr Selection kMatched{0.1, 96, 0.5, 16};
-constexpr Selection kPlaced{0.1, 32, 0.5, 6};
-constexpr Selection kPosed{0.25, 4, kSamePlace, 3};
+constexpr Selection kPlaced{0.1, 40, 0.5, 4};
+constexpr Selection kPosed{0.2, 6, kSamePlace, 2};
 
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
 std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
@@ -255,10 +255,12 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
     if (hypothesis.score <= 0.0) continue;
     const auto& result = fine.align(cloud, hypothesis.configuration, {0.0, 0});
     const double consent = least_consent(result.body_agreement);
-    const double conviction =
-        halves.front().evidence(hypothesis.configuration, kFineSlack, all_bodies).conviction();
-    answers.push_back({{hypothesis.configuration, consent * conviction, result.agreement},
-                       consent * hypothesis.score});
+    const ViewEvidence evidence =
+        halves.front().last_evidence(hypothesis.configuration, kFineSlack);
+    const double distance = hypothesis.configuration.T_camera_base.translation().norm();
+    answers.push_back(
+        {{hypothesis.configuration, consent * evidence.conviction(distance), result.agreement},
+         consent * evidence.total(0.0)});
   }
   std::vector<Candidate> candidates = compared_by_place(std::move(answers), levers);
   candidates.resize(std::min(candidates.size(), options.most_candidates));

@@ -8,7 +8,7 @@ namespace lockbox {
 namespace {
 
 constexpr double kContinuing = 8.0;  // exponent: how fast an outline that goes on takes belief
-constexpr double kContinuingAtLast = 12.0;  // when answers are compared
+constexpr double kContinuingAtLast = 16.0;  // when answers are compared
 constexpr double kInViewEnough = 0.5;       // of the surface; with less in view, doubt grows
 
 }  // namespace
@@ -26,11 +26,11 @@ double ViewEvidence::total(double tolerance) const {
          visible * visible;
 }
 
-double ViewEvidence::conviction() const {
+double ViewEvidence::conviction(double distance) const {
   const double share = measured > 0.0 ? explained / measured : 0.0;
   const double pixels = explained * std::pow(1.0 - continues, kContinuingAtLast) +
                         kSeenThrough * contradicted + kOccluded * occluded;
-  return std::sqrt(std::max(0.0, pixels * share * in_view));
+  return std::sqrt(std::max(0.0, pixels * share * in_view * distance));
 }
 
 }  // namespace lockbox

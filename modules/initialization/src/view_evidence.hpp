@@ -25,8 +25,9 @@ struct ViewEvidence {
 
   /// The larger, the more convincing an answer, among ones that have nothing to do with each other.
   /// Pixels that go together are no independent witnesses, so their root counts: a near box of
-  /// which only a side is in view shows more of them than a far object that is seen entirely.
-  double conviction() const;
+  /// which only a side is in view shows more of them than a far object that is seen entirely. And
+  /// distance: of what tells the model from a box, a near view shows no more than a far one.
+  double conviction(double distance) const;
 };
 
 }  // namespace lockbox

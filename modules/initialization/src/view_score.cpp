@@ -210,6 +210,13 @@ ViewEvidence ViewScore::evidence(const Configuration& configuration, double slac
   return evidence;
 }
 
+ViewEvidence ViewScore::last_evidence(const Configuration& configuration, double slack) {
+  const std::vector<std::uint8_t> all(tree_.bodies.size(), 1);
+  ViewEvidence of_whole = evidence(configuration, slack, all);
+  of_whole.continues = share_that_continues_beyond_bends(whole_.image, *view_, noise_, slack);
+  return of_whole;
+}
+
 double ViewScore::fit(const Configuration& configuration, double slack) {
   nearest_reach_ = 0.0;
   draw(configuration, std::vector<std::uint8_t>(tree_.bodies.size(), 1), whole_);

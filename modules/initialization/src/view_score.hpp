@@ -31,6 +31,10 @@ class ViewScore {
   ViewEvidence evidence(const Configuration& configuration, double slack,
                         const std::vector<std::uint8_t>& bodies);
 
+  /// Of the whole model, once it is refined: bends count as the outline does. Of configurations
+  /// that are still wrong, many bends would pass for ends of what is seen.
+  ViewEvidence last_evidence(const Configuration& configuration, double slack);
+
   /// The larger, the better the whole model fits, for comparing near configurations.
   double fit(const Configuration& configuration, double slack);
 
