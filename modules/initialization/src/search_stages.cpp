@@ -35,7 +35,7 @@ const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 // What stages keep: before joints are known, less says little.
 constexpr double kSamePlace = 2.0;  // radii: balls around the model overlap
 constexpr Selection kMatched{0.1, 96, 0.5, 16};
-constexpr Selection kPlaced{0.1, 40, 0.5, 4};
+constexpr Selection kPlaced{0.1, 40, 0.5, 6};
 constexpr Selection kPosed{0.2, 6, kSamePlace, 2};
 
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
