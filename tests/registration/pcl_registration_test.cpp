@@ -245,6 +245,21 @@ TEST_F(PclCloudsTest, OptionsHoldWhatTheySay) {
   EXPECT_EQ(registration.getStandardDeviations()[0], 0.0);
 }
 
+TEST_F(PclCloudsTest, BaseAndJointsAreThoseOfTheLastStep) {
+  // Only that step heeds how far outlines err alike.
+  const auto transformation = [&](double outline_correlation) {
+    RegistrationOptions options;
+    options.outline_correlation = outline_correlation;
+    Registration with_options;
+    prepare(with_options);
+    with_options.setOptions(options);
+    with_options.setInputSource(scan);
+    with_options.align(aligned, guess());
+    return with_options.getFinalTransformation();
+  };
+  EXPECT_GT((transformation(1.0) - transformation(20.0)).norm(), 1e-5F);
+}
+
 TEST_F(PclCloudsTest, TwoObjectsInTwoThreadsFindWhatOneFindsTwice) {
   align(scan);
   const Eigen::Matrix4f alone = registration.getFinalTransformation();

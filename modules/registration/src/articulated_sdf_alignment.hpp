@@ -143,6 +143,8 @@ void ArticulatedSdfRegistration<PointT, Scalar>::find_configuration() {
     converged_ = true;
   }
   registration.accept();
+  // The last step is not reported as an iteration.
+  final_transformation_ = registration.T_base_cloud().matrix().template cast<Scalar>();
   pose_target(registration.joints());
 }
 

@@ -68,7 +68,8 @@ bool ScanRegistration::align(const Annealing& annealing) {
 
 void ScanRegistration::accept() {
   result_ = *found_;
-  joints_.q = result_.configuration.q;
+  placed_ = result_.configuration;
+  joints_.q = placed_.q;
 }
 
 double ScanRegistration::move_to(const Configuration& configuration) {

@@ -45,7 +45,7 @@ class ScanRegistration {
   /// Aligns from there, within the scan that begin() was given.
   bool align(const Annealing& annealing);
 
-  /// Takes what align() found as the joints and the result.
+  /// Takes what align() found as where the model is, the joints and the result.
   void accept();
 
   /// Moves the model to a configuration that align() reports. Returns how far the joints alone
