@@ -33,7 +33,7 @@ const ClimbPlan kClimbFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
 const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 
 // What stages keep: before joints are known, less says little.
-constexpr double kSamePlace = 2.0;  // radii: balls around the model overlap
+constexpr double kSamePlace = 1.0;  // radii: balls around the model overlap
 constexpr Selection kMatched{0.1, 96, 0.5, 16};
 constexpr Selection kPlaced{0.1, 40, 0.5, 6};
 constexpr Selection kPosed{0.2, 6, kSamePlace, 2};
@@ -99,6 +99,7 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       executor(workers),
       reliefs(make_reliefs(model.tree, executor)),
       levers(model_levers(model.tree)),
+      surroundings(model.tree),
       all_variables(static_cast<std::size_t>(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1),
       fine(model, options.registration, executor) {
@@ -110,6 +111,7 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
     halves.emplace_back(model.tree, kHalfNoise * options.depth_noise);
     details.emplace_back(model.tree, options.depth_noise);
     coarse.emplace_back(model, coarse_options, Executor(1));
+    parts.emplace_back();
   }
 }
 
@@ -139,7 +141,8 @@ void Initializer::Workspace::add_matched(const ModelRelief& relief, const Relief
 /// Flat sides of the model laid onto flat regions of the view.
 std::vector<Hypothesis> Initializer::Workspace::match(const CoarseView& view) {
   const double noise = kMedianNoise * options.depth_noise;
-  const auto regions = find_planar_regions(view, noise, kLeastSamples, kMostRegions);
+  surroundings.set_view(view, find_planar_regions(view, noise, kLeastSamples, kMostRegions));
+  const auto& regions = surroundings.regions();
   const std::size_t pairs = regions.size() * reliefs.size();
   std::vector<std::vector<Hypothesis>> found(pairs);
   executor.for_each(pairs, [&](std::size_t pair) {
@@ -234,7 +237,9 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
   std::vector<Configuration> aligned;
   aligned.reserve(hypotheses.size());
   for (const Hypothesis& hypothesis : hypotheses) {
-    aligned.push_back(fine.align(cloud, hypothesis.configuration, {0.005, 8}).configuration);
+    const TiledCloud& object = surroundings.left_out_of(cloud, hypothesis.configuration,
+                                                        options.depth_noise, parts.front());
+    aligned.push_back(fine.align(object, hypothesis.configuration, {0.005, 8}).configuration);
   }
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
@@ -269,9 +274,11 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
 
 void Initializer::Workspace::align_coarsely(double spread, int iterations,
                                             Configuration& configuration, bool hold_joints) {
-  configuration = coarse[Executor::worker()]
-                      .align(coarse_cloud, configuration, {spread, iterations, hold_joints})
-                      .configuration;
+  const std::size_t worker = Executor::worker();
+  const TiledCloud& object = surroundings.left_out_of(
+      coarse_cloud, configuration, kMedianNoise * options.depth_noise, parts[worker]);
+  configuration =
+      coarse[worker].align(object, configuration, {spread, iterations, hold_joints}).configuration;
 }
 
 double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance) {

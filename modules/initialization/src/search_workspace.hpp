@@ -8,6 +8,7 @@
 #include "hypothesis.hpp"
 #include "lockbox/initialization/initializer.hpp"
 #include "scene_relief.hpp"
+#include "surroundings.hpp"
 #include "view_score.hpp"
 
 namespace lockbox {
@@ -19,6 +20,7 @@ struct Initializer::Workspace {
   Executor executor;
   std::vector<ModelRelief> reliefs;
   ModelLevers levers;
+  Surroundings surroundings;
   std::vector<int> all_variables;
   std::vector<std::uint8_t> all_bodies;
   /// By worker.
@@ -26,6 +28,7 @@ struct Initializer::Workspace {
   std::vector<ViewScore> halves;   ///< of a finer view
   std::vector<ViewScore> details;  ///< of single pixels
   std::vector<ArticulatedRegistration> coarse;
+  std::vector<PartOfCloud> parts;
   ArticulatedRegistration fine;
   TiledCloud coarse_cloud;
 
