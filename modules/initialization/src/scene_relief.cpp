@@ -203,7 +203,7 @@ std::vector<ReliefMatch> match_relief(const CoarseView& view, const PlanarRegion
   const int turns =
       static_cast<int>(std::ceil(std::numbers::pi * relief.radius / relief.cell_size));
   const double step = 2.0 * std::numbers::pi / turns;
-  const auto least = static_cast<int>(0.1F * kExplained / static_cast<float>(kStride) *
+  const auto least = static_cast<int>(0.04F * kExplained / static_cast<float>(kStride) *
                                       static_cast<float>(relief.cells.size()));
   std::vector<Peak> peaks;
   for (int turn = 0; turn < turns; ++turn) {
