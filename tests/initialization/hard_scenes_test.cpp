@@ -39,7 +39,11 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"NearFlatBoxOfWhichASideIsInView", "rigid_block", 11, 17},
                       HardScene{"FlushOnAWallBesideANearBox", "rigid_block", 7, 23},
                       HardScene{"BoxThatGoesOnBeyondABend", "rigid_block", 33, 5},
-                      HardScene{"BoxThatPullsTheBoardAway", "lockbox", 11, 28}),
+                      HardScene{"BoxThatPullsTheBoardAway", "lockbox", 11, 28},
+                      HardScene{"TableThatPullsTheCabinetAway", "cabinet", 5, 8},
+                      HardScene{"BoardHalfHiddenByABox", "lockbox", 61, 5},
+                      HardScene{"NearBoxThatIsNoRival", "rigid_block", 62, 0},
+                      HardScene{"SmallSidesSeenInTheFinerView", "rigid_block", 82, 10}),
     [](const auto& scene) { return std::string(scene.param.what); });
 
 }  // namespace

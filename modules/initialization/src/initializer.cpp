@@ -8,8 +8,13 @@
 namespace lockbox {
 namespace {
 
-constexpr int kColumns = 160;      // of the view that hypotheses are judged in
-constexpr int kFineColumns = 320;  // of the view that the best are compared in
+constexpr int kColumns = 160;              // of the view that hypotheses are judged in
+constexpr int kFineColumns = 320;          // of the view that the best are compared in
+constexpr std::size_t kLeastSamples = 20;  // of a planar region
+constexpr std::size_t kMostRegions = 32;
+/// Of 180 random scenes no right answer scored less than 29, and wrong ones mostly did: then
+/// smaller planes are looked for in the finer view.
+constexpr double kConvincing = 36.0;
 
 void check(const TiledCloud& cloud) {
   if (!cloud.has_image()) {
@@ -40,12 +45,19 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud) {
   for (ViewScore& detail : w.details) detail.set_view(pixels);
   for (ViewScore& half : w.halves) half.set_view(fine_view);
 
-  std::vector<Hypothesis> hypotheses = w.match(view);
-  w.place(hypotheses);
-  w.pose(hypotheses);
-  w.fit(hypotheses);
-  w.fit_closely(cloud, hypotheses);
-  return w.rank(cloud, hypotheses);
+  const auto planes = [](const CoarseView& from, double noise) {
+    return PlanarScene{from, noise, find_planar_regions(from, noise, kLeastSamples, kMostRegions)};
+  };
+  const PlanarScene scene = planes(view, w.view_noise());
+  w.surroundings.set_view(view, scene.regions);
+  std::vector<Hypothesis> hypotheses = w.seek(cloud, scene);
+  std::vector<Candidate> candidates = w.rank(cloud, hypotheses);
+  if (candidates.empty() || candidates.front().score < kConvincing) {
+    const auto closer = w.seek(cloud, planes(fine_view, w.fine_view_noise()));
+    hypotheses.insert(hypotheses.end(), closer.begin(), closer.end());
+    candidates = w.rank(cloud, hypotheses);
+  }
+  return candidates;
 }
 
 Configuration Initializer::find_joints(const TiledCloud& cloud, const Configuration& start,

@@ -22,6 +22,13 @@ struct PlanarRegion {
 std::vector<PlanarRegion> find_planar_regions(const CoarseView& view, double noise,
                                               std::size_t least_samples, std::size_t most_regions);
 
+/// A view, and its planes.
+struct PlanarScene {
+  const CoarseView& view;
+  double noise;  ///< standard deviation of 1/depth of a sample, 1/metre
+  std::vector<PlanarRegion> regions;
+};
+
 /// Origin in the middle of the region, z towards the camera's side.
 Eigen::Isometry3d region_frame(const CoarseView& view, const PlanarRegion& region);
 

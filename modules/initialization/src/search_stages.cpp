@@ -13,14 +13,10 @@
 namespace lockbox {
 namespace {
 
-constexpr double kMedianNoise = 0.6;  // of the noise is left in the median of a block
-constexpr double kHalfNoise = 0.85;   // of the noise is left in its blocks
 constexpr double kFineSlack = 0.003;  // metres
 constexpr double kHardlyLess = 0.9;
 constexpr double kEnoughPixels = 80.0;
-constexpr double kFinePixel = 0.0028;  // metres: larger ones are worth looking at one by one
-constexpr std::size_t kLeastSamples = 20;
-constexpr std::size_t kMostRegions = 32;
+constexpr double kFinePixel = 0.0028;    // metres: larger ones are worth looking at one by one
 constexpr std::size_t kMatchesEach = 8;  // of one relief on one region
 constexpr int kAnchorPositions = 5;      // of a joint between base and a matched side
 
@@ -37,6 +33,7 @@ constexpr double kSamePlace = 1.0;  // radii: balls around the model overlap
 constexpr Selection kMatched{0.1, 96, 0.5, 16};
 constexpr Selection kPlaced{0.1, 40, 0.5, 6};
 constexpr Selection kPosed{0.2, 6, kSamePlace, 2};
+constexpr Selection kRanked{0.0, 12, kSamePlace, 2};
 
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
 std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
@@ -107,8 +104,8 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
   RegistrationOptions coarse_options = options.registration;
   coarse_options.collision = CollisionMode::off;
   for (int worker = 0; worker < executor.threads(); ++worker) {
-    scores.emplace_back(model.tree, kMedianNoise * options.depth_noise);
-    halves.emplace_back(model.tree, kHalfNoise * options.depth_noise);
+    scores.emplace_back(model.tree, view_noise());
+    halves.emplace_back(model.tree, fine_view_noise());
     details.emplace_back(model.tree, options.depth_noise);
     coarse.emplace_back(model, coarse_options, Executor(1));
     parts.emplace_back();
@@ -138,17 +135,25 @@ void Initializer::Workspace::add_matched(const ModelRelief& relief, const Relief
   }
 }
 
+std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
+                                                     const PlanarScene& scene) {
+  std::vector<Hypothesis> hypotheses = match(scene);
+  place(hypotheses);
+  pose(hypotheses);
+  fit(hypotheses);
+  fit_closely(cloud, hypotheses);
+  return hypotheses;
+}
+
 /// Flat sides of the model laid onto flat regions of the view.
-std::vector<Hypothesis> Initializer::Workspace::match(const CoarseView& view) {
-  const double noise = kMedianNoise * options.depth_noise;
-  surroundings.set_view(view, find_planar_regions(view, noise, kLeastSamples, kMostRegions));
-  const auto& regions = surroundings.regions();
+std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene) {
+  const auto& regions = scene.regions;
   const std::size_t pairs = regions.size() * reliefs.size();
   std::vector<std::vector<Hypothesis>> found(pairs);
   executor.for_each(pairs, [&](std::size_t pair) {
     const ModelRelief& relief = reliefs[pair % reliefs.size()];
     const PlanarRegion& region = regions[pair / reliefs.size()];
-    for (const auto& match : match_relief(view, region, relief, noise, kMatchesEach)) {
+    for (const auto& match : match_relief(scene.view, region, relief, scene.noise, kMatchesEach)) {
       add_matched(relief, match, found[pair]);
     }
     for (Hypothesis& hypothesis : found[pair]) hypothesis.score = judge(hypothesis, 0.02, 1.0);
@@ -256,7 +261,7 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
 std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
                                                     const std::vector<Hypothesis>& hypotheses) {
   std::vector<Answer> answers;
-  for (const Hypothesis& hypothesis : hypotheses) {
+  for (const Hypothesis& hypothesis : best_apart(hypotheses, kRanked, levers)) {
     if (hypothesis.score <= 0.0) continue;
     const auto& result = fine.align(cloud, hypothesis.configuration, {0.0, 0});
     const double consent = least_consent(result.body_agreement);
@@ -275,8 +280,8 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
 void Initializer::Workspace::align_coarsely(double spread, int iterations,
                                             Configuration& configuration, bool hold_joints) {
   const std::size_t worker = Executor::worker();
-  const TiledCloud& object = surroundings.left_out_of(
-      coarse_cloud, configuration, kMedianNoise * options.depth_noise, parts[worker]);
+  const TiledCloud& object =
+      surroundings.left_out_of(coarse_cloud, configuration, view_noise(), parts[worker]);
   configuration =
       coarse[worker].align(object, configuration, {spread, iterations, hold_joints}).configuration;
 }

@@ -35,14 +35,20 @@ struct Initializer::Workspace {
   Workspace(const ArticulatedModel& articulated_model, const InitializerOptions& given,
             const Executor& workers);
 
-  std::vector<Hypothesis> match(const CoarseView& view);
+  double view_noise() const { return kMedianNoise * options.depth_noise; }
+  double fine_view_noise() const { return kHalfNoise * options.depth_noise; }
+
+  /// All stages up to rank.
+  std::vector<Hypothesis> seek(const TiledCloud& cloud, const PlanarScene& scene);
+  /// What stages sought, the most convincing first.
+  std::vector<Candidate> rank(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses);
+
+ private:
+  std::vector<Hypothesis> match(const PlanarScene& scene);
   void place(std::vector<Hypothesis>& hypotheses);
   void pose(std::vector<Hypothesis>& hypotheses);
   void fit(std::vector<Hypothesis>& hypotheses);
   void fit_closely(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses);
-  std::vector<Candidate> rank(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses);
-
- private:
   void add_matched(const ModelRelief& relief, const ReliefMatch& match,
                    std::vector<Hypothesis>& hypotheses) const;
   void align_if_better(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses);
@@ -50,6 +56,8 @@ struct Initializer::Workspace {
                       bool hold_joints = false);
   double judge(const Hypothesis& hypothesis, double slack, double tolerance);
   double judge_closely(const Configuration& configuration, double slack);
+  static constexpr double kMedianNoise = 0.6;  ///< of the noise is left in a median of 4 x 4
+  static constexpr double kHalfNoise = 0.85;   ///< of 2 x 2
   ViewScore& score() { return scores[Executor::worker()]; }
 };
 
