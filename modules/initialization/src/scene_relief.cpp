@@ -21,7 +21,9 @@ constexpr float kCovered = -1.5F;          // something in front: it may be an o
 constexpr float kContinues = -6.0F;        // the surface goes on where the model ends
 constexpr std::size_t kStride = 3;         // one cell in so many is looked at in the search
 constexpr std::size_t kPeaksRefined = 16;  // with all cells
-constexpr int kApart = 1;                  // cells, and steps of rotation, between two matches
+constexpr float kLeast = 0.04F;     // of what all cells explained would score: half hidden sides
+constexpr float kOfTheBest = 0.4F;  // so far: weaker peaks are not worth keeping
+constexpr int kApart = 1;           // cells, and steps of rotation, between two matches
 
 Score cell_score(const Expectation& expected, float height, float sigma) {
   if (std::isnan(height)) return 0;
@@ -203,12 +205,16 @@ std::vector<ReliefMatch> match_relief(const CoarseView& view, const PlanarRegion
   const int turns =
       static_cast<int>(std::ceil(std::numbers::pi * relief.radius / relief.cell_size));
   const double step = 2.0 * std::numbers::pi / turns;
-  const auto least = static_cast<int>(0.04F * kExplained / static_cast<float>(kStride) *
-                                      static_cast<float>(relief.cells.size()));
+  auto least = static_cast<int>(kLeast * kExplained / static_cast<float>(kStride) *
+                                static_cast<float>(relief.cells.size()));
   std::vector<Peak> peaks;
   for (int turn = 0; turn < turns; ++turn) {
     correlation.turn_to(step * turn);
+    const std::size_t before = peaks.size();
     collect_peaks(correlation, turn, least, peaks);
+    for (std::size_t i = before; i < peaks.size(); ++i) {
+      least = std::max(least, static_cast<int>(kOfTheBest * static_cast<float>(peaks[i].score)));
+    }
   }
   peaks = strongest(std::move(peaks), turns, kPeaksRefined);
   for (Peak& peak : peaks) climb(correlation, step, peak);
