@@ -78,7 +78,7 @@ TEST_F(FarBlock, IsNotMovedFartherThanOutlinesAreLookedFor) {
     start.T_camera_base.translation().x() += off;
     const RegistrationResult& found = registration_.align(seen(0), start, {0.0, 0});
     EXPECT_TRUE(found.at_rest.T_camera_base.isApprox(start.T_camera_base, 0.0));
-    EXPECT_LT(registration_.surface_distance(found.configuration, start), 0.0081) << off;
+    EXPECT_LT(registration_.moves().between(found.configuration, start), 0.0081) << off;
   }
 }
 

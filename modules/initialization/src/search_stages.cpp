@@ -16,6 +16,9 @@ namespace {
 constexpr double kFineSlack = 0.003;  // metres
 constexpr double kHardlyLess = 0.9;
 constexpr double kEnoughPixels = 80.0;
+/// Of 2024 right answers in random scenes 99.9 % are contradicted by less than 0.83 % of the pixels
+/// that speak, of 29 wrong ones only nine.
+constexpr double kContradicted = 24.0;
 constexpr double kFinePixel = 0.0028;    // metres: larger ones are worth looking at one by one
 constexpr std::size_t kMatchesEach = 8;  // of one relief on one region
 constexpr int kAnchorPositions = 5;      // of a joint between base and a matched side
@@ -264,7 +267,8 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
   for (const Hypothesis& hypothesis : best_apart(hypotheses, kRanked, levers)) {
     if (hypothesis.score <= 0.0) continue;
     const auto& result = fine.align(cloud, hypothesis.configuration, {0.0, 0});
-    const double consent = least_consent(result.body_agreement);
+    const double consent =
+        least_consent(result.body_agreement) * std::pow(result.agreement.consent(), kContradicted);
     const ViewEvidence evidence =
         halves.front().last_evidence(hypothesis.configuration, kFineSlack);
     const double distance = hypothesis.configuration.T_camera_base.translation().norm();

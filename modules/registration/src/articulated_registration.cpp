@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "lockbox/kernels/point_to_field.hpp"
-#include "lockbox/model/surface_levers.hpp"
 #include "lockbox/registration/view_resolution.hpp"
 
 namespace lockbox {
@@ -22,7 +21,6 @@ constexpr double kStaleSelection = 0.0005;  // the same, until what is seen thro
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
 constexpr std::size_t kViewSamples = 40000;  // of the visible surface, where points have no budget
-constexpr double kSignificant = 2.0;         // standard deviations: more than noise mostly moves
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 
@@ -45,7 +43,7 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
       executor_(executor),
       collision_(model, options, executor),
       scale_(step_scale(model.tree)),
-      levers_(surface_levers(model.tree)) {
+      moves_(model.tree) {
   options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
   systems_.resize(model.tree.bodies.size());
   held_.assign(static_cast<std::size_t>(scale_.unit.size()), false);
@@ -89,11 +87,11 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
     refine(cloud.camera(), annealing.hold_joints);
   }
   covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
-                       scale_, levers_, held_);
+                       scale_, moves_.levers(), held_);
   result_.covariance = covariance_.covariance();
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();
-  result_.last_move = significant_move(last_step_);
+  result_.last_move = moves_.of_significant(last_step_, result_.observable, result_.sigma);
   agreement_.measure(model_, surface_, samples_, poses_, cloud, options_, executor_);
   result_.agreement = agreement_.total();
   result_.body_agreement = agreement_.bodies();
@@ -122,7 +120,7 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
   set_step_limits(hold_joints);
   const Eigen::VectorXd& step = solver_.solve(equations_, 0.0, limits_, scale_);
   const double distance = result_.configuration.T_camera_base.translation().norm();
-  if (largest_move(step) > options_.cut * options_.noise.sigma_lateral(distance, camera.fx)) {
+  if (moves_.of(step) > options_.cut * options_.noise.sigma_lateral(distance, camera.fx)) {
     return;  // outlines were not looked for so far away
   }
   apply_step(step, result_.configuration);
@@ -172,7 +170,7 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
   if (linearized_spread_ == spread) {
     return cost_;  // the last step was not taken
   }
-  if (surface_distance(rendered_, result_.configuration) > stale_view()) {
+  if (moves_.between(rendered_, result_.configuration) > stale_view()) {
     look_at(cloud, result_.configuration, spread);
   }
   forward_kinematics(model_.tree, result_.configuration, poses_);
@@ -203,7 +201,7 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
 /// iteration would never let the last steps come to rest.
 void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double spread) {
   if (spread <= selected_spread_ &&
-      surface_distance(selected_, result_.configuration) < kStaleSelection) {
+      moves_.between(selected_, result_.configuration) < kStaleSelection) {
     return;
   }
   free_term_.select({model_, surface_, samples_, outlines_, cloud, options_, executor_}, poses_,
@@ -234,12 +232,12 @@ bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool
   double damping = 0.0;
   for (int trial = 0; trial <= kMaxDampings; ++trial) {
     const Eigen::VectorXd& step = solver_.solve(equations_, damping, limits_, scale_);
-    if (!(largest_move(step) > options_.step_tolerance)) {
+    if (!(moves_.of(step) > options_.step_tolerance)) {
       return false;
     }
     candidate_ = result_.configuration;
     apply_step(step, candidate_);
-    const bool looks_ahead = trial == 0 && surface_distance(rendered_, candidate_) <= stale_view();
+    const bool looks_ahead = trial == 0 && moves_.between(rendered_, candidate_) <= stale_view();
     const auto spread_ahead = looks_ahead ? std::optional(next_spread) : std::nullopt;
     if (cost_at(cloud, candidate_, spread_ahead) < cost) {
       result_.configuration = candidate_;
@@ -265,44 +263,6 @@ void ArticulatedRegistration::set_step_limits(bool hold_joints) {
     limits_.lower[6 + v] = locked ? 0.0 : std::min(0.0, range.lower - q);
     limits_.upper[6 + v] = locked ? 0.0 : std::max(0.0, range.upper - q);
   }
-}
-
-double ArticulatedRegistration::surface_distance(const Configuration& a,
-                                                 const Configuration& b) const {
-  double farthest = base_move(log_se3(a.T_camera_base.inverse() * b.T_camera_base));
-  for (Index v = 0; v < a.q.size(); ++v) {
-    farthest = std::max(farthest, std::abs(b.q[v] - a.q[v]) * levers_[6 + v]);
-  }
-  return farthest;
-}
-
-double ArticulatedRegistration::largest_move(const Eigen::VectorXd& step) const {
-  double farthest = base_move(step.head<6>());
-  for (Index i = 6; i < step.size(); ++i) {
-    farthest = std::max(farthest, std::abs(step[i]) * levers_[i]);
-  }
-  return farthest;
-}
-
-/// Of the unknowns that the step moves by several of their standard deviations.
-double ArticulatedRegistration::significant_move(const Eigen::VectorXd& step) const {
-  const auto is_significant = [&](Index i) {
-    return result_.observable[static_cast<std::size_t>(i)] &&
-           std::abs(step[i]) > kSignificant * result_.sigma[i];
-  };
-  double farthest = 0.0;
-  for (Index i = 0; i < 6; ++i) {
-    if (is_significant(i)) farthest = base_move(step.head<6>());
-  }
-  for (Index i = 6; i < step.size(); ++i) {
-    if (is_significant(i)) farthest = std::max(farthest, std::abs(step[i]) * levers_[i]);
-  }
-  return farthest;
-}
-
-double ArticulatedRegistration::base_move(const Twist& twist) const {
-  const Twist moves = twist.cwiseProduct(levers_.head<6>());
-  return moves.head<3>().norm() + moves.tail<3>().norm();
 }
 
 }  // namespace lockbox

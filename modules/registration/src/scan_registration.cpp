@@ -75,7 +75,7 @@ void ScanRegistration::accept() {
 double ScanRegistration::move_to(const Configuration& configuration) {
   const Configuration base_moved{configuration.T_camera_base, placed_.q};
   placed_ = configuration;
-  return registration_->surface_distance(base_moved, configuration);
+  return registration_->moves().between(base_moved, configuration);
 }
 
 Eigen::Isometry3d ScanRegistration::T_base_cloud() const {

@@ -171,7 +171,7 @@ void Tracker::follow(const DepthFrame& frame) {
     predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
   } else {
     predictor_.update(frame.stamp, found.at_rest, found.observable,
-                      registration_.surface_distance(prediction, found.at_rest));
+                      registration_.moves().between(prediction, found.at_rest));
   }
   for (std::size_t v = 0; v < frames_in_sight_.size(); ++v) {
     frames_in_sight_[v] = found.observable[6 + v] ? frames_in_sight_[v] + 1 : 0;
@@ -201,7 +201,7 @@ const RegistrationResult& Tracker::come_to_rest(const Configuration& prediction,
 /// may be uncertain enough for steps of millimetres to be no more than noise.
 bool Tracker::is_on_its_way(const Configuration& start, const RegistrationResult& result) const {
   return result.last_move > options_.resting_move ||
-         registration_.surface_distance(start, result.at_rest) >
+         registration_.moves().between(start, result.at_rest) >
              options_.registration.cut * predictor_.spread();
 }
 

@@ -24,6 +24,7 @@
 #include "lockbox/registration/outline_points.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/sampling_plan.hpp"
+#include "lockbox/registration/surface_moves.hpp"
 #include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
@@ -72,13 +73,10 @@ class ArticulatedRegistration {
   const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
                                   const Annealing& annealing);
 
-  /// How far surfaces of the model lie apart in two near configurations, metres: the most that the
-  /// base or any single joint contributes.
-  double surface_distance(const Configuration& a, const Configuration& b) const;
-
   const RegistrationOptions& options() const { return options_; }
   const CollisionTerm& collision() const { return collision_; }
   const ArticulatedModel& model() const { return model_; }
+  const SurfaceMoves& moves() const { return moves_; }
 
  private:
   void look_at(const TiledCloud& cloud, const Configuration& configuration, double spread);
@@ -91,9 +89,6 @@ class ArticulatedRegistration {
   bool improve(const TiledCloud& cloud, double cost, bool hold_joints, double next_spread);
   void set_step_limits(bool hold_joints);
   void select_free_space(const TiledCloud& cloud, double spread);
-  double largest_move(const Eigen::VectorXd& step) const;
-  double significant_move(const Eigen::VectorXd& step) const;
-  double base_move(const Twist& twist) const;
 
   const ArticulatedModel& model_;
   RegistrationOptions options_;
@@ -108,7 +103,7 @@ class ArticulatedRegistration {
   ThinnedPoints thinned_;               ///< of the cloud, if there is a point budget
   const PointTiles* points_ = nullptr;  ///< of the cloud: all, or the thinned ones
   StepScale scale_;
-  Eigen::VectorXd levers_;  ///< by unknown: metres that surfaces move for a unit, at most
+  SurfaceMoves moves_;
 
   RegistrationResult result_;
   Configuration rendered_;  ///< what surface_ shows

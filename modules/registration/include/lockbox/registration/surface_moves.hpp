@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far steps move the model's surfaces: a unit for all unknowns that means the same to each.
+#pragma once
+
+#include <vector>
+
+#include "lockbox/core/lie.hpp"
+#include "lockbox/model/configuration.hpp"
+#include "lockbox/model/kinematic_tree.hpp"
+
+namespace lockbox {
+
+class SurfaceMoves {
+ public:
+  explicit SurfaceMoves(const KinematicTree& tree);
+
+  /// How far surfaces lie apart in two near configurations, metres: the most that the base or any
+  /// single joint contributes.
+  double between(const Configuration& a, const Configuration& b) const;
+
+  /// The same for a step: base twist (v, w) in the base's frame, then the joint variables.
+  double of(const Eigen::VectorXd& step) const;
+
+  /// The same for the unknowns that can be seen and that the step moves by several of their
+  /// standard deviations. observable, sigma: by unknown.
+  double of_significant(const Eigen::VectorXd& step, const std::vector<bool>& observable,
+                        const Eigen::VectorXd& sigma) const;
+
+  /// By unknown: metres that surfaces move for a unit, at most.
+  const Eigen::VectorXd& levers() const { return levers_; }
+
+ private:
+  double of_base(const Twist& twist) const;
+
+  Eigen::VectorXd levers_;
+};
+
+}  // namespace lockbox
