@@ -7,6 +7,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/simulation/trajectory.hpp"
+#include "registration/mechanism.hpp"
 #include "seen_model.hpp"
 
 namespace lockbox {
@@ -54,6 +55,16 @@ TEST(Initializer, FindsTheLockboxAndAllItsJoints) {
         << joint;
   }
   EXPECT_GT(found.front().agreement.explained, 0.9);
+}
+
+/// Turned over, the plate would fit as well, and its own parts could stand before it by chance.
+TEST(Initializer, TellsTheFrontOfAPlateByTheSmallPartsOnIt) {
+  const ArticulatedModel& model = mechanism();
+  Configuration truth = mechanism_start(model);
+  truth.T_camera_base.pretranslate(Eigen::Vector3d(0.0, 0.0, 0.1));
+  const auto found = search(model, cloud_of(measured(model, truth, "primesense", 1)));
+  ASSERT_FALSE(found.empty());
+  expect_base(found.front().configuration, truth);
 }
 
 TEST(Initializer, TellsTheBoardFromTheWallItHangsOn) {

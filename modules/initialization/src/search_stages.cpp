@@ -267,13 +267,13 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
   for (const Hypothesis& hypothesis : best_apart(hypotheses, kRanked, levers)) {
     if (hypothesis.score <= 0.0) continue;
     const auto& result = fine.align(cloud, hypothesis.configuration, {0.0, 0});
-    const double consent =
-        least_consent(result.body_agreement) * std::pow(result.agreement.consent(), kContradicted);
+    const double consent = least_consent(result.body_agreement);
+    const double trust = consent * std::pow(result.agreement.consent(), kContradicted);
     const ViewEvidence evidence =
         halves.front().last_evidence(hypothesis.configuration, kFineSlack);
     const double distance = hypothesis.configuration.T_camera_base.translation().norm();
     answers.push_back(
-        {{hypothesis.configuration, consent * evidence.conviction(distance), result.agreement},
+        {{hypothesis.configuration, trust * evidence.conviction(distance), result.agreement},
          consent * evidence.total(0.0)});
   }
   std::vector<Candidate> candidates = compared_by_place(std::move(answers), levers);
