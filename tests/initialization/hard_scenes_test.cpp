@@ -43,7 +43,8 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"TableThatPullsTheCabinetAway", "cabinet", 5, 8},
                       HardScene{"BoardHalfHiddenByABox", "lockbox", 61, 5},
                       HardScene{"NearBoxThatIsNoRival", "rigid_block", 62, 0},
-                      HardScene{"SmallSidesSeenInTheFinerView", "rigid_block", 82, 10}),
+                      HardScene{"SmallSidesSeenInTheFinerView", "rigid_block", 82, 10},
+                      HardScene{"BoxThatTheCameraSawThrough", "rigid_block", 81, 17}),
     [](const auto& scene) { return std::string(scene.param.what); });
 
 }  // namespace

@@ -32,7 +32,7 @@ const ClimbPlan kClimbFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
 const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 
 // What stages keep: before joints are known, less says little.
-constexpr double kSamePlace = 1.0;  // radii: balls around the model overlap
+constexpr double kSamePlace = 1.0;  // radii: most of the pixels are the same
 constexpr Selection kMatched{0.1, 96, 0.5, 16};
 constexpr Selection kPlaced{0.1, 40, 0.5, 6};
 constexpr Selection kPosed{0.2, 6, kSamePlace, 2};

@@ -50,18 +50,20 @@ Surroundings::Surroundings(const KinematicTree& tree) : tree_(tree) {
   for (const Body& body : tree.bodies) boxes_.push_back(bounds(body.mesh));
 }
 
-void Surroundings::set_view(const CoarseView& view, std::vector<PlanarRegion> regions) {
-  camera_ = view.camera;
-  regions_ = std::move(regions);
+void Surroundings::set_scene(const PlanarScene& scene) {
+  camera_ = scene.view.camera;
+  planes_.clear();
   points_.clear();
-  std::vector<std::int16_t> region_at(view.depth.size(), -1);
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    points_.push_back(some_points(view, regions_[r]));
-    for (const std::size_t sample : regions_[r].samples) {
+  std::vector<std::int16_t> region_at(scene.view.depth.size(), -1);
+  for (std::size_t r = 0; r < scene.regions.size(); ++r) {
+    const PlanarRegion& region = scene.regions[r];
+    planes_.push_back(region.m);
+    points_.push_back(some_points(scene.view, region));
+    for (const std::size_t sample : region.samples) {
       region_at[sample] = static_cast<std::int16_t>(r);
     }
   }
-  region_at_ = widened(view, region_at);
+  region_at_ = widened(scene.view, region_at);
 }
 
 std::vector<std::uint8_t> Surroundings::planes_elsewhere(const Configuration& configuration) const {
@@ -76,7 +78,7 @@ std::vector<std::uint8_t> Surroundings::planes_elsewhere(const Configuration& co
     }
     return true;
   };
-  std::vector<std::uint8_t> planes(regions_.size());
+  std::vector<std::uint8_t> planes(planes_.size());
   std::transform(points_.begin(), points_.end(), planes.begin(), [&](const auto& points) {
     const auto elsewhere = std::count_if(points.begin(), points.end(), is_elsewhere);
     return static_cast<double>(elsewhere) > kMost * static_cast<double>(points.size()) ? 1 : 0;
@@ -102,7 +104,7 @@ const TiledCloud& Surroundings::left_out_of(const TiledCloud& cloud,
       const int region = region_at_[row + column];
       if (region < 0 || elsewhere[static_cast<std::size_t>(region)] == 0) continue;
       const Eigen::Vector3f ray = camera.back_project(u, v, 1.0).cast<float>();
-      const float plane = regions_[static_cast<std::size_t>(region)].m.dot(ray);
+      const float plane = planes_[static_cast<std::size_t>(region)].dot(ray);
       if (std::abs(1.0F / cloud.depth()[pixel] - plane) < tolerance) part.mask[pixel] = 0;
     }
   }

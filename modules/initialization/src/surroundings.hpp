@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table that the object stands on, the wall that it hangs on. Where they touch the object, a
 // registration with wide gates takes them for it and leaves even the true pose: a cabinet by 40 mm
-// or 6 degrees. They are told by where the rest of them is.
+// or 6 degrees. They are told by where the rest of them is. ObjectSegmenter (cloud) tells them by
+// more, in tens of milliseconds; here hundreds of hypotheses are waiting.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +24,7 @@ class Surroundings {
  public:
   explicit Surroundings(const KinematicTree& tree);
 
-  /// The planes of what the camera sees, found in this view.
-  void set_view(const CoarseView& view, std::vector<PlanarRegion> regions);
-  const std::vector<PlanarRegion>& regions() const { return regions_; }
+  void set_scene(const PlanarScene& scene);
 
   /// The cloud without points of planes of which most is elsewhere than the model in this
   /// configuration; its depth image is the same. The cloud's image has a whole number of times as
@@ -38,9 +37,9 @@ class Surroundings {
   std::vector<std::uint8_t> planes_elsewhere(const Configuration& configuration) const;
 
   const KinematicTree& tree_;
-  std::vector<Eigen::AlignedBox3d> boxes_;  ///< by body
-  PinholeCamera camera_;                    ///< of the view
-  std::vector<PlanarRegion> regions_;
+  std::vector<Eigen::AlignedBox3d> boxes_;            ///< by body
+  PinholeCamera camera_;                              ///< of the view
+  std::vector<Eigen::Vector3f> planes_;               ///< m of m.p = 1, by region
   std::vector<std::vector<Eigen::Vector3d>> points_;  ///< of each region some, camera frame
   std::vector<std::int16_t> region_at_;  ///< by sample of the view: in or beside which, or -1
 };
