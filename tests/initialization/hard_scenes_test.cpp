@@ -41,6 +41,8 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"BoxThatGoesOnBeyondABend", "rigid_block", 33, 5},
                       HardScene{"BoxThatPullsTheBoardAway", "lockbox", 11, 28},
                       HardScene{"TableThatPullsTheCabinetAway", "cabinet", 5, 8},
+                      HardScene{"SliderLostInTheNoise", "lockbox", 1, 241},
+                      HardScene{"DoorOfWhichLittleIsInView", "lockbox", 1, 352},
                       HardScene{"BoardHalfHiddenByABox", "lockbox", 61, 5},
                       HardScene{"NearBoxThatIsNoRival", "rigid_block", 62, 0},
                       HardScene{"SmallSidesSeenInTheFinerView", "rigid_block", 82, 10},

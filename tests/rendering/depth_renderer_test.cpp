@@ -42,6 +42,21 @@ std::size_t pixel(const PinholeCamera& camera, int u, int v) {
   return static_cast<std::size_t>(v * camera.width + u);
 }
 
+TEST(DepthRenderer, DrawsWithTheCameraThatItWasGivenLast) {
+  const TriangleMesh mesh = ball(0.2, 60);
+  const std::vector<RenderItem> items{{&mesh, placed({0.1, 0.0, 1.0}), 3}};
+  const PinholeCamera cut_out{40, 30, 500.0, 500.0, -20.0, 15.0};
+  DepthRenderer renderer(vga_camera(), Executor(1));
+  RenderedDepth image;
+  renderer.render(items, image);
+  renderer.set_camera(cut_out);
+  renderer.render(items, image);
+  const RenderedDepth expected = rendered(cut_out, items);
+  EXPECT_EQ(image.width, 40);
+  EXPECT_EQ(image.depth, expected.depth);
+  EXPECT_EQ(image.id, expected.id);
+}
+
 TEST(DepthRenderer, NothingIsInfinitelyFarAway) {
   const RenderedDepth image = rendered(vga_camera(), {});
   EXPECT_EQ(image.depth.size(), 640U * 480U);

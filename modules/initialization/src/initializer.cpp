@@ -40,9 +40,7 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud) {
   w.coarse_cloud.assign(view.camera, view.depth, unfiltered, w.executor);
   for (ViewScore& score : w.scores) score.set_view(view);
 
-  const CoarseView pixels(cloud, cloud.camera().width, w.executor);
   const CoarseView fine_view(cloud, kFineColumns, w.executor);
-  for (ViewScore& detail : w.details) detail.set_view(pixels);
   for (ViewScore& half : w.halves) half.set_view(fine_view);
 
   const auto planes = [](const CoarseView& from, double noise) {
@@ -57,6 +55,9 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud) {
     hypotheses.insert(hypotheses.end(), closer.begin(), closer.end());
     candidates = w.rank(cloud, hypotheses);
   }
+  if (!candidates.empty()) {
+    w.settle_joints(cloud, fine_view, candidates.front().configuration);
+  }
   return candidates;
 }
 
@@ -70,9 +71,7 @@ Configuration Initializer::find_joints(const TiledCloud& cloud, const Configurat
   Configuration configuration = start;
   scan_joints(w.model.tree, w.scores.front(), variables, 0.01, kScan, configuration);
   scan_joints(w.model.tree, w.scores.front(), variables, 0.006, kScan, configuration);
-  const CoarseView pixels(cloud, cloud.camera().width, w.executor);
-  w.details.front().set_view(pixels, kIsKnown);
-  scan_joints_by_contrast(w.model.tree, w.details.front(), variables, configuration);
+  scan_low_relief(w.low_relief, cloud, variables, configuration);
   return configuration;
 }
 

@@ -11,9 +11,9 @@
 namespace lockbox {
 namespace {
 
-constexpr ScanSteps kContrastSteps{0.006, 2};
 constexpr int kMostPositions = 64;
-constexpr double kLeastGain = 1.0;  // pixels: worth moving for
+constexpr double kLeastGain = 1.0;        // pixels: worth moving for
+constexpr double kHardlyStandsOut = 4.0;  // standard deviations of a depth
 
 std::vector<double> positions_between(double lower, double upper, int count) {
   std::vector<double> positions;
@@ -69,14 +69,12 @@ void scan_joints(const KinematicTree& tree, ViewScore& score, const std::vector<
   }
 }
 
-void scan_joints_by_contrast(const KinematicTree& tree, ViewScore& score,
-                             const std::vector<int>& variables, Configuration& configuration) {
-  const Scan scan = [&](int variable, const std::vector<double>& positions) {
-    return score.scan_contrast(configuration, variable, positions);
-  };
-  const ModelLevers levers = model_levers(tree);
+void scan_low_relief(LowRelief& low_relief, const TiledCloud& cloud,
+                     const std::vector<int>& variables, Configuration& configuration) {
   for (const int variable : variables) {
-    scan_variable(tree, scan, variable, levers.variables[variable], kContrastSteps, configuration);
+    if (low_relief.prominence(variable, configuration) > kHardlyStandsOut) continue;
+    const auto sighting = low_relief.find_anywhere(cloud, configuration, variable);
+    if (sighting) configuration.q[variable] = sighting->position;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lockbox/registration/low_relief.hpp"
 #include "view_score.hpp"
 
 namespace lockbox {
@@ -22,8 +23,9 @@ inline constexpr ScanSteps kScan{0.012, 2};
 void scan_joints(const KinematicTree& tree, ViewScore& score, const std::vector<int>& variables,
                  double slack, const ScanSteps& steps, Configuration& configuration);
 
-/// The same by contrast, for a view of single pixels and a base that is known to a few millimetres.
-void scan_joints_by_contrast(const KinematicTree& tree, ViewScore& score,
-                             const std::vector<int>& variables, Configuration& configuration);
+/// The same for variables whose parts hardly stand out of the noise: the likelihood of the image
+/// decides. For everything else known to a few millimetres.
+void scan_low_relief(LowRelief& low_relief, const TiledCloud& cloud,
+                     const std::vector<int>& variables, Configuration& configuration);
 
 }  // namespace lockbox

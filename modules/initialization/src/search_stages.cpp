@@ -19,7 +19,6 @@ constexpr double kEnoughPixels = 80.0;
 /// Of 2024 right answers in random scenes 99.9 % are contradicted by less than 0.83 % of the pixels
 /// that speak, of 29 wrong ones only nine.
 constexpr double kContradicted = 24.0;
-constexpr double kFinePixel = 0.0028;    // metres: larger ones are worth looking at one by one
 constexpr std::size_t kMatchesEach = 8;  // of one relief on one region
 constexpr int kAnchorPositions = 5;      // of a joint between base and a matched side
 
@@ -102,14 +101,15 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       surroundings(model.tree),
       all_variables(static_cast<std::size_t>(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1),
-      fine(model, options.registration, executor) {
+      fine(model, options.registration, executor),
+      low_relief(model, options.registration) {
   std::iota(all_variables.begin(), all_variables.end(), 0);
   RegistrationOptions coarse_options = options.registration;
   coarse_options.collision = CollisionMode::off;
+  coarse_options.sight_low_relief = false;  // coarse pixels err otherwise
   for (int worker = 0; worker < executor.threads(); ++worker) {
     scores.emplace_back(model.tree, view_noise());
     halves.emplace_back(model.tree, fine_view_noise());
-    details.emplace_back(model.tree, options.depth_noise);
     coarse.emplace_back(model, coarse_options, Executor(1));
     parts.emplace_back();
   }
@@ -223,21 +223,6 @@ void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
     climb(model.tree, halves, executor, kClimbClosely, hypothesis.configuration);
   }
   align_if_better(cloud, hypotheses);
-  executor.for_each(hypotheses.size(), [&](std::size_t i) {
-    Hypothesis& hypothesis = hypotheses[i];
-    Configuration contrasted = hypothesis.configuration;
-    const double pixel = contrasted.T_camera_base.translation().z() / cloud.camera().fx;
-    const std::size_t worker = Executor::worker();
-    scan_joints_by_contrast(model.tree, pixel > kFinePixel ? details[worker] : halves[worker],
-                            all_variables, contrasted);
-    // Contrast knows where low relief is better than depth does, which hardly notices.
-    const double score = judge_closely(contrasted, kFineSlack);
-    hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
-    if (score > kHardlyLess * hypothesis.score) {
-      hypothesis.configuration = std::move(contrasted);
-      hypothesis.score = score;
-    }
-  });
 }
 
 void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
@@ -279,6 +264,15 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
   std::vector<Candidate> candidates = compared_by_place(std::move(answers), levers);
   candidates.resize(std::min(candidates.size(), options.most_candidates));
   return candidates;
+}
+
+/// Joints of an object that is known to be there: what stands before it says nothing about them.
+void Initializer::Workspace::settle_joints(const TiledCloud& cloud, const CoarseView& fine_view,
+                                           Configuration& configuration) {
+  constexpr bool kIsKnown = true;
+  halves.front().set_view(fine_view, kIsKnown);
+  scan_joints(model.tree, halves.front(), all_variables, kFineSlack, kScan, configuration);
+  scan_low_relief(low_relief, cloud, all_variables, configuration);
 }
 
 void Initializer::Workspace::align_coarsely(double spread, int iterations,

@@ -7,6 +7,7 @@
 #include "coarse_view.hpp"
 #include "hypothesis.hpp"
 #include "lockbox/initialization/initializer.hpp"
+#include "lockbox/registration/low_relief.hpp"
 #include "scene_relief.hpp"
 #include "surroundings.hpp"
 #include "view_score.hpp"
@@ -25,11 +26,11 @@ struct Initializer::Workspace {
   std::vector<std::uint8_t> all_bodies;
   /// By worker.
   std::vector<ViewScore> scores;
-  std::vector<ViewScore> halves;   ///< of a finer view
-  std::vector<ViewScore> details;  ///< of single pixels
+  std::vector<ViewScore> halves;  ///< of a finer view
   std::vector<ArticulatedRegistration> coarse;
   std::vector<PartOfCloud> parts;
   ArticulatedRegistration fine;
+  LowRelief low_relief;
   TiledCloud coarse_cloud;
 
   Workspace(const ArticulatedModel& articulated_model, const InitializerOptions& given,
@@ -42,6 +43,9 @@ struct Initializer::Workspace {
   std::vector<Hypothesis> seek(const TiledCloud& cloud, const PlanarScene& scene);
   /// What stages sought, the most convincing first.
   std::vector<Candidate> rank(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses);
+  /// All joints of what was found once more.
+  void settle_joints(const TiledCloud& cloud, const CoarseView& fine_view,
+                     Configuration& configuration);
 
  private:
   std::vector<Hypothesis> match(const PlanarScene& scene);

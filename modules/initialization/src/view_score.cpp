@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lockbox/model/moved_bodies.hpp"
 #include "outline_continuation.hpp"
 
 namespace lockbox {
@@ -13,8 +14,6 @@ namespace {
 constexpr double kFallOff = 0.22;   // a deviation of three standard deviations costs two
 constexpr double kSteepest = 5.0;   // tangent of the incidence beyond which surfaces count alike
 constexpr double kSamples = 200.0;  // of each body's surface
-
-constexpr float kContrastGate = 6.0F;  // standard deviations of a pixel
 
 /// The smaller change of depth to one of two opposite neighbours on the same body.
 double depth_slope(const RenderedDepth& image, int u, int v, int du, int dv) {
@@ -40,17 +39,6 @@ std::vector<std::uint8_t> others_than(const std::vector<std::uint8_t>& moved) {
 }
 
 }  // namespace
-
-std::vector<std::uint8_t> moved_bodies(const KinematicTree& tree, int variable) {
-  std::vector<std::uint8_t> moved(tree.bodies.size(), 0);
-  for (std::size_t j = 0; j < tree.joints.size(); ++j) {  // parents come before children
-    const Joint& joint = tree.joints[j];
-    moved[static_cast<std::size_t>(joint.child_body)] =
-        joint.variable == variable || moved[static_cast<std::size_t>(joint.parent_body)] != 0 ? 1
-                                                                                              : 0;
-  }
-  return moved;
-}
 
 ViewScore::ViewScore(const KinematicTree& tree, double noise) : tree_(tree), noise_(noise) {
   for (const Body& body : tree.bodies) {
@@ -252,48 +240,6 @@ std::vector<double> ViewScore::scan(const Configuration& configuration, int vari
       }
     }
     scores.push_back(sum);
-  }
-  return scores;
-}
-
-/// Of the nearer of moving_ and rest_ in each pixel.
-double ViewScore::contrast_score() {
-  const RenderedDepth& image = moving_.image;
-  residuals_.resize(image.width, image.height);
-  double sum = 0.0;
-  for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
-      const std::size_t pixel = image.index(u, v);
-      const float z = std::min(image.depth[pixel], rest_.image.depth[pixel]);
-      const std::size_t view_pixel = view_->index(u + moving_.left, v + moving_.top);
-      const float measured = view_->depth[view_pixel];
-      if (!(measured > 0.0F) || !std::isfinite(z) || is_before_reach(measured, 0.0)) continue;
-      const float residual = (1.0F / measured - 1.0F / z) / static_cast<float>(noise_);
-      if (std::abs(residual) < kContrastGate) {
-        residuals_.values[pixel] = residual;
-      } else if (residual > 0.0F) {
-        sum += kOccluded;
-      } else {
-        const float nearest = view_->nearest[view_pixel];
-        const float beside = (1.0F / nearest - 1.0F / z) / static_cast<float>(noise_);
-        sum += beside > -kContrastGate ? 0.0 : kSeenThrough;
-      }
-    }
-  }
-  return sum + evenness(residuals_);
-}
-
-std::vector<double> ViewScore::scan_contrast(const Configuration& configuration, int variable,
-                                             const std::vector<double>& positions) {
-  const std::vector<std::uint8_t> moved = moved_bodies(tree_, variable);
-  frame_motion(configuration, variable, positions, moved);
-  draw(configuration, others_than(moved), rest_);
-  std::vector<double> scores;
-  Configuration trial = configuration;
-  for (const double position : positions) {
-    trial.q[variable] = position;
-    draw(trial, moved, moving_);
-    scores.push_back(contrast_score());
   }
   return scores;
 }

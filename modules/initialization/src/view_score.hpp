@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "coarse_view.hpp"
-#include "contrast.hpp"
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
@@ -42,12 +41,6 @@ class ViewScore {
   std::vector<double> scan(const Configuration& configuration, int variable,
                            const std::vector<double>& positions, double slack);
 
-  /// The same by contrast: not depths are compared but how they differ from those around them. The
-  /// noise of neighbouring pixels goes together, so that in a view of single pixels low relief
-  /// stands out by its edges where its height is lost in the noise.
-  std::vector<double> scan_contrast(const Configuration& configuration, int variable,
-                                    const std::vector<double>& positions);
-
  private:
   /// Part of the view, drawn.
   struct Drawing {
@@ -64,7 +57,6 @@ class ViewScore {
   ViewEvidence count_pixels(double slack) const;
   bool is_before_reach(double measured, double slack) const;
   double pixel_score(const Drawing& drawing, int u, int v, double slack) const;
-  double contrast_score();
   double share_in_view(const std::vector<std::uint8_t>& bodies) const;
 
   const KinematicTree& tree_;
@@ -80,10 +72,6 @@ class ViewScore {
   Drawing moving_;
   Drawing rest_;
   std::vector<double> rest_scores_;
-  ResidualImage residuals_;
 };
-
-/// By body: 1 where the joint variable moves it.
-std::vector<std::uint8_t> moved_bodies(const KinematicTree& tree, int variable);
 
 }  // namespace lockbox

@@ -42,6 +42,7 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
       options_(options),
       executor_(executor),
       collision_(model, options, executor),
+      low_relief_(model, options),
       scale_(step_scale(model.tree)),
       moves_(model.tree) {
   options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
@@ -55,6 +56,8 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
                                                          const Configuration& start,
                                                          const Annealing& annealing) {
   result_.configuration = start;
+  start_ = start.q;
+  sightings_.assign(static_cast<std::size_t>(model_.tree.variables()), std::nullopt);
   result_.converged = false;
   result_.iterations = 0;
   last_step_.setZero(scale_.unit.size());
@@ -85,9 +88,14 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   model_term_.append_tile_systems(tile_systems_);
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
     refine(cloud.camera(), annealing.hold_joints);
+    if (annealing.iterations > 0 && !annealing.hold_joints) sight_low_relief(cloud);
   }
   covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
                        scale_, moves_.levers(), held_);
+  for (Index v = 0; v < static_cast<Index>(sightings_.size()); ++v) {
+    const auto& sighting = sightings_[static_cast<std::size_t>(v)];
+    if (sighting) covariance_.set_independent(6 + v, sighting->variance, moves_.levers());
+  }
   result_.covariance = covariance_.covariance();
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();
@@ -127,6 +135,28 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
   for (TileSystem& tile : tile_systems_) {
     tile.gradient += tile.hessian * (jacobians_[static_cast<std::size_t>(tile.body)] * step).eval();
   }
+}
+
+/// Joints of low relief are where the image shows them; what points say about them is noise.
+void ArticulatedRegistration::sight_low_relief(const TiledCloud& cloud) {
+  for (int v = 0; v < model_.tree.variables() && options_.sight_low_relief; ++v) {
+    const bool stands_out =
+        low_relief_.prominence(v, result_.configuration) > options_.free_space_dead_zone;
+    if (stands_out || held_[static_cast<std::size_t>(6 + v)]) continue;
+    auto& sighting = sightings_[static_cast<std::size_t>(v)];
+    sighting = low_relief_.find_near(cloud, result_.configuration, v, start_[v]);
+    forget(6 + v);
+    if (!sighting) continue;
+    result_.configuration.q[v] = sighting->position;
+    result_.at_rest.q[v] = sighting->position;
+  }
+}
+
+/// What the data terms say about an unknown.
+void ArticulatedRegistration::forget(Index unknown) {
+  data_equations_.information.row(unknown).setZero();
+  data_equations_.information.col(unknown).setZero();
+  for (BodyJacobian& jacobian : jacobians_) jacobian.col(unknown).setZero();
 }
 
 /// Draws what the configuration shows, and chooses where to look. What lies farther beside that

@@ -161,12 +161,23 @@ void CovarianceEstimator::estimate(const NormalEquations& data, std::vector<Tile
   sigma_.setZero(n);
   observable_.assign(static_cast<std::size_t>(n), true);
   for (Index i = 0; i < n; ++i) {
-    if (unit_[i] > 0.0) {
-      covariance_(i, i) += std::pow(systematic_floor(i, levers[i]), 2);
-      sigma_[i] = std::sqrt(covariance_(i, i));
-      observable_[static_cast<std::size_t>(i)] = sigma_[i] < kObservableShare * unit_[i];
-    }
+    if (unit_[i] > 0.0) add_floor(i, levers[i]);
   }
+}
+
+void CovarianceEstimator::set_independent(Index unknown, double variance,
+                                          const Eigen::VectorXd& levers) {
+  covariance_.row(unknown).setZero();
+  covariance_.col(unknown).setZero();
+  covariance_(unknown, unknown) = variance;
+  add_floor(unknown, levers[unknown]);
+}
+
+void CovarianceEstimator::add_floor(Index unknown, double lever) {
+  covariance_(unknown, unknown) += std::pow(systematic_floor(unknown, lever), 2);
+  sigma_[unknown] = std::sqrt(covariance_(unknown, unknown));
+  observable_[static_cast<std::size_t>(unknown)] =
+      sigma_[unknown] < kObservableShare * unit_[unknown];
 }
 
 }  // namespace lockbox

@@ -156,6 +156,10 @@ const PinholeCamera& DepthRenderer::camera() const {
   return workspace_->camera;
 }
 
+void DepthRenderer::set_camera(const PinholeCamera& camera) {
+  workspace_->camera = camera;
+}
+
 void DepthRenderer::render(std::span<const RenderItem> items, RenderedDepth& image) {
   Workspace& w = *workspace_;
   image.width = w.camera.width;

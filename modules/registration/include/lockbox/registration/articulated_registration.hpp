@@ -20,6 +20,7 @@
 #include "lockbox/registration/collision_term.hpp"
 #include "lockbox/registration/covariance.hpp"
 #include "lockbox/registration/free_space_term.hpp"
+#include "lockbox/registration/low_relief.hpp"
 #include "lockbox/registration/model_term.hpp"
 #include "lockbox/registration/outline_points.hpp"
 #include "lockbox/registration/registration_options.hpp"
@@ -86,6 +87,8 @@ class ArticulatedRegistration {
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
                  std::optional<double> next_spread);
   void refine(const PinholeCamera& camera, bool hold_joints);
+  void sight_low_relief(const TiledCloud& cloud);
+  void forget(Eigen::Index unknown);
   bool improve(const TiledCloud& cloud, double cost, bool hold_joints, double next_spread);
   void set_step_limits(bool hold_joints);
   void select_free_space(const TiledCloud& cloud, double spread);
@@ -96,6 +99,7 @@ class ArticulatedRegistration {
   ModelTerm model_term_;
   FreeSpaceTerm free_term_;
   CollisionTerm collision_;
+  LowRelief low_relief_;
   VisibleSurface surface_;
   SamplingPlan plan_;
   ViewSamples samples_;                 ///< of surface_
@@ -106,6 +110,7 @@ class ArticulatedRegistration {
   SurfaceMoves moves_;
 
   RegistrationResult result_;
+  Eigen::VectorXd start_;   ///< joint variables
   Configuration rendered_;  ///< what surface_ shows
   Configuration selected_;  ///< where the free-space term made its selection
   double selected_spread_ = 0.0;
@@ -124,6 +129,7 @@ class ArticulatedRegistration {
   Configuration candidate_;
   Eigen::VectorXd last_step_;  ///< zero if the last iteration found none worth taking
   std::vector<bool> held_;     ///< by unknown
+  std::vector<std::optional<JointSighting>> sightings_;  ///< by variable
   CovarianceEstimator covariance_;
   std::vector<TileSystem> tile_systems_;
   AgreementMeter agreement_;

@@ -29,6 +29,10 @@ class CovarianceEstimator {
                 const StepScale& scale, const Eigen::VectorXd& levers,
                 const std::vector<bool>& held);
 
+  /// Replaces what the data says about a joint's unknown by a measurement that tells nothing about
+  /// the others.
+  void set_independent(Eigen::Index unknown, double variance, const Eigen::VectorXd& levers);
+
   /// Of (base twist, variables).
   const Eigen::MatrixXd& covariance() const { return covariance_; }
   /// Square roots of its diagonal.
@@ -47,6 +51,7 @@ class CovarianceEstimator {
   };
   void measure_dispersion(const std::vector<TileSystem>& tiles);
   double dispersion(double pixels) const;
+  void add_floor(Eigen::Index unknown, double lever);
   void invert_information(const NormalEquations& data, const StepScale& scale,
                           const std::vector<bool>& held);
   void sum_tiles(const std::vector<TileSystem>& tiles, const std::vector<BodyJacobian>& jacobians);

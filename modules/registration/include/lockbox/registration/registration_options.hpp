@@ -12,6 +12,10 @@ struct SensorNoise {
   double depth_floor = 0.0003;      ///< metres
   double depth_quadratic = 0.0021;  ///< 1 / metre
   double lateral_pixels = 0.5;
+  /// Of the standard deviation along the ray, what each pixel errs by itself. The rest it shares
+  /// with its neighbours, correlated by exp(-r^2 / (2 correlation_pixels^2)).
+  double own_share = 0.45;
+  double correlation_pixels = 3.0;
 
   /// Along the ray at depth z, and across it with focal length fx: metres.
   double sigma_z(double z) const { return depth_floor + depth_quadratic * z * z; }
@@ -44,6 +48,10 @@ struct RegistrationOptions {
   double noise_correlation = 20.0;
   /// The same for pixels of an outline, in the last step: there each is a witness almost by itself.
   double outline_correlation = 2.0;
+
+  /// Look for joints whose parts do not stand out of the noise in the image itself
+  /// (low_relief.hpp).
+  bool sight_low_relief = true;
 
   bool fixed_base = false;
   std::vector<bool> locked;  ///< by joint variable; empty: none

@@ -54,6 +54,8 @@ class DepthRenderer {
   DepthRenderer& operator=(DepthRenderer&&) noexcept;
 
   const PinholeCamera& camera() const;
+  /// For the images to come.
+  void set_camera(const PinholeCamera& camera);
 
   /// Draws the items into the image, which is resized and overwritten.
   void render(std::span<const RenderItem> items, RenderedDepth& image);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lockbox/model/kinematic_tree.hpp"
+
+namespace lockbox {
+
+/// By body: 1 where the joint variable moves it.
+std::vector<std::uint8_t> moved_bodies(const KinematicTree& tree, int variable);
+
+}  // namespace lockbox
