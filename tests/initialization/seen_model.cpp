@@ -24,20 +24,21 @@ const ArticulatedModel& shipped(const std::string& name) {
   return models.emplace(name, load_model(shipped_file(name), with_cache())).first->second;
 }
 
-DepthFrame seen_frame(const ArticulatedModel& model, const Configuration& truth,
-                      const Scene& scene) {
+DepthFrame seen_frame(const ArticulatedModel& model, const Configuration& truth, const Scene& scene,
+                      std::uint64_t number) {
   const PinholeCamera camera{640, 480, 575.8, 575.8, 319.5, 239.5};
   State state;
   state.configuration = truth;
   DepthFrame frame;
   Simulator(model.tree, camera, {scene, {state}}, sensor_model("primesense"), 3, Executor())
-      .simulate(state, 0, frame);
+      .simulate(state, number, frame);
   return frame;
 }
 
-TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene) {
+TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene,
+                std::uint64_t number) {
   TiledCloud cloud;
-  cloud.assign(seen_frame(model, truth, scene), {}, Executor());
+  cloud.assign(seen_frame(model, truth, scene, number), {}, Executor());
   return cloud;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -18,10 +19,12 @@ LoadOptions with_cache();
 /// The shipped model of that name.
 const ArticulatedModel& shipped(const std::string& name);
 
-/// What a PrimeSense-class sensor sees of the model in the scene.
-DepthFrame seen_frame(const ArticulatedModel& model, const Configuration& truth,
-                      const Scene& scene);
-TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene);
+/// What a PrimeSense-class sensor sees of the model in the scene. Frames with other numbers have
+/// other noise.
+DepthFrame seen_frame(const ArticulatedModel& model, const Configuration& truth, const Scene& scene,
+                      std::uint64_t number = 0);
+TiledCloud seen(const ArticulatedModel& model, const Configuration& truth, const Scene& scene,
+                std::uint64_t number = 0);
 
 /// A wall that many metres behind the base's origin, square to the base.
 Scene wall_behind(double distance);

@@ -4,18 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "initialization/seen_model.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/registration/joint_prominence.hpp"
-#include "lockbox/simulation/simulator.hpp"
 
 namespace lockbox {
 namespace {
 
-const PinholeCamera kCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
 constexpr double kDistance = 2.2;
 
 class FarSlider : public ::testing::Test {
@@ -34,14 +33,8 @@ class FarSlider : public ::testing::Test {
   }
 
   /// The box in frame `number`, which differ by their noise.
-  const TiledCloud& seen(std::uint64_t number) {
-    State state;
-    state.configuration = truth_;
-    Simulator(model_.tree, kCamera, PlacedScene(scene_, {state}), sensor_model("primesense"), 7,
-              Executor())
-        .simulate(state, number, frame_);
-    cloud_.assign(frame_, {}, Executor());
-    return cloud_;
+  TiledCloud seen(std::uint64_t number) const {
+    return lockbox::seen(model_, truth_, scene_, number);
   }
 
   Configuration off_by(double metres) const {
@@ -54,8 +47,6 @@ class FarSlider : public ::testing::Test {
   int variable_ = 0;
   Scene scene_;
   Configuration truth_;
-  DepthFrame frame_;
-  TiledCloud cloud_;
 };
 
 TEST_F(FarSlider, StandsOutByItsHeight) {
@@ -99,7 +90,7 @@ TEST_F(FarSlider, IsLostInTheNoiseOfPoints) {
 
 TEST_F(FarSlider, IsFoundAnywhereInItsRange) {
   LowRelief low_relief(model_, {});
-  const TiledCloud& cloud = seen(1);
+  const TiledCloud cloud = seen(1);
   for (const double off : {-0.09, 0.08, 0.12}) {
     const auto found = low_relief.find_anywhere(cloud, off_by(off), variable_);
     ASSERT_TRUE(found);
@@ -115,15 +106,16 @@ TEST_F(FarSlider, IsNotMovedForNoise) {
 }
 
 TEST_F(FarSlider, IsUnknownWhereNothingWasMeasured) {
-  seen(0);
-  std::fill(frame_.depth.begin(), frame_.depth.end(), std::uint16_t{0});
-  cloud_.assign(frame_, {}, Executor());
-  EXPECT_FALSE(LowRelief(model_, {}).find_near(cloud_, truth_, variable_, 0.0));
-  EXPECT_FALSE(LowRelief(model_, {}).find_anywhere(cloud_, truth_, variable_));
+  DepthFrame frame = seen_frame(model_, truth_, scene_);
+  std::fill(frame.depth.begin(), frame.depth.end(), std::uint16_t{0});
+  TiledCloud cloud;
+  cloud.assign(frame, {}, Executor());
+  EXPECT_FALSE(LowRelief(model_, {}).find_near(cloud, truth_, variable_, 0.0));
+  EXPECT_FALSE(LowRelief(model_, {}).find_anywhere(cloud, truth_, variable_));
 }
 
 TEST_F(FarSlider, IsUnknownBehindTheCamera) {
-  const TiledCloud& cloud = seen(0);
+  const TiledCloud cloud = seen(0);
   Configuration behind = truth_;
   behind.T_camera_base.translation().z() = -1.0;
   LowRelief low_relief(model_, {});

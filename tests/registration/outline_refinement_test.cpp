@@ -8,12 +8,9 @@
 #include "initialization/seen_model.hpp"
 #include "lockbox/core/lie.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
-#include "lockbox/simulation/simulator.hpp"
 
 namespace lockbox {
 namespace {
-
-const PinholeCamera kCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
 
 /// A small block, far away: its sides are little but noise, its outlines are sharp.
 class FarBlock : public ::testing::Test {
@@ -27,14 +24,8 @@ class FarBlock : public ::testing::Test {
   }
 
   /// The block in frame `number`, which differ by their noise.
-  const TiledCloud& seen(std::uint64_t number) {
-    State state;
-    state.configuration = truth_;
-    Simulator(model_.tree, kCamera, PlacedScene(scene_, {state}), sensor_model("primesense"), 7,
-              Executor())
-        .simulate(state, number, frame_);
-    cloud_.assign(frame_, {}, Executor());
-    return cloud_;
+  TiledCloud seen(std::uint64_t number) const {
+    return lockbox::seen(model_, truth_, scene_, number);
   }
 
   double turn_from_truth(const Configuration& found) const {
@@ -45,8 +36,6 @@ class FarBlock : public ::testing::Test {
   ArticulatedRegistration registration_;
   Scene scene_;
   Configuration truth_;
-  DepthFrame frame_;
-  TiledCloud cloud_;
 };
 
 TEST_F(FarBlock, IsFoundMoreExactlyThanByAllPixelsAlike) {
@@ -64,7 +53,7 @@ TEST_F(FarBlock, IsFollowedAsIfOutlinesWeighedLikeAllElse) {
   RegistrationOptions heavier;
   heavier.outline_correlation = 1.0;
   ArticulatedRegistration with_heavier(model_, heavier, Executor());
-  const TiledCloud& cloud = seen(0);
+  const TiledCloud cloud = seen(0);
   const RegistrationResult& usual = registration_.align(cloud, truth_, {0.005, 8});
   const RegistrationResult& other = with_heavier.align(cloud, truth_, {0.005, 8});
   EXPECT_TRUE(usual.at_rest.T_camera_base.isApprox(other.at_rest.T_camera_base, 0.0));
