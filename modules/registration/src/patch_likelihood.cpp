@@ -102,7 +102,7 @@ bool PatchLikelihood::frame_motion(const PinholeCamera& camera, const Configurat
       for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3d p =
             poses_[b] * boxes_[b].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
-        if (p.z() < kNearest) return false;
+        if (!(p.z() >= kNearest)) return false;  // nor NaN
         seen.extend(camera.project(p));
       }
     }
