@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "levers.hpp"
@@ -25,10 +24,8 @@ std::vector<double> positions_between(double lower, double upper, int count) {
   return positions;
 }
 
-using Scan = std::function<std::vector<double>(int variable, const std::vector<double>& positions)>;
-
-void scan_variable(const KinematicTree& tree, const Scan& scan, int variable, double lever,
-                   const ScanSteps& steps, Configuration& configuration) {
+void scan_variable(const KinematicTree& tree, ViewScore& score, int variable, double lever,
+                   double slack, const ScanSteps& steps, Configuration& configuration) {
   const VariableLimits limits = variable_limits(tree, variable);
   const bool limited = std::isfinite(limits.upper - limits.lower);
   double lower = limited ? limits.lower : configuration.q[variable] - std::numbers::pi;
@@ -42,7 +39,7 @@ void scan_variable(const KinematicTree& tree, const Scan& scan, int variable, do
   for (int level = 0; level <= steps.halvings; ++level) {
     std::vector<double> positions = positions_between(lower, upper, count);
     positions.push_back(start);
-    const std::vector<double> scores = scan(variable, positions);
+    const std::vector<double> scores = score.scan(configuration, variable, positions, slack);
     const auto best = std::max_element(scores.begin(), scores.end() - 1);
     const double gain = *best - scores.back();
     if (gain > best_gain) {
@@ -60,12 +57,9 @@ void scan_variable(const KinematicTree& tree, const Scan& scan, int variable, do
 
 void scan_joints(const KinematicTree& tree, ViewScore& score, const std::vector<int>& variables,
                  double slack, const ScanSteps& steps, Configuration& configuration) {
-  const Scan scan = [&](int variable, const std::vector<double>& positions) {
-    return score.scan(configuration, variable, positions, slack);
-  };
   const ModelLevers levers = model_levers(tree);
   for (const int variable : variables) {
-    scan_variable(tree, scan, variable, levers.variables[variable], steps, configuration);
+    scan_variable(tree, score, variable, levers.variables[variable], slack, steps, configuration);
   }
 }
 

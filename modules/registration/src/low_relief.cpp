@@ -77,28 +77,38 @@ std::optional<JointSighting> LowRelief::find_near(const TiledCloud& cloud,
     positions_.push_back(start + k * pixel);
   }
   put_between(variable_limits(model_.tree, variable), positions_);
-  if (!patch_.draw(cloud, configuration, variable, positions_)) {
-    return std::nullopt;
-  }
-  costs_.clear();
-  for (std::size_t k = 0; k < positions_.size(); ++k) costs_.push_back(patch_.chi_squared(k));
+  if (!compare_positions(cloud, configuration, variable)) return std::nullopt;
   const std::size_t least = best(costs_);
-  const double scale = excess(costs_[least], patch_.pixels());
+  const double scatter = scatter_around(least, 1.5 * pixel);
   trial_ = configuration;
   trial_.q[variable] = positions_[least];
-  // Other positions that are hardly less likely.
+  auto sighting = settle(cloud, trial_, variable, kSettlePixels * pixel);
+  if (sighting) sighting->variance += scatter;
+  return sighting;
+}
+
+/// costs_: chi^2 of the positions.
+bool LowRelief::compare_positions(const TiledCloud& cloud, const Configuration& configuration,
+                                  int variable) {
+  if (!patch_.draw(cloud, configuration, variable, positions_)) return false;
+  costs_.clear();
+  for (std::size_t k = 0; k < positions_.size(); ++k) costs_.push_back(patch_.chi_squared(k));
+  return true;
+}
+
+/// The variance that positions farther than `aside` from the best one add by their likelihood.
+double LowRelief::scatter_around(std::size_t least, double aside) const {
+  const double scale = excess(costs_[least], patch_.pixels());
   double total = 1.0;
   double scatter = 0.0;
   for (std::size_t k = 0; k < positions_.size(); ++k) {
     const double offset = positions_[k] - positions_[least];
-    if (std::abs(offset) < 1.5 * pixel) continue;
+    if (std::abs(offset) < aside) continue;
     const double likelihood = std::exp(-0.5 * (costs_[k] - costs_[least]) / scale);
     total += likelihood;
     scatter += likelihood * offset * offset;
   }
-  auto sighting = settle(cloud, trial_, variable, kSettlePixels * pixel);
-  if (sighting) sighting->variance += scatter / total;
-  return sighting;
+  return scatter / total;
 }
 
 std::optional<JointSighting> LowRelief::find_anywhere(const TiledCloud& cloud,
@@ -117,9 +127,7 @@ std::optional<JointSighting> LowRelief::find_anywhere(const TiledCloud& cloud,
   }
   const std::size_t here = positions_.size();
   positions_.push_back(start);
-  if (!patch_.draw(cloud, configuration, variable, positions_)) return std::nullopt;
-  costs_.clear();
-  for (std::size_t k = 0; k < positions_.size(); ++k) costs_.push_back(patch_.chi_squared(k));
+  if (!compare_positions(cloud, configuration, variable)) return std::nullopt;
   const std::size_t least = best(costs_);
   const double gain = costs_[here] - costs_[least];
   if (gain < kLeastGain * excess(costs_[least], patch_.pixels())) return std::nullopt;

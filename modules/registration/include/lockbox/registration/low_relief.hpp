@@ -40,6 +40,8 @@ class LowRelief {
  private:
   double distance(int variable, const Configuration& configuration);
   double pixel_step(const PinholeCamera& camera, const Configuration& configuration, int variable);
+  bool compare_positions(const TiledCloud& cloud, const Configuration& configuration, int variable);
+  double scatter_around(std::size_t least, double aside) const;
   std::optional<JointSighting> settle(const TiledCloud& cloud, const Configuration& configuration,
                                       int variable, double step);
 

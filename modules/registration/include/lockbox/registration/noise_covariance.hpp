@@ -7,9 +7,7 @@
 //   C = W^-1 + sigma^2 R,    R_ij = exp(-|i - j|^2 / (2 L^2)), cut off at 3 L along each axis.
 //
 // With x = C^-1 r, r' x is what a residual image r costs: smooth parts of it next to nothing, steps
-// between neighbours what they are worth. (On a grid of nodes 4/3 L apart the shared errors take a
-// banded system, solved ten times as fast. What the nodes cannot follow is one part in fifty of
-// sigma, several times what a pixel errs by itself: a slider's error rose fourfold.)
+// between neighbours what they are worth.
 #pragma once
 
 #include <Eigen/Core>
