@@ -76,6 +76,7 @@ NamedValues parameters_in_force(const TrackerOptions& options) {
       {"noise_own_share", text(registration.noise.own_share)},
       {"noise_correlation_pixels", text(registration.noise.correlation_pixels)},
       {"sight_low_relief", text(registration.sight_low_relief)},
+      {"refine_at_edges", text(registration.refine_at_edges)},
       {"noise_correlation", text(registration.noise_correlation)},
       {"outline_correlation", text(registration.outline_correlation)},
       {"cut", text(registration.cut)},

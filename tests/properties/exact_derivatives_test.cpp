@@ -6,7 +6,9 @@
 #include <random>
 
 #include "initialization/seen_model.hpp"
+#include "lockbox/model/surface_levers.hpp"
 #include "lockbox/registration/collision_term.hpp"
+#include "lockbox/registration/edge_tile.hpp"
 #include "lockbox/registration/free_space_term.hpp"
 #include "lockbox/registration/model_term.hpp"
 #include "lockbox/registration/sampling_plan.hpp"
@@ -118,6 +120,76 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   const Eigen::VectorXd numeric =
       numeric_gradient(at, 1e-4, [&](const Configuration& x) { return term.cost(poses(x)); });
   EXPECT_LT((analytic.gradient - numeric).norm(), 3e-4 * numeric.norm());
+}
+
+/// What the pixels around the model's edges are expected to measure (1/metre), with the derivative
+/// by all unknowns; of pixels that may show nothing: zero.
+struct ExpectedImage {
+  Eigen::VectorXd means;
+  Eigen::MatrixXd derivatives;
+};
+
+ExpectedImage expected_image(const ArticulatedModel& model, const Configuration& at) {
+  const PinholeCamera camera{320, 240, 290.0, 290.0, 159.5, 119.5};
+  constexpr int kMargin = 2;
+  BodyPoses poses = poses_of(model, at);
+  std::vector<BodyJacobian> jacobians;
+  body_jacobians(model.tree, poses, jacobians);
+  std::vector<RenderItem> items;
+  for (std::size_t b = 0; b < poses.size(); ++b) {
+    items.push_back({&model.tree.bodies[b].mesh, poses[b], static_cast<std::int16_t>(b)});
+    jacobians[b] = adjoint(poses[b]) * jacobians[b];
+  }
+  RenderedDepth samples;
+  DepthRenderer(refined(camera, EdgeTile::kSamples), Executor(1)).render(items, samples);
+  ExpectedImage image;
+  image.means.setZero(camera.width * camera.height);
+  image.derivatives.setZero(image.means.size(), 6 + model.tree.variables());
+  EdgeTile tile(0.5);
+  const int last_left = camera.width - kMargin - EdgeTile::kSide;
+  const int last_top = camera.height - kMargin - EdgeTile::kSide;
+  for (int top = kMargin; top <= last_top; top += EdgeTile::kSide) {
+    for (int left = kMargin; left <= last_left; left += EdgeTile::kSide) {
+      if (!tile.read(samples, left, top)) continue;
+      for (int row = 0; row < EdgeTile::kSide; ++row) {
+        tile.begin_row(row);
+        for (int column = 0; column < EdgeTile::kSide; ++column) {
+          if (tile.may_show_nothing(column, row)) continue;
+          tile.look_at(column);
+          const Eigen::Index pixel = (top + row) * camera.width + left + column;
+          const Eigen::Vector3f ray =
+              camera.back_project(left + column, top + row, 1.0).cast<float>();
+          image.means[pixel] = static_cast<double>(tile.mean());
+          for (std::size_t b = 0; b < tile.bodies().size(); ++b) {
+            image.derivatives.row(pixel) +=
+                tile.derivative(b, ray.x(), ray.y(), camera).cast<double>().transpose() *
+                jacobians[static_cast<std::size_t>(tile.bodies()[b])];
+          }
+        }
+      }
+    }
+  }
+  return image;
+}
+
+// Samples change at edges one after the other, so that differences of single pixels are coarse.
+TEST_F(ExactDerivatives, ExpectedImageAgreesWithNumericalDifferentiation) {
+  const ExpectedImage here = expected_image(model, truth);
+  const Eigen::VectorXd levers = surface_levers(model.tree);
+  for (Eigen::Index i = 0; i < unknowns; ++i) {
+    const double h = 0.0006 / levers[i];  // half a pixel
+    const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(unknowns, i);
+    const ExpectedImage after = expected_image(model, stepped(truth, step));
+    const ExpectedImage before = expected_image(model, stepped(truth, -step));
+    const auto is_seen =
+        here.means.array() > 0.0 && after.means.array() > 0.0 && before.means.array() > 0.0;
+    const Eigen::VectorXd numeric =
+        is_seen.select((after.means - before.means).array() / (2.0 * h), 0.0);
+    const Eigen::VectorXd analytic = is_seen.select(here.derivatives.col(i).array(), 0.0);
+    ASSERT_GT(analytic.norm(), 0.0);
+    EXPECT_NEAR(numeric.dot(analytic) / analytic.squaredNorm(), 1.0, 0.05) << "unknown " << i;
+    EXPECT_LT((numeric - analytic).norm(), 0.25 * analytic.norm()) << "unknown " << i;
+  }
 }
 
 /// A chain of three, each link beside a post of the base: a slide, a hinge on it, a wheel without

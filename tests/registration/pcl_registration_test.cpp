@@ -221,6 +221,7 @@ TEST_F(PclCloudsTest, PointsThatAreNotInTheIndicesPullNothing) {
   RegistrationOptions model_term_only;
   model_term_only.lambda_free = 0.0;
   model_term_only.collision = CollisionMode::off;
+  model_term_only.refine_at_edges = false;
   registration.setOptions(model_term_only);
   align(scan);
   const double with_arm = registration.getStandardDeviations()[7];

@@ -37,6 +37,12 @@ constexpr Selection kPlaced{0.1, 40, 0.5, 6};
 constexpr Selection kPosed{0.2, 6, kSamePlace, 2};
 constexpr Selection kRanked{0.0, 12, kSamePlace, 2};
 
+/// Answers are to be told apart, not exact.
+RegistrationOptions to_rank(RegistrationOptions options) {
+  options.refine_at_edges = false;
+  return options;
+}
+
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
 std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
   const VariableLimits limits = variable_limits(tree, variable);
@@ -101,10 +107,10 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       surroundings(model.tree),
       all_variables(static_cast<std::size_t>(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1),
-      fine(model, options.registration, executor),
+      fine(model, to_rank(options.registration), executor),
       low_relief(model, options.registration) {
   std::iota(all_variables.begin(), all_variables.end(), 0);
-  RegistrationOptions coarse_options = options.registration;
+  RegistrationOptions coarse_options = to_rank(options.registration);
   coarse_options.collision = CollisionMode::off;
   coarse_options.sight_low_relief = false;  // coarse pixels err otherwise
   for (int worker = 0; worker < executor.threads(); ++worker) {

@@ -21,6 +21,8 @@ constexpr double kStaleSelection = 0.0005;  // the same, until what is seen thro
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
 constexpr std::size_t kViewSamples = 40000;  // of the visible surface, where points have no budget
+/// Points near edges, and outlines, have told before part of what edges tell.
+constexpr double kOverlap = 0.5;
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 
@@ -43,6 +45,7 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
       executor_(executor),
       collision_(model, options, executor),
       low_relief_(model, options),
+      edges_(model.tree, options, executor),
       scale_(step_scale(model.tree)),
       moves_(model.tree) {
   options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
@@ -91,11 +94,13 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
     if (annealing.iterations > 0 && !annealing.hold_joints) sight_low_relief(cloud);
   }
   covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
-                       scale_, moves_.levers(), held_);
+                       scale_, held_);
   for (Index v = 0; v < static_cast<Index>(sightings_.size()); ++v) {
     const auto& sighting = sightings_[static_cast<std::size_t>(v)];
-    if (sighting) covariance_.set_independent(6 + v, sighting->variance, moves_.levers());
+    if (sighting) covariance_.set_independent(6 + v, sighting->variance);
   }
+  if (annealing.iterations > 0) refine_at_edges(cloud, annealing.hold_joints);
+  covariance_.add_floors(moves_.levers());
   result_.covariance = covariance_.covariance();
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();
@@ -127,14 +132,42 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
   free_term_.append_tile_systems(poses_, first_tile, outline_weight, tile_systems_);
   set_step_limits(hold_joints);
   const Eigen::VectorXd& step = solver_.solve(equations_, 0.0, limits_, scale_);
-  const double distance = result_.configuration.T_camera_base.translation().norm();
-  if (moves_.of(step) > options_.cut * options_.noise.sigma_lateral(distance, camera.fx)) {
-    return;  // outlines were not looked for so far away
-  }
+  if (moves_.of(step) > surfaces_seen_to_move(camera)) return;
   apply_step(step, result_.configuration);
   for (TileSystem& tile : tile_systems_) {
     tile.gradient += tile.hessian * (jacobians_[static_cast<std::size_t>(tile.body)] * step).eval();
   }
+}
+
+/// The last step, from all that has been found: a pixel or less. What is not known yet stays so: a
+/// smooth disk has edges, but what they tell about its angle are its facets.
+void ArticulatedRegistration::refine_at_edges(const TiledCloud& cloud, bool hold_joints) {
+  if (!options_.refine_at_edges || !cloud.has_image()) return;
+  if (!view_resolution(model_, poses_, cloud.camera(), options_.point_budget).edges) return;
+  forward_kinematics(model_.tree, result_.configuration, poses_);
+  body_jacobians(model_.tree, poses_, jacobians_);
+  edges_.linearize(cloud, poses_, jacobians_);
+  edge_equations_.information = edges_.information();
+  edge_equations_.gradient = edges_.gradient();
+  for (Index i = 0; i < scale_.unit.size(); ++i) {
+    if (!covariance_.determines(i)) edge_equations_.forget(i);
+  }
+  equations_.information = kOverlap * covariance_.information() + edge_equations_.information;
+  equations_.hessian = equations_.information;
+  equations_.gradient = edge_equations_.gradient;
+  collision_.evaluate(model_, poses_, &equations_);
+  set_step_limits(hold_joints);
+  const Eigen::VectorXd& step = solver_.solve(equations_, 0.0, limits_, scale_);
+  if (moves_.of(step) > surfaces_seen_to_move(cloud.camera())) return;
+  apply_step(step, result_.configuration);
+  edge_equations_.information *= kOverlap;
+  covariance_.add_information(edge_equations_.information);
+}
+
+/// Metres: what moves farther was not looked for at its outlines.
+double ArticulatedRegistration::surfaces_seen_to_move(const PinholeCamera& camera) const {
+  const double distance = result_.configuration.T_camera_base.translation().norm();
+  return options_.cut * options_.noise.sigma_lateral(distance, camera.fx);
 }
 
 /// Joints of low relief are where the image shows them; what points say about them is noise.
@@ -154,8 +187,7 @@ void ArticulatedRegistration::sight_low_relief(const TiledCloud& cloud) {
 
 /// What the data terms say about an unknown.
 void ArticulatedRegistration::forget(Index unknown) {
-  data_equations_.information.row(unknown).setZero();
-  data_equations_.information.col(unknown).setZero();
+  data_equations_.forget(unknown);
   for (BodyJacobian& jacobian : jacobians_) jacobian.col(unknown).setZero();
 }
 

@@ -144,9 +144,7 @@ void CovarianceEstimator::restore_what_was_followed(const std::vector<TileSystem
 void CovarianceEstimator::estimate(const NormalEquations& data, std::vector<TileSystem>& tiles,
                                    double noise_correlation,
                                    const std::vector<BodyJacobian>& jacobians,
-                                   const StepScale& scale, const Eigen::VectorXd& levers,
-                                   const std::vector<bool>& held) {
-  const Index n = data.gradient.size();
+                                   const StepScale& scale, const std::vector<bool>& held) {
   merge(tiles);
   invert_information(data, scale, held);
   sum_tiles(tiles, jacobians);
@@ -157,27 +155,53 @@ void CovarianceEstimator::estimate(const NormalEquations& data, std::vector<Tile
   product_ = unit_.asDiagonal() * modes_.eigenvectors();
   scaled_ = product_ * unknown_modes_.asDiagonal();
   covariance_.noalias() += scaled_ * product_.transpose();
-
-  sigma_.setZero(n);
-  observable_.assign(static_cast<std::size_t>(n), true);
-  for (Index i = 0; i < n; ++i) {
-    if (unit_[i] > 0.0) add_floor(i, levers[i]);
-  }
 }
 
-void CovarianceEstimator::set_independent(Index unknown, double variance,
-                                          const Eigen::VectorXd& levers) {
+void CovarianceEstimator::set_independent(Index unknown, double variance) {
   covariance_.row(unknown).setZero();
   covariance_.col(unknown).setZero();
   covariance_(unknown, unknown) = variance;
-  add_floor(unknown, levers[unknown]);
 }
 
-void CovarianceEstimator::add_floor(Index unknown, double lever) {
-  covariance_(unknown, unknown) += std::pow(systematic_floor(unknown, lever), 2);
-  sigma_[unknown] = std::sqrt(covariance_(unknown, unknown));
-  observable_[static_cast<std::size_t>(unknown)] =
-      sigma_[unknown] < kObservableShare * unit_[unknown];
+/// By its diagonal made 1; rows and columns of held unknowns stay zero.
+void CovarianceEstimator::invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& inverse) {
+  const Index n = matrix.rows();
+  inverse_.resize(n);
+  for (Index i = 0; i < n; ++i) {
+    inverse_[i] = unit_[i] > 0.0 ? 1.0 / std::sqrt(matrix(i, i)) : 0.0;
+  }
+  scaled_ = inverse_.asDiagonal() * matrix * inverse_.asDiagonal();
+  for (Index i = 0; i < n; ++i) scaled_(i, i) = 1.0;
+  definite_.compute(scaled_);
+  product_.setIdentity(n, n);
+  definite_.solveInPlace(product_);
+  inverse = inverse_.asDiagonal() * product_ * inverse_.asDiagonal();
+}
+
+const Eigen::MatrixXd& CovarianceEstimator::information() {
+  invert(covariance_, information_);
+  return information_;
+}
+
+bool CovarianceEstimator::determines(Index unknown) const {
+  return std::sqrt(covariance_(unknown, unknown)) < kObservableShare * unit_[unknown];
+}
+
+void CovarianceEstimator::add_information(const Eigen::MatrixXd& information) {
+  information_ += information;
+  invert(information_, covariance_);
+}
+
+void CovarianceEstimator::add_floors(const Eigen::VectorXd& levers) {
+  const Index n = unit_.size();
+  sigma_.setZero(n);
+  observable_.assign(static_cast<std::size_t>(n), true);
+  for (Index i = 0; i < n; ++i) {
+    if (!(unit_[i] > 0.0)) continue;
+    covariance_(i, i) += std::pow(systematic_floor(i, levers[i]), 2);
+    sigma_[i] = std::sqrt(covariance_(i, i));
+    observable_[static_cast<std::size_t>(i)] = sigma_[i] < kObservableShare * unit_[i];
+  }
 }
 
 }  // namespace lockbox

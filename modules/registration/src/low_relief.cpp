@@ -17,8 +17,7 @@ constexpr int kPixelsAround = 4;
 constexpr double kPixelsPulled = 16.0;  // by points, at most
 constexpr double kScanPixels = 0.75;    // from one position to the next over the whole range
 constexpr int kMostPositions = 128;
-constexpr double kSettlePixels = 0.5;  // on each side, for the derivative
-constexpr double kLeastGain = 9.0;     // of chi^2
+constexpr double kLeastGain = 9.0;  // of chi^2
 
 /// Within the limits, each once.
 void put_between(const VariableLimits& limits, std::vector<double>& positions) {
@@ -26,7 +25,7 @@ void put_between(const VariableLimits& limits, std::vector<double>& positions) {
   positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
 }
 
-std::size_t best(const std::vector<double>& costs) {
+std::size_t best(std::span<const double> costs) {
   return static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
 }
 
@@ -77,38 +76,39 @@ std::optional<JointSighting> LowRelief::find_near(const TiledCloud& cloud,
     positions_.push_back(start + k * pixel);
   }
   put_between(variable_limits(model_.tree, variable), positions_);
-  if (!compare_positions(cloud, configuration, variable)) return std::nullopt;
-  const std::size_t least = best(costs_);
-  const double scatter = scatter_around(least, 1.5 * pixel);
-  trial_ = configuration;
-  trial_.q[variable] = positions_[least];
-  auto sighting = settle(cloud, trial_, variable, kSettlePixels * pixel);
-  if (sighting) sighting->variance += scatter;
-  return sighting;
+  costs_ = patch_.compare(cloud, configuration, variable, positions_);
+  if (costs_.empty()) return std::nullopt;
+  return settle(best(costs_));
 }
 
-/// costs_: chi^2 of the positions.
-bool LowRelief::compare_positions(const TiledCloud& cloud, const Configuration& configuration,
-                                  int variable) {
-  if (!patch_.draw(cloud, configuration, variable, positions_)) return false;
-  costs_.clear();
-  for (std::size_t k = 0; k < positions_.size(); ++k) costs_.push_back(patch_.chi_squared(k));
-  return true;
-}
-
-/// The variance that positions farther than `aside` from the best one add by their likelihood.
-double LowRelief::scatter_around(std::size_t least, double aside) const {
+/// The variance that all positions have by their likelihood.
+double LowRelief::scatter_around(std::size_t least) const {
   const double scale = excess(costs_[least], patch_.pixels());
-  double total = 1.0;
+  double total = 0.0;
   double scatter = 0.0;
   for (std::size_t k = 0; k < positions_.size(); ++k) {
     const double offset = positions_[k] - positions_[least];
-    if (std::abs(offset) < aside) continue;
     const double likelihood = std::exp(-0.5 * (costs_[k] - costs_[least]) / scale);
     total += likelihood;
     scatter += likelihood * offset * offset;
   }
   return scatter / total;
+}
+
+/// At the vertex of the parabola through the best position and its neighbours, whose width adds to
+/// the variance.
+JointSighting LowRelief::settle(std::size_t least) const {
+  const double at = positions_[least];
+  if (least == 0 || least + 1 >= positions_.size()) return {at, scatter_around(least)};
+  const double before = positions_[least - 1] - at;
+  const double after = positions_[least + 1] - at;
+  const double rise_before = (costs_[least - 1] - costs_[least]) / before;
+  const double rise_after = (costs_[least + 1] - costs_[least]) / after;
+  const double bend = (rise_after - rise_before) / (after - before);
+  if (!(bend > 0.0)) return {at, scatter_around(least)};
+  const double offset = 0.5 * (before - rise_before / bend);
+  return {at + std::clamp(offset, 0.5 * before, 0.5 * after),
+          scatter_around(least) + excess(costs_[least], patch_.pixels()) / bend};
 }
 
 std::optional<JointSighting> LowRelief::find_anywhere(const TiledCloud& cloud,
@@ -127,31 +127,14 @@ std::optional<JointSighting> LowRelief::find_anywhere(const TiledCloud& cloud,
   }
   const std::size_t here = positions_.size();
   positions_.push_back(start);
-  if (!compare_positions(cloud, configuration, variable)) return std::nullopt;
+  costs_ = patch_.compare(cloud, configuration, variable, positions_);
+  if (costs_.empty()) return std::nullopt;
   const std::size_t least = best(costs_);
   const double gain = costs_[here] - costs_[least];
   if (gain < kLeastGain * excess(costs_[least], patch_.pixels())) return std::nullopt;
-  trial_ = configuration;
-  trial_.q[variable] = positions_[least];
-  return find_near(cloud, Configuration(trial_), variable, positions_[least]);
-}
-
-/// From a position that is less than a pixel off.
-std::optional<JointSighting> LowRelief::settle(const TiledCloud& cloud,
-                                               const Configuration& configuration, int variable,
-                                               double step) {
-  const VariableLimits limits = variable_limits(model_.tree, variable);
-  if (!(limits.upper - limits.lower > 2.0 * step)) return std::nullopt;
-  const double start = configuration.q[variable];
-  const double middle = std::clamp(start, limits.lower + step, limits.upper - step);
-  positions_ = {middle - step, middle, middle + step};
-  if (!patch_.draw(cloud, configuration, variable, positions_, 1)) return std::nullopt;
-  const PatchLikelihood::Step newton = patch_.step(0, 1, 2);
-  if (!(newton.information > 0.0)) return std::nullopt;
-  const double scale = excess(patch_.chi_squared(1), patch_.pixels());
-  const double change = std::clamp(newton.change, -3.0 * step, 3.0 * step);
-  return JointSighting{std::clamp(middle + change, limits.lower, limits.upper),
-                       scale / newton.information};
+  positions_.pop_back();
+  costs_ = costs_.first(positions_.size());
+  return settle(best(costs_));
 }
 
 }  // namespace lockbox

@@ -53,6 +53,12 @@ void NormalEquations::set_zero(Eigen::Index unknowns) {
   information.setZero(unknowns, unknowns);
 }
 
+void NormalEquations::forget(Eigen::Index unknown) {
+  information.row(unknown).setZero();
+  information.col(unknown).setZero();
+  gradient[unknown] = 0.0;
+}
+
 void NormalEquations::add(const BodySystem& system, const BodyJacobian& jacobian, double weight) {
   add_mapped(system.hessian, jacobian, weight, hessian);
   add_mapped(system.information(), jacobian, weight, information);

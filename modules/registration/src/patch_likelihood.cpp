@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "lockbox/model/forward_kinematics.hpp"
@@ -14,6 +13,7 @@ namespace lockbox {
 namespace {
 
 constexpr int kSamples = 3;  // along each side of a pixel
+constexpr int kTile = 16;    // pixels: more than what stands out, so that its height counts
 constexpr int kReach = 4;    // samples: of the jitter's density, from a pixel's centre
 constexpr int kMargin = 6;   // pixels around what moves: noise goes together over a few
 constexpr int kMostPixels = 40000;
@@ -53,40 +53,49 @@ PinholeCamera cropped(const PinholeCamera& camera, int left, int top, int width,
 
 PatchLikelihood::PatchLikelihood(const KinematicTree& tree, const SensorNoise& noise, double cut)
     : tree_(tree),
-      noise_(noise),
+      lateral_pixels_(noise.lateral_pixels),
       cut_(cut),
-      covariance_(noise.depth_quadratic * std::sqrt(1.0 - square(noise.own_share)),
-                  noise.correlation_pixels),
+      noise_(noise, kTile),
       renderer_(std::make_unique<DepthRenderer>(PinholeCamera{}, Executor(1))) {
   for (const Body& body : tree.bodies) boxes_.push_back(bounds(body.mesh));
   for (int v = 0; v < tree.variables(); ++v) moved_.push_back(moved_bodies(tree, v));
 }
 
-bool PatchLikelihood::draw(const TiledCloud& cloud, const Configuration& configuration,
-                           int variable, std::span<const double> positions,
-                           std::optional<std::size_t> believed) {
+std::span<const double> PatchLikelihood::compare(const TiledCloud& cloud,
+                                                 const Configuration& configuration, int variable,
+                                                 std::span<const double> positions) {
+  compared_ = 0;
   positions_.assign(positions.begin(), positions.end());
-  trial_ = configuration;
-  const PinholeCamera& camera = cloud.camera();
-  if (!frame_motion(camera, configuration, variable)) return false;
+  if (!frame_motion(cloud.camera(), configuration, variable)) return {};
+  draw(cloud.camera(), configuration, variable);
+  read_measured(cloud);
+  chi_squared_.assign(positions_.size(), 0.0);
+  residuals_.resize(kTile * kTile, static_cast<Eigen::Index>(positions_.size()));
+  for (int top = 0; top < frame_.height; top += kTile) {
+    for (int left = 0; left < frame_.width; left += kTile) {
+      if (differs_in_tile(left, top)) compare_tile(left, top);
+    }
+  }
+  return compared_ > 0 ? std::span<const double>(chi_squared_) : std::span<const double>();
+}
+
+void PatchLikelihood::draw(const PinholeCamera& camera, const Configuration& configuration,
+                           int variable) {
   renderer_->set_camera(
       refined(cropped(camera, frame_.left, frame_.top, frame_.width, frame_.height), kSamples));
   const auto& moved = moved_[static_cast<std::size_t>(variable)];
   means_.resize(positions_.size() * frame_.pixels());
-  variances_.assign(frame_.pixels(), 0.0F);
   has_ground_.assign(frame_.pixels(), 1);
   render(configuration, moved, false, rest_);
   leave_out_what_shows_nothing();
+  measure_edges_at_rest();
+  trial_ = configuration;
   for (std::size_t k = 0; k < positions_.size(); ++k) {
     trial_.q[variable] = positions_[k];
     render(trial_, moved, true, moving_);
     merge_with_rest();
-    blur(means(k), k == believed);
+    blur(means(k));
   }
-  add_own_variances();
-  read_measured(cloud);
-  compare();
-  return compared_ > 0;
 }
 
 /// The rectangle that holds what the variable moves, wherever it stands.
@@ -113,8 +122,9 @@ bool PatchLikelihood::frame_motion(const PinholeCamera& camera, const Configurat
   };
   frame_.left = bounded(seen.min().x() - kMargin, camera.width);
   frame_.top = bounded(seen.min().y() - kMargin, camera.height);
-  frame_.width = bounded(seen.max().x() + kMargin + 1.0, camera.width) - frame_.left;
-  frame_.height = bounded(seen.max().y() + kMargin + 1.0, camera.height) - frame_.top;
+  const auto whole_tiles = [](int size) { return (size + kTile - 1) / kTile * kTile; };
+  frame_.width = whole_tiles(bounded(seen.max().x() + kMargin + 1.0, camera.width) - frame_.left);
+  frame_.height = whole_tiles(bounded(seen.max().y() + kMargin + 1.0, camera.height) - frame_.top);
   return frame_.width > 0 && frame_.height > 0 && frame_.pixels() <= kMostPixels;
 }
 
@@ -138,48 +148,42 @@ void PatchLikelihood::merge_with_rest() {
   }
 }
 
-/// The mean and, if asked for, the variance of the samples around each pixel by the jitter's
-/// density.
-void PatchLikelihood::blur(std::span<float> means, bool with_variances) {
-  const Taps taps = jitter_density(noise_.lateral_pixels);
+/// The mean of the samples around each pixel by the jitter's density.
+void PatchLikelihood::blur(std::span<float> means) {
+  const Taps taps = jitter_density(lateral_pixels_);
   const auto columns = static_cast<std::size_t>(rest_.width);
   column_sums_.resize(columns);
-  column_squares_.resize(columns);
-  const float reference = samples_[samples_.size() / 2];  // lest squares cancel
   for (int v = 0; v < frame_.height; ++v) {
     std::fill(column_sums_.begin(), column_sums_.end(), 0.0F);
-    std::fill(column_squares_.begin(), column_squares_.end(), 0.0F);
     for (std::size_t t = 0; t < kTaps; ++t) {
       const float* const row =
           &samples_[sample_near(v, static_cast<int>(t), rest_.height) * columns];
       for (std::size_t i = 0; i < columns; ++i) column_sums_[i] += taps[t] * row[i];
-      for (std::size_t i = 0; with_variances && i < columns; ++i) {
-        column_squares_[i] += taps[t] * (row[i] - reference) * (row[i] - reference);
-      }
     }
     for (int u = 0; u < frame_.width; ++u) {
       float mean = 0.0F;
-      float squares = 0.0F;
       for (std::size_t t = 0; t < kTaps; ++t) {
-        const std::size_t i = sample_near(u, static_cast<int>(t), rest_.width);
-        mean += taps[t] * column_sums_[i];
-        squares += taps[t] * column_squares_[i];
+        mean += taps[t] * column_sums_[sample_near(u, static_cast<int>(t), rest_.width)];
       }
-      const std::size_t pixel = frame_.index(u, v);
-      const float offset = mean - reference;
-      means[pixel] = mean;
-      if (with_variances) variances_[pixel] = std::max(0.0F, squares - offset * offset);
+      means[frame_.index(u, v)] = mean;
     }
   }
 }
 
-/// Of each pixel's error by itself: rounding, of disparities and of depths.
-void PatchLikelihood::add_own_variances() {
-  const auto own = static_cast<float>(noise_.own_share * noise_.depth_quadratic);
-  const std::span<const float> expected = means(0);
-  for (std::size_t i = 0; i < variances_.size(); ++i) {
-    const float rounding = static_cast<float>(noise_.depth_floor) * expected[i] * expected[i];
-    variances_[i] += own * own + rounding * rounding;
+/// The variance of what pixels measure at the edges of what rests. Believing in those of what moves
+/// would favour the position that they are drawn at; the others would have to pay for theirs.
+void PatchLikelihood::measure_edges_at_rest() {
+  samples_.resize(rest_.depth.size());
+  std::transform(rest_.depth.begin(), rest_.depth.end(), samples_.begin(),
+                 [](float depth) { return 1.0F / depth; });
+  const float reference = samples_[samples_.size() / 2];  // lest squares cancel
+  blur(means(0));
+  for (float& sample : samples_) sample = (sample - reference) * (sample - reference);
+  edge_variances_.resize(frame_.pixels());
+  blur(edge_variances_);
+  for (std::size_t i = 0; i < edge_variances_.size(); ++i) {
+    const float offset = means(0)[i] - reference;
+    edge_variances_[i] = std::max(0.0F, edge_variances_[i] - offset * offset);
   }
 }
 
@@ -201,59 +205,64 @@ void PatchLikelihood::leave_out_what_shows_nothing() {
 }
 
 void PatchLikelihood::read_measured(const TiledCloud& cloud) {
-  measured_.resize(frame_.pixels());
-  auto out = measured_.begin();
-  for (int v = 0; v < frame_.height; ++v) {
+  measured_.assign(frame_.pixels(), 0.0F);
+  const int columns = std::min(frame_.width, cloud.camera().width - frame_.left);
+  const int rows = std::min(frame_.height, cloud.camera().height - frame_.top);
+  for (int v = 0; v < rows; ++v) {
     const float* const row = &cloud.depth()[static_cast<std::size_t>(v + frame_.top) *
                                                 static_cast<std::size_t>(cloud.camera().width) +
                                             static_cast<std::size_t>(frame_.left)];
-    out = std::transform(row, row + frame_.width, out,
-                         [](float depth) { return depth > 0.0F ? 1.0F / depth : 0.0F; });
+    std::transform(row, row + columns, &measured_[frame_.index(0, v)],
+                   [](float depth) { return depth > 0.0F ? 1.0F / depth : 0.0F; });
   }
 }
 
-/// Gives weight to the pixels that some position explains.
-void PatchLikelihood::compare() {
-  weights_.assign(frame_.pixels(), 0.0F);
-  compared_ = 0;
-  const auto shared = static_cast<float>(square(noise_.depth_quadratic));
-  for (std::size_t i = 0; i < weights_.size(); ++i) {
-    if (has_ground_[i] == 0 || !(measured_[i] > 0.0F)) continue;
-    float least = std::numeric_limits<float>::infinity();
-    for (std::size_t k = 0; k < positions_.size(); ++k) {
-      least = std::min(least, std::abs(measured_[i] - means_[k * weights_.size() + i]));
+/// Of all positions.
+float PatchLikelihood::least_residual(std::size_t pixel) const {
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t k = 0; k < positions_.size(); ++k) {
+    least = std::min(least, std::abs(measured_[pixel] - means_[k * frame_.pixels() + pixel]));
+  }
+  return least;
+}
+
+/// Whether some position changes what some pixel is expected to measure.
+bool PatchLikelihood::differs_in_tile(int left, int top) {
+  for (int v = top; v < top + kTile; ++v) {
+    const std::size_t first = frame_.index(left, v);
+    const float* const row = &means(0)[first];
+    for (std::size_t k = 1; k < positions_.size(); ++k) {
+      if (!std::equal(row, row + kTile, &means(k)[first])) return true;
     }
-    if (least * least > static_cast<float>(square(cut_)) * (shared + variances_[i])) continue;
-    weights_[i] = 1.0F / variances_[i];
-    ++compared_;
   }
-  covariance_.set_weights(frame_.width, frame_.height, weights_);
+  return false;
 }
 
-double PatchLikelihood::chi_squared(std::size_t position) {
-  residuals_.resize(frame_.pixels());
-  const std::span<const float> expected = means(position);
-  std::transform(measured_.begin(), measured_.end(), expected.begin(), residuals_.begin(),
-                 std::minus<>());
-  covariance_.solve(residuals_);
-  return covariance_.chi_squared();
-}
-
-PatchLikelihood::Step PatchLikelihood::step(std::size_t below, std::size_t at, std::size_t above) {
-  residuals_.resize(frame_.pixels());
-  const auto run = static_cast<float>(positions_[above] - positions_[below]);
-  const std::span<const float> high = means(above);
-  const std::span<const float> low = means(below);
-  for (std::size_t i = 0; i < residuals_.size(); ++i) residuals_[i] = (high[i] - low[i]) / run;
-  const std::span<const float> pull = covariance_.solve(residuals_);
-  const std::span<const float> expected = means(at);
-  double information = 0.0;
-  double gradient = 0.0;
-  for (std::size_t i = 0; i < pull.size(); ++i) {
-    information += static_cast<double>(pull[i]) * static_cast<double>(residuals_[i]);
-    gradient += static_cast<double>(pull[i]) * static_cast<double>(measured_[i] - expected[i]);
+/// By the pixels that some position explains.
+void PatchLikelihood::compare_tile(int left, int top) {
+  noise_.clear();
+  for (int cell = 0; cell < kTile * kTile; ++cell) {
+    const int column = cell % kTile;
+    const int row = cell / kTile;
+    const std::size_t pixel = frame_.index(left + column, top + row);
+    if (has_ground_[pixel] == 0 || !(measured_[pixel] > 0.0F)) continue;
+    const float own = noise_.own_variance(means(0)[pixel]) + edge_variances_[pixel];
+    const float least = least_residual(pixel);
+    const float variance = own + noise_.shared_variance();
+    if (least * least > static_cast<float>(square(cut_)) * variance) continue;
+    for (std::size_t k = 0; k < positions_.size(); ++k) {
+      residuals_(noise_.count(), static_cast<Eigen::Index>(k)) = measured_[pixel] - means(k)[pixel];
+    }
+    noise_.add(column, row, own);
   }
-  return {information > 0.0 ? gradient / information : 0.0, information};
+  if (noise_.count() == 0) return;
+  auto residuals = residuals_.topRows(noise_.count());
+  noise_.whiten(residuals);
+  for (std::size_t k = 0; k < positions_.size(); ++k) {
+    const auto squares = residuals.col(static_cast<Eigen::Index>(k)).squaredNorm();
+    chi_squared_[k] += static_cast<double>(squares);
+  }
+  compared_ += static_cast<int>(noise_.count());
 }
 
 }  // namespace lockbox

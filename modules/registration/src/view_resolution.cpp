@@ -12,7 +12,8 @@ struct Step {
   ViewResolution resolution;
 };
 constexpr int kFinest = 640;  // columns: one ray a pixel for common sensors
-constexpr std::array<Step, 3> kSteps{{{30000, {kFinest, 1}}, {4000, {320, 1}}, {0, {160, 4}}}};
+constexpr std::array<Step, 3> kSteps{
+    {{30000, {kFinest, 1, true}}, {4000, {320, 1, true}}, {0, {160, 4, false}}}};
 constexpr double kRaysToPoints = 2.0;
 
 /// Pixels of the rectangle around all that the image may show of the model.

@@ -19,6 +19,7 @@
 #include "lockbox/registration/bounded_step.hpp"
 #include "lockbox/registration/collision_term.hpp"
 #include "lockbox/registration/covariance.hpp"
+#include "lockbox/registration/edge_term.hpp"
 #include "lockbox/registration/free_space_term.hpp"
 #include "lockbox/registration/low_relief.hpp"
 #include "lockbox/registration/model_term.hpp"
@@ -87,6 +88,8 @@ class ArticulatedRegistration {
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
                  std::optional<double> next_spread);
   void refine(const PinholeCamera& camera, bool hold_joints);
+  void refine_at_edges(const TiledCloud& cloud, bool hold_joints);
+  double surfaces_seen_to_move(const PinholeCamera& camera) const;
   void sight_low_relief(const TiledCloud& cloud);
   void forget(Eigen::Index unknown);
   bool improve(const TiledCloud& cloud, double cost, bool hold_joints, double next_spread);
@@ -100,6 +103,7 @@ class ArticulatedRegistration {
   FreeSpaceTerm free_term_;
   CollisionTerm collision_;
   LowRelief low_relief_;
+  EdgeTerm edges_;
   VisibleSurface surface_;
   SamplingPlan plan_;
   ViewSamples samples_;                 ///< of surface_
@@ -124,6 +128,7 @@ class ArticulatedRegistration {
   std::vector<BodySystem> systems_;
   NormalEquations data_equations_;
   NormalEquations equations_;
+  NormalEquations edge_equations_;
   StepLimits limits_;
   BoundedStepSolver solver_;
   Configuration candidate_;

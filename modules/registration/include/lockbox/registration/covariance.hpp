@@ -9,6 +9,7 @@
 // that a single tile sees, it is all there is.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <vector>
 
 #include "lockbox/registration/bounded_step.hpp"
@@ -22,18 +23,28 @@ class CovarianceEstimator {
  public:
   /// data: the data terms linearised at the solution, divided by noise_correlation. tiles: what
   /// they are the sums of, not divided; brought into the order of the tiles. Directions with too
-  /// little information are unknown by a whole unit; unknowns held have sigma 0. levers: metres
-  /// that surfaces move for a unit of each unknown, at most.
+  /// little information are unknown by a whole unit; unknowns held have sigma 0.
   void estimate(const NormalEquations& data, std::vector<TileSystem>& tiles,
                 double noise_correlation, const std::vector<BodyJacobian>& jacobians,
-                const StepScale& scale, const Eigen::VectorXd& levers,
-                const std::vector<bool>& held);
+                const StepScale& scale, const std::vector<bool>& held);
 
   /// Replaces what the data says about a joint's unknown by a measurement that tells nothing about
   /// the others.
-  void set_independent(Eigen::Index unknown, double variance, const Eigen::VectorXd& levers);
+  void set_independent(Eigen::Index unknown, double variance);
 
-  /// Of (base twist, variables).
+  /// Whether an unknown is known to a tenth of a unit by now.
+  bool determines(Eigen::Index unknown) const;
+
+  /// The inverse of the covariance; zero for unknowns held.
+  const Eigen::MatrixXd& information();
+
+  /// Of another source, after information().
+  void add_information(const Eigen::MatrixXd& information);
+
+  /// Ends an estimate. levers: metres that surfaces move for a unit of each unknown, at most.
+  void add_floors(const Eigen::VectorXd& levers);
+
+  /// Of (base twist, variables). What follows is valid after add_floors().
   const Eigen::MatrixXd& covariance() const { return covariance_; }
   /// Square roots of its diagonal.
   const Eigen::VectorXd& sigma() const { return sigma_; }
@@ -51,7 +62,7 @@ class CovarianceEstimator {
   };
   void measure_dispersion(const std::vector<TileSystem>& tiles);
   double dispersion(double pixels) const;
-  void add_floor(Eigen::Index unknown, double lever);
+  void invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& inverse);
   void invert_information(const NormalEquations& data, const StepScale& scale,
                           const std::vector<bool>& held);
   void sum_tiles(const std::vector<TileSystem>& tiles, const std::vector<BodyJacobian>& jacobians);
@@ -62,7 +73,10 @@ class CovarianceEstimator {
   Eigen::VectorXd sigma_;
   std::vector<bool> observable_;
 
-  Eigen::VectorXd unit_;
+  Eigen::VectorXd unit_;  ///< by unknown; 0: held
+  Eigen::MatrixXd information_;
+  // Of a matrix: without one Eigen leaves members unset, and moving them is undefined.
+  Eigen::LLT<Eigen::MatrixXd> definite_{Eigen::MatrixXd(0, 0)};
   Eigen::VectorXd pull_;
   Eigen::MatrixXd scatter_;
   Eigen::MatrixXd scaled_;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/patch_likelihood.hpp"
@@ -40,20 +41,17 @@ class LowRelief {
  private:
   double distance(int variable, const Configuration& configuration);
   double pixel_step(const PinholeCamera& camera, const Configuration& configuration, int variable);
-  bool compare_positions(const TiledCloud& cloud, const Configuration& configuration, int variable);
-  double scatter_around(std::size_t least, double aside) const;
-  std::optional<JointSighting> settle(const TiledCloud& cloud, const Configuration& configuration,
-                                      int variable, double step);
+  double scatter_around(std::size_t least) const;
+  JointSighting settle(std::size_t least) const;
 
   const ArticulatedModel& model_;
   SensorNoise noise_;
   Eigen::VectorXd prominences_;  ///< by variable, metres
   Eigen::VectorXd levers_;       ///< by variable, metres that surfaces move for a unit
   PatchLikelihood patch_;
-  Configuration trial_;
   std::vector<Eigen::Isometry3d> poses_;
   std::vector<double> positions_;
-  std::vector<double> costs_;
+  std::span<const double> costs_;  ///< chi^2 by position
 };
 
 }  // namespace lockbox

@@ -59,6 +59,9 @@ struct NormalEquations {
 
   void set_zero(Eigen::Index unknowns);
 
+  /// The information about an unknown, and what pulls it.
+  void forget(Eigen::Index unknown);
+
   /// Adds a body's (or a relative) system through its Jacobian, 6 x unknowns.
   void add(const BodySystem& system, const BodyJacobian& jacobian, double weight = 1.0);
 };

@@ -53,6 +53,9 @@ struct RegistrationOptions {
   /// (low_relief.hpp).
   bool sight_low_relief = true;
 
+  /// Take a last step by the likelihood of the image at the model's own edges (edge_term.hpp).
+  bool refine_at_edges = true;
+
   bool fixed_base = false;
   std::vector<bool> locked;  ///< by joint variable; empty: none
 

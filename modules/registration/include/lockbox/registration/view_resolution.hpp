@@ -13,6 +13,7 @@ namespace lockbox {
 struct ViewResolution {
   int columns;          ///< of the view
   int outline_spacing;  ///< pixels of the camera, from one point of an outline to the next
+  bool edges;           ///< whether the last step is one by the likelihood at edges
 };
 
 /// Few points need few rays: more would cost more time than the points, and tell no more. But a

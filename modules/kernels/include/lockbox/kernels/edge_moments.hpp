@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a window of samples of a rendering shows, blurred along its columns, by body: of inverse
+// depths d, and of the steps between neighbouring samples, which the nearer one moves.
+//
+// Written once with Highway, compiled for every instruction set, chosen at run time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace lockbox::kernels {
+
+/// Of a row of samples; the last ones of a row and the last row are only neighbours of others.
+inline constexpr std::size_t kWindowStride = 32;
+inline constexpr std::size_t kWindowRows = 31;
+inline constexpr std::size_t kWindowPixels = 8;     ///< along each side
+inline constexpr std::size_t kSamplesPerPixel = 3;  ///< along each side
+/// Pixel i of a row or column looks at samples 3 i .. 3 i + 8.
+inline constexpr std::size_t kWindowTaps = 9;
+
+struct EdgeWindow {
+  using Samples = std::array<float, kWindowStride*(kWindowRows + 1)>;
+  alignas(64) Samples d;     ///< 1/metre; 0: nothing
+  alignas(64) Samples body;  ///< a number
+};
+
+struct WindowTaps {
+  std::array<float, kWindowTaps> at_samples;       ///< a density at samples
+  std::array<float, kWindowTaps> between_samples;  ///< half a sample after them
+};
+
+/// Sums over the samples of a column. step: d of the next sample less that of this one, a step each
+/// pixel, by the body of the nearer of both; along rows (u) and columns (v).
+struct ColumnMoments {
+  using Sums = std::array<float, kWindowStride>;
+  alignas(64) Sums d;
+  alignas(64) Sums d_squared;
+  alignas(64) Sums step_u;
+  alignas(64) Sums step_u_d;  ///< times d of the nearer
+  alignas(64) Sums step_v;
+  alignas(64) Sums step_v_d;
+};
+
+/// Of one body, around a row of pixels.
+void blur_columns(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
+                  float body, ColumnMoments& moments);
+
+/// Of all bodies: of (d - reference)^2.
+void blur_squares(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
+                  float reference, ColumnMoments::Sums& squares);
+
+}  // namespace lockbox::kernels

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/registration/edge_term.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "lockbox/registration/edge_tile.hpp"
+#include "lockbox/registration/tile_noise.hpp"
+
+namespace lockbox {
+namespace {
+
+using Index = Eigen::Index;
+
+constexpr int kMargin = 3;               // pixels around the tiles, into which theirs look
+constexpr std::size_t kLeastPixels = 3;  // of a tile
+constexpr double kNearest = 0.05;        // metres: what comes nearer to the camera fills the image
+/// Bends of less than this many standard deviations of a pixel's own error tell nothing.
+constexpr float kLeastBend = 0.1F;
+/// A tile whose chi^2 is larger than its pixels by this factor shows something else, too.
+constexpr double kFit = 2.0;
+
+constexpr int kSide = EdgeTile::kSide;
+constexpr std::size_t kCells = kSide * kSide;
+
+std::size_t index(const Pixel& pixel, const PinholeCamera& camera) {
+  return static_cast<std::size_t>(pixel.v) * static_cast<std::size_t>(camera.width) +
+         static_cast<std::size_t>(pixel.u);
+}
+
+}  // namespace
+
+int EdgeTerm::Crop::width() const {
+  return 2 * kMargin + kSide * tile_columns;
+}
+
+int EdgeTerm::Crop::height() const {
+  return 2 * kMargin + kSide * tile_rows;
+}
+
+/// The memory of one thread.
+struct EdgeTerm::Worker {
+  Worker(const SensorNoise& sensor, Index unknowns)
+      : tile(sensor.lateral_pixels),
+        noise(sensor, kSide),
+        columns(kSide * kSide, unknowns + 1),
+        products(unknowns + 1, unknowns + 1) {
+    variables.reserve(static_cast<std::size_t>(unknowns));
+  }
+
+  Index residual_column() const { return 6 + static_cast<Index>(variables.size()); }
+
+  void find_variables(const std::vector<std::vector<int>>& by_body) {
+    variables.clear();
+    for (const std::int16_t body : tile.bodies()) {
+      for (const int v : by_body[static_cast<std::size_t>(body)]) {
+        if (std::find(variables.begin(), variables.end(), v) == variables.end()) {
+          variables.push_back(v);
+        }
+      }
+    }
+  }
+
+  /// Of the pixel that was looked at last, as one more.
+  void differentiate(const Pixel& pixel, const PinholeCamera& camera,
+                     const std::vector<BodyJacobian>& screws) {
+    const Eigen::Vector3f ray = camera.back_project(pixel.u, pixel.v, 1.0).cast<float>();
+    auto derivative = columns.row(noise.count()).head(residual_column());
+    derivative.setZero();
+    for (std::size_t b = 0; b < tile.bodies().size(); ++b) {
+      const BodyJacobian& screw = screws[static_cast<std::size_t>(tile.bodies()[b])];
+      const Eigen::Matrix<float, 6, 1> by_twist = tile.derivative(b, ray.x(), ray.y(), camera);
+      derivative.head<6>() += by_twist;
+      for (std::size_t k = 0; k < variables.size(); ++k) {
+        derivative[6 + static_cast<Index>(k)] +=
+            by_twist.dot(screw.col(6 + variables[k]).cast<float>());
+      }
+    }
+  }
+
+  /// Adds the products of the columns, whitened, to those of all unknowns and the residual.
+  void add_whitened(Eigen::MatrixXd& sums) {
+    auto used = columns.topLeftCorner(noise.count(), residual_column() + 1);
+    noise.whiten(used);
+    const Index size = residual_column() + 1;
+    products.topLeftCorner(size, size).noalias() = used.transpose() * used;
+    const double chi_squared = static_cast<double>(products(size - 1, size - 1));
+    const double weight = std::min(1.0, kFit * static_cast<double>(noise.count()) / chi_squared);
+    for (Index j = 0; j < size; ++j) {
+      for (Index i = 0; i < size; ++i) {
+        sums(unknown(i, sums), unknown(j, sums)) += weight * static_cast<double>(products(i, j));
+      }
+    }
+  }
+
+  /// That of a column.
+  Index unknown(Index column, const Eigen::MatrixXd& sums) const {
+    if (column < 6) return column;
+    if (column == residual_column()) return sums.cols() - 1;
+    return 6 + variables[static_cast<std::size_t>(column - 6)];
+  }
+
+  EdgeTile tile;
+  TileNoise noise;
+  std::array<std::uint8_t, kCells> cells{};  ///< at edges, row by row
+  std::size_t count = 0;                     ///< of them
+  std::vector<int> variables;                ///< that move anything in the tile
+  /// By compared pixel: derivative of the mean by the base's twist in the camera's frame and by
+  /// the variables, then the residual.
+  Eigen::MatrixXf columns;
+  Eigen::MatrixXf products;
+};
+
+EdgeTerm::EdgeTerm(const KinematicTree& tree, const RegistrationOptions& options,
+                   const Executor& executor)
+    : tree_(tree),
+      options_(options),
+      executor_(executor),
+      renderer_(std::make_unique<DepthRenderer>(PinholeCamera{}, executor)) {
+  for (const Body& body : tree.bodies) boxes_.push_back(bounds(body.mesh));
+  for (int i = 0; i < executor.threads(); ++i) {
+    workers_.push_back(std::make_unique<Worker>(options.noise, 6 + tree.variables()));
+  }
+  information_.setZero(6 + tree.variables(), 6 + tree.variables());
+  gradient_.setZero(6 + tree.variables());
+}
+
+EdgeTerm::~EdgeTerm() = default;
+EdgeTerm::EdgeTerm(EdgeTerm&&) noexcept = default;
+
+void EdgeTerm::linearize(const TiledCloud& cloud,
+                         const std::vector<Eigen::Isometry3d>& T_camera_body,
+                         const std::vector<BodyJacobian>& jacobians) {
+  information_.setZero();
+  gradient_.setZero();
+  pixels_ = 0.0;
+  chi_squared_ = 0.0;
+  if (!crop_to_model(cloud.camera(), T_camera_body)) return;
+  render(cloud.camera(), T_camera_body);
+  express_in_camera(T_camera_body, jacobians);
+  find_bends();
+  const auto rows = static_cast<std::size_t>(crop_.tile_rows);
+  rows_.resize(std::max(rows_.size(), rows));  // more are kept for later frames
+  executor_.for_each(rows, [&](std::size_t row) {
+    sum_row(cloud, kMargin + kSide * static_cast<int>(row), rows_[row]);
+  });
+  sum_up(T_camera_body.front());
+}
+
+/// False if nothing of the model is in the image.
+bool EdgeTerm::crop_to_model(const PinholeCamera& camera,
+                             const std::vector<Eigen::Isometry3d>& T_camera_body) {
+  const Eigen::AlignedBox2d image(Eigen::Vector2d::Zero(),
+                                  Eigen::Vector2d(camera.width, camera.height));
+  Eigen::AlignedBox2d seen;
+  for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    for (int corner = 0; corner < 8 && !boxes_[b].isEmpty(); ++corner) {
+      const Eigen::Vector3d p =
+          T_camera_body[b] * boxes_[b].corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+      if (!p.allFinite()) return false;
+      if (p.z() >= kNearest) {
+        seen.extend(camera.project(p));
+      } else {
+        seen.extend(image);
+      }
+    }
+  }
+  const Eigen::AlignedBox2d shown = image.intersection(seen);
+  if (shown.isEmpty()) return false;
+  const auto whole_tiles = [](double from, double to) {
+    return static_cast<int>((to - from) / kSide) + 1;
+  };
+  crop_.left = static_cast<int>(shown.min().x()) - kMargin;
+  crop_.top = static_cast<int>(shown.min().y()) - kMargin;
+  crop_.tile_columns = whole_tiles(crop_.left, shown.max().x());
+  crop_.tile_rows = whole_tiles(crop_.top, shown.max().y());
+  return true;
+}
+
+void EdgeTerm::render(const PinholeCamera& camera,
+                      const std::vector<Eigen::Isometry3d>& T_camera_body) {
+  items_.clear();
+  for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
+    items_.push_back({&tree_.bodies[b].mesh, T_camera_body[b], static_cast<std::int16_t>(b)});
+  }
+  const PinholeCamera cropped{crop_.width(), crop_.height(),         camera.fx,
+                              camera.fy,     camera.cx - crop_.left, camera.cy - crop_.top};
+  renderer_->set_camera(refined(cropped, EdgeTile::kSamples));
+  renderer_->render(items_, samples_);
+}
+
+void EdgeTerm::express_in_camera(const std::vector<Eigen::Isometry3d>& T_camera_body,
+                                 const std::vector<BodyJacobian>& jacobians) {
+  screws_.resize(jacobians.size());
+  variables_.resize(jacobians.size());
+  for (std::size_t b = 0; b < jacobians.size(); ++b) {
+    screws_[b].noalias() = adjoint(T_camera_body[b]) * jacobians[b];
+    variables_[b].clear();
+    for (int v = 0; v < tree_.variables(); ++v) {
+      if (!jacobians[b].col(6 + v).isZero(0.0)) variables_[b].push_back(v);
+    }
+  }
+}
+
+/// Inverse depth is linear in the image of a plane.
+void EdgeTerm::find_bends() {
+  const auto width = static_cast<std::size_t>(crop_.width());
+  const auto height = static_cast<std::size_t>(crop_.height());
+  centres_.resize(width * height);
+  has_bend_.assign(width * height, 0);
+  executor_.for_each(height, [&](std::size_t v) {
+    const float* const depths =
+        &samples_.depth[samples_.index(0, EdgeTile::kSamples * static_cast<int>(v))];
+    for (std::size_t u = 0; u < width; ++u) {
+      centres_[v * width + u] = 1.0F / depths[EdgeTile::kSamples * u];  // 1 / infinity = 0
+    }
+  });
+  const float least =
+      kLeastBend * static_cast<float>(options_.noise.own_share * options_.noise.depth_quadratic);
+  executor_.for_each(height - 2, [&](std::size_t before) {
+    const float* const above = &centres_[before * width];
+    const float* const at = above + width;
+    const float* const below = at + width;
+    std::uint8_t* const bends = &has_bend_[(before + 1) * width];
+    for (std::size_t u = 1; u + 1 < width; ++u) {
+      const float along_row = std::abs(at[u - 1] + at[u + 1] - 2.0F * at[u]);
+      const float along_column = std::abs(above[u] + below[u] - 2.0F * at[u]);
+      bends[u] = at[u] > 0.0F && std::max(along_row, along_column) > least ? 1 : 0;
+    }
+  });
+}
+
+/// Those of a tile's pixels that measure an edge of the model before the model.
+void EdgeTerm::select(const TiledCloud& cloud, int left, int top, Worker& worker) const {
+  worker.count = 0;
+  const PinholeCamera& camera = cloud.camera();
+  std::size_t count = 0;
+  for (int v = 0; v < kSide; ++v) {
+    for (int u = 0; u < kSide; ++u) {
+      if (has_bend_[crop_.index(left + u, top + v)] == 0) continue;
+      const Pixel pixel = crop_.pixel(left + u, top + v);
+      const bool in_image =
+          pixel.u >= 0 && pixel.v >= 0 && pixel.u < camera.width && pixel.v < camera.height;
+      if (!in_image) continue;
+      const std::size_t i = index(pixel, camera);
+      if (!(cloud.depth()[i] > 0.0F) || !cloud.keeps(i)) continue;
+      worker.cells[count++] = static_cast<std::uint8_t>(v * kSide + u);
+    }
+  }
+  if (count < kLeastPixels || !worker.tile.read(samples_, left, top)) return;
+  const auto end = std::remove_if(
+      worker.cells.begin(), worker.cells.begin() + static_cast<std::ptrdiff_t>(count),
+      [&](std::uint8_t cell) { return worker.tile.may_show_nothing(cell % kSide, cell / kSide); });
+  worker.count = static_cast<std::size_t>(end - worker.cells.begin());
+}
+
+/// Fills columns with the pixels that agree with the model at all.
+void EdgeTerm::compare(const TiledCloud& cloud, int left, int top, Worker& worker) const {
+  const PinholeCamera& camera = cloud.camera();
+  worker.find_variables(variables_);
+  worker.noise.clear();
+  int last_row = -1;
+  for (std::size_t i = 0; i < worker.count; ++i) {
+    const int column = worker.cells[i] % kSide;
+    const int row = worker.cells[i] / kSide;
+    const Pixel pixel = crop_.pixel(left + column, top + row);
+    if (row != last_row) worker.tile.begin_row(row);
+    last_row = row;
+    worker.tile.look_at(column);
+    const float mean = worker.tile.mean();
+    const float residual = 1.0F / cloud.depth()[index(pixel, camera)] - mean;
+    const float own = worker.noise.own_variance(mean) + worker.tile.variance();
+    const auto cut = static_cast<float>(options_.cut * options_.cut);
+    if (residual * residual > cut * (own + worker.noise.shared_variance())) continue;
+    worker.differentiate(pixel, camera, screws_);
+    worker.columns(worker.noise.count(), worker.residual_column()) = residual;
+    worker.noise.add(column, row, own);
+  }
+}
+
+void EdgeTerm::sum_row(const TiledCloud& cloud, int top, RowSums& sums) {
+  const Index unknowns = 6 + tree_.variables();
+  sums.products.setZero(unknowns + 1, unknowns + 1);
+  sums.pixels = 0.0;
+  Worker& worker = *workers_[Executor::worker()];
+  for (int column = 0; column < crop_.tile_columns; ++column) {
+    const int left = kMargin + kSide * column;
+    select(cloud, left, top, worker);
+    if (worker.count < kLeastPixels) continue;
+    compare(cloud, left, top, worker);
+    if (worker.noise.count() < static_cast<Index>(kLeastPixels)) continue;
+    worker.add_whitened(sums.products);
+    sums.pixels += static_cast<double>(worker.noise.count());
+  }
+}
+
+void EdgeTerm::sum_up(const Eigen::Isometry3d& T_camera_base) {
+  const Index unknowns = information_.rows();
+  sum_.setZero(unknowns + 1, unknowns + 1);
+  for (int row = 0; row < crop_.tile_rows; ++row) {
+    sum_ += rows_[static_cast<std::size_t>(row)].products;
+    pixels_ += rows_[static_cast<std::size_t>(row)].pixels;
+  }
+  const Matrix6 to_camera = adjoint(T_camera_base);
+  for (Index i = 0; i <= unknowns; ++i) {
+    sum_.row(i).head<6>() = (sum_.row(i).head<6>() * to_camera).eval();
+  }
+  for (Index i = 0; i <= unknowns; ++i) {
+    sum_.col(i).head<6>() = (to_camera.transpose() * sum_.col(i).head<6>()).eval();
+  }
+  chi_squared_ = sum_(unknowns, unknowns);
+  // Where the noise is larger than assumed, or less alike.
+  const double excess = std::max(1.0, chi_squared_ / std::max(1.0, pixels_));
+  information_ = sum_.topLeftCorner(unknowns, unknowns) / excess;
+  gradient_ = -sum_.col(unknowns).head(unknowns) / excess;
+}
+
+}  // namespace lockbox
