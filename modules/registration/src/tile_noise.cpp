@@ -47,6 +47,7 @@ void TileNoise::add(int column, int row, float own) {
   pixels_[static_cast<std::size_t>(count_++)] = {column, row};
 }
 
+// A Ref is a reference itself. NOLINTNEXTLINE(performance-unnecessary-value-param)
 void TileNoise::whiten(Eigen::Ref<Eigen::MatrixXf> columns) {
   Eigen::Ref<Eigen::MatrixXf> pixels(factor_.topLeftCorner(count_, count_));
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXf>> factors(pixels);
