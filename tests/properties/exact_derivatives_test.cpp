@@ -172,7 +172,8 @@ ExpectedImage expected_image(const ArticulatedModel& model, const Configuration&
   return image;
 }
 
-// Samples change at edges one after the other, so that differences of single pixels are coarse.
+// Samples change at edges one after the other, so that differences of single pixels are coarse; and
+// over half a pixel to both sides they round off the density of the jitter, half a pixel wide.
 TEST_F(ExactDerivatives, ExpectedImageAgreesWithNumericalDifferentiation) {
   const ExpectedImage here = expected_image(model, truth);
   const Eigen::VectorXd levers = surface_levers(model.tree);

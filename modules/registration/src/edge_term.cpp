@@ -2,12 +2,10 @@
 #include "lockbox/registration/edge_term.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "lockbox/registration/edge_tile.hpp"
-#include "lockbox/registration/tile_noise.hpp"
+#include "edge_worker.hpp"
 
 namespace lockbox {
 namespace {
@@ -19,11 +17,8 @@ constexpr std::size_t kLeastPixels = 3;  // of a tile
 constexpr double kNearest = 0.05;        // metres: what comes nearer to the camera fills the image
 /// Bends of less than this many standard deviations of a pixel's own error tell nothing.
 constexpr float kLeastBend = 0.1F;
-/// A tile whose chi^2 is larger than its pixels by this factor shows something else, too.
-constexpr double kFit = 2.0;
 
 constexpr int kSide = EdgeTile::kSide;
-constexpr std::size_t kCells = kSide * kSide;
 
 std::size_t index(const Pixel& pixel, const PinholeCamera& camera) {
   return static_cast<std::size_t>(pixel.v) * static_cast<std::size_t>(camera.width) +
@@ -39,79 +34,6 @@ int EdgeTerm::Crop::width() const {
 int EdgeTerm::Crop::height() const {
   return 2 * kMargin + kSide * tile_rows;
 }
-
-/// The memory of one thread.
-struct EdgeTerm::Worker {
-  Worker(const SensorNoise& sensor, Index unknowns)
-      : tile(sensor.lateral_pixels),
-        noise(sensor, kSide),
-        columns(kSide * kSide, unknowns + 1),
-        products(unknowns + 1, unknowns + 1) {
-    variables.reserve(static_cast<std::size_t>(unknowns));
-  }
-
-  Index residual_column() const { return 6 + static_cast<Index>(variables.size()); }
-
-  void find_variables(const std::vector<std::vector<int>>& by_body) {
-    variables.clear();
-    for (const std::int16_t body : tile.bodies()) {
-      for (const int v : by_body[static_cast<std::size_t>(body)]) {
-        if (std::find(variables.begin(), variables.end(), v) == variables.end()) {
-          variables.push_back(v);
-        }
-      }
-    }
-  }
-
-  /// Of the pixel that was looked at last, as one more.
-  void differentiate(const Pixel& pixel, const PinholeCamera& camera,
-                     const std::vector<BodyJacobian>& screws) {
-    const Eigen::Vector3f ray = camera.back_project(pixel.u, pixel.v, 1.0).cast<float>();
-    auto derivative = columns.row(noise.count()).head(residual_column());
-    derivative.setZero();
-    for (std::size_t b = 0; b < tile.bodies().size(); ++b) {
-      const BodyJacobian& screw = screws[static_cast<std::size_t>(tile.bodies()[b])];
-      const Eigen::Matrix<float, 6, 1> by_twist = tile.derivative(b, ray.x(), ray.y(), camera);
-      derivative.head<6>() += by_twist;
-      for (std::size_t k = 0; k < variables.size(); ++k) {
-        derivative[6 + static_cast<Index>(k)] +=
-            by_twist.dot(screw.col(6 + variables[k]).cast<float>());
-      }
-    }
-  }
-
-  /// Adds the products of the columns, whitened, to those of all unknowns and the residual.
-  void add_whitened(Eigen::MatrixXd& sums) {
-    auto used = columns.topLeftCorner(noise.count(), residual_column() + 1);
-    noise.whiten(used);
-    const Index size = residual_column() + 1;
-    products.topLeftCorner(size, size).noalias() = used.transpose() * used;
-    const double chi_squared = static_cast<double>(products(size - 1, size - 1));
-    const double weight = std::min(1.0, kFit * static_cast<double>(noise.count()) / chi_squared);
-    for (Index j = 0; j < size; ++j) {
-      for (Index i = 0; i < size; ++i) {
-        sums(unknown(i, sums), unknown(j, sums)) += weight * static_cast<double>(products(i, j));
-      }
-    }
-  }
-
-  /// That of a column.
-  Index unknown(Index column, const Eigen::MatrixXd& sums) const {
-    if (column < 6) return column;
-    if (column == residual_column()) return sums.cols() - 1;
-    return 6 + variables[static_cast<std::size_t>(column - 6)];
-  }
-
-  EdgeTile tile;
-  TileNoise noise;
-  std::array<std::uint8_t, kCells> cells{};  ///< at edges, row by row
-  std::size_t count = 0;                     ///< of them
-  std::vector<int> variables;                ///< that move anything in the tile
-  /// By compared pixel: derivative of the mean by the base's twist in the camera's frame and by
-  /// the variables, then the residual.
-  Eigen::MatrixXf columns;
-  Eigen::MatrixXf products;
-};
 
 EdgeTerm::EdgeTerm(const KinematicTree& tree, const RegistrationOptions& options,
                    const Executor& executor)

@@ -101,7 +101,6 @@ bool EdgeTile::may_show_nothing(int column, int row) const {
 }
 
 void EdgeTile::begin_row(int row) {
-  row_ = row;
   const auto pixel_row = static_cast<std::size_t>(row);
   for (std::size_t b = 0; b < body_count_; ++b) {
     kernels::blur_columns(window_, taps_, pixel_row, static_cast<float>(bodies_[b]), columns_[b]);

@@ -85,7 +85,6 @@ class EdgeTile {
 
   std::array<kernels::ColumnMoments, kMostBodies> columns_;  ///< of the row, by body
   alignas(64) kernels::ColumnMoments::Sums squares_;
-  int row_ = 0;
   std::array<Moments, kMostBodies> moments_;  ///< of the pixel, by body
   float mean_ = 0.0F;
   float variance_ = 0.0F;
