@@ -6,6 +6,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/articulated_model.hpp"
@@ -64,7 +65,11 @@ KinematicTree tree_of_columns(const fs::path& states_file) {
     joint.child_body = index + 1;
     joint.variable = index;
     tree.joints.push_back(joint);
-    tree.bodies.push_back({name, {name}, {}, {}, index});
+    Body body;
+    body.name = name;
+    body.links = {name};
+    body.parent_joint = index;
+    tree.bodies.push_back(std::move(body));
     tree.variable_joint.push_back(index);
     tree.file_order.push_back(index);
   }

@@ -9,6 +9,7 @@
 
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/rendering/body_item.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 
@@ -26,7 +27,7 @@ void draw_model(benchmark::State& state, const PinholeCamera& camera) {
   std::vector<RenderItem> items;
   std::size_t triangles = 0;
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
-    items.push_back({&tree.bodies[b].mesh, T_camera_body[b], static_cast<std::int16_t>(b)});
+    items.push_back(body_item(tree, b, T_camera_body[b]));
     triangles += tree.bodies[b].mesh.triangles.size();
   }
   DepthRenderer renderer(camera, Executor(static_cast<int>(state.range(0))));

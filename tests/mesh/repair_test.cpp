@@ -145,5 +145,29 @@ TEST(Topology, CountsEdgesWithMoreThanTwoFaces) {
   EXPECT_EQ(report.open_edges, 0U);
 }
 
+TEST(EnclosesSolid, IsClosedManifoldAndLooksOutwards) {
+  const TriangleMesh box = make_box({0.3, 0.2, 0.1});
+  TriangleMesh two = box;
+  append(two, make_sphere(0.3));
+  EXPECT_TRUE(encloses_solid(box));
+  EXPECT_TRUE(encloses_solid(two));
+  EXPECT_FALSE(encloses_solid(inside_out(box)));
+  EXPECT_FALSE(encloses_solid(soup_of(box)));
+  EXPECT_FALSE(encloses_solid(TriangleMesh{}));
+  TriangleMesh open = box;
+  open.triangles.pop_back();
+  EXPECT_FALSE(encloses_solid(open));
+  TriangleMesh turned = box;
+  turn(turned, 3);
+  EXPECT_FALSE(encloses_solid(turned));
+}
+
+TEST(EnclosesSolid, KnowsACavityFromAShellInsideOut) {
+  TriangleMesh hollow = make_box({0.3, 0.3, 0.3});
+  append(hollow, inside_out(make_box({0.2, 0.2, 0.2})));
+  EXPECT_TRUE(encloses_solid(hollow));
+  EXPECT_FALSE(encloses_solid(inside_out(hollow)));
+}
+
 }  // namespace
 }  // namespace lockbox

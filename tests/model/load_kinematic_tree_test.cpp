@@ -213,5 +213,18 @@ TEST_F(LoadKinematicTree, TakesAMeshFileForASingleBody) {
   EXPECT_TRUE(tree.joints.empty());
 }
 
+TEST(ShippedModels, EveryBodyEnclosesASolid) {
+  // What a renderer may leave out then, and a field relies on.
+  const std::filesystem::path models = LOCKBOX_MODELS;
+  for (const char* name :
+       {"board_door_block", "cabinet", "lockbox", "lockbox_overlapping", "rigid_block"}) {
+    const KinematicTree tree =
+        load_kinematic_tree(models / name / (std::string(name) + ".urdf"), {});
+    for (const Body& body : tree.bodies) {
+      EXPECT_TRUE(body.encloses_solid) << name << " " << body.name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lockbox

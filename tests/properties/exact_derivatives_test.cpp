@@ -14,6 +14,7 @@
 #include "lockbox/registration/sampling_plan.hpp"
 #include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
+#include "lockbox/rendering/body_item.hpp"
 #include "overlaps.hpp"
 #include "registration/mechanism.hpp"
 
@@ -137,7 +138,7 @@ ExpectedImage expected_image(const ArticulatedModel& model, const Configuration&
   body_jacobians(model.tree, poses, jacobians);
   std::vector<RenderItem> items;
   for (std::size_t b = 0; b < poses.size(); ++b) {
-    items.push_back({&model.tree.bodies[b].mesh, poses[b], static_cast<std::int16_t>(b)});
+    items.push_back(body_item(model.tree, b, poses[b]));
     jacobians[b] = adjoint(poses[b]) * jacobians[b];
   }
   RenderedDepth samples;

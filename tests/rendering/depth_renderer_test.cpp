@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <numbers>
 #include <random>
 
+#include "lockbox/mesh/primitives.hpp"
 #include "test_scene.hpp"
 
 namespace lockbox {
@@ -203,6 +205,45 @@ TEST(DepthRenderer, BothFacesAreDrawn) {
       ::testing::Each(std::int16_t{0}));
 }
 
+TEST(DepthRenderer, BacksOfASolidAreLeftOut) {
+  // Only the claim that the plane bounds a solid makes it vanish from behind.
+  const TriangleMesh plane = rectangle(10.0, 10.0);
+  const Eigen::Isometry3d from_behind = placed({0.0, 0.0, 1.0});
+  const Eigen::Isometry3d from_the_front = placed({0.0, 0.0, 1.0}, {std::numbers::pi, 0.0, 0.0});
+  EXPECT_THAT(rendered(vga_camera(), {{&plane, from_behind, 0, true}}).id,
+              ::testing::Each(kNothing));
+  EXPECT_THAT(rendered(vga_camera(), {{&plane, from_the_front, 0, true}}).id,
+              ::testing::Each(std::int16_t{0}));
+}
+
+TEST(DepthRenderer, SolidLooksTheSameWithoutItsBacks) {
+  const TriangleMesh sphere = ball(0.3, 60);
+  TriangleMesh box = make_box({0.4, 0.3, 0.2});
+  append(box, transformed(make_box({0.1, 0.5, 0.1}), placed({0.05, 0.0, 0.05})));
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-0.5, 0.5);
+  for (int view = 0; view < 10; ++view) {
+    const Eigen::Vector3d turn(6.0 * uniform(random), 6.0 * uniform(random), uniform(random));
+    const Eigen::Vector3d place(uniform(random), uniform(random), 0.8 + uniform(random));
+    std::vector<RenderItem> items = {{&sphere, placed({0.2, 0.0, 1.0}), 0},
+                                     {&box, placed(place, turn), 1}};
+    const RenderedDepth both = rendered(vga_camera(), items);
+    for (RenderItem& item : items) {
+      item.encloses_solid = true;
+    }
+    const RenderedDepth fronts = rendered(vga_camera(), items);
+    EXPECT_EQ(fronts.depth, both.depth) << view;
+    EXPECT_EQ(fronts.id, both.id) << view;
+  }
+}
+
+TEST(DepthRenderer, SolidThatTheNearPlaneCutsOpenShowsItsBacks) {
+  const TriangleMesh room = make_box({4.0, 3.0, 5.0});
+  const RenderedDepth inside = rendered(vga_camera(), {{&room, placed({0.0, 0.0, 0.0}), 0, true}});
+  EXPECT_THAT(inside.id, ::testing::Each(std::int16_t{0}));
+  EXPECT_FLOAT_EQ(inside.depth[pixel(vga_camera(), 320, 240)], 2.5F);
+}
+
 TEST(DepthRenderer, SurfaceThroughTheCameraIsCutAtTheNearPlane) {
   const PinholeCamera camera = vga_camera();
   // The floor, half a metre below the camera, from far behind it to far before it.
@@ -235,9 +276,8 @@ TEST(DepthRenderer, PoseThatIsNotANumberDrawsNothing) {
   }
 }
 
-TEST(DepthRenderer, SameForAnyNumberOfThreads) {
-  const TriangleMesh sphere = ball(0.3, 60);
-  const TriangleMesh plane = rectangle(4.0, 4.0);
+/// Spheres and planes that cross one another.
+std::vector<RenderItem> crossing_items(const TriangleMesh& sphere, const TriangleMesh& plane) {
   std::vector<RenderItem> items;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-0.5, 0.5);
@@ -247,12 +287,37 @@ TEST(DepthRenderer, SameForAnyNumberOfThreads) {
     items.push_back({&plane, placed({0.0, 0.0, 1.8}, {uniform(random), uniform(random), 0.0}),
                      static_cast<std::int16_t>(100 + i)});
   }
+  return items;
+}
+
+TEST(DepthRenderer, SameForAnyNumberOfThreads) {
+  const TriangleMesh sphere = ball(0.3, 60);
+  const TriangleMesh plane = rectangle(4.0, 4.0);
+  const std::vector<RenderItem> items = crossing_items(sphere, plane);
   const RenderedDepth reference = rendered(vga_camera(), items, 1);
   for (const int threads : {2, 3, 8}) {
     const RenderedDepth image = rendered(vga_camera(), items, threads);
     EXPECT_EQ(image.depth, reference.depth) << threads;
     EXPECT_EQ(image.id, reference.id) << threads;
   }
+}
+
+TEST(DepthRenderer, EveryInstructionSetDrawsTheSame) {
+  const TriangleMesh sphere = ball(0.3, 60);
+  const TriangleMesh plane = rectangle(4.0, 4.0);
+  const std::vector<RenderItem> items = crossing_items(sphere, plane);
+  hwy::SetSupportedTargetsForTest(0);
+  const std::int64_t supported = hwy::SupportedTargets();
+  const RenderedDepth reference = rendered(vga_camera(), items);
+  for (std::int64_t rest = supported; rest != 0; rest &= rest - 1) {
+    const std::int64_t target = rest & -rest;
+    hwy::SetSupportedTargetsForTest(target);
+    const RenderedDepth image = rendered(vga_camera(), items);
+    EXPECT_EQ(image.id, reference.id) << hwy::TargetName(target);
+    EXPECT_THAT(image.depth, ::testing::Pointwise(::testing::FloatNear(1e-6F), reference.depth))
+        << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
 }
 
 TEST(DepthRenderer, FrameDoesNotDependOnTheFrameBefore) {

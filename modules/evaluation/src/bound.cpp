@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/rendering/body_item.hpp"
 #include "noise_field.hpp"
 #include "pixel_model.hpp"
 #include "sampled_view.hpp"
@@ -51,7 +52,7 @@ void DepthInformation::Workspace::place(const Configuration& configuration,
   items.clear();
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
     jacobians[b] = adjoint(T_camera_body[b]) * jacobians[b];
-    items.push_back({&tree.bodies[b].mesh, T_camera_body[b], static_cast<std::int16_t>(b)});
+    items.push_back(body_item(tree, b, T_camera_body[b]));
   }
   for (RenderItem item : scenery) {
     item.id = static_cast<std::int16_t>(tree.bodies.size());

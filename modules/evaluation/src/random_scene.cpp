@@ -10,6 +10,7 @@
 #include "lockbox/evaluation/random_draws.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/registration/collision_term.hpp"
+#include "lockbox/rendering/body_item.hpp"
 #include "lockbox/simulation/placed_scene.hpp"
 
 namespace lockbox {
@@ -161,7 +162,7 @@ class ViewShares {
     items_.clear();
     forward_kinematics(tree_, truth.configuration, poses_);
     for (std::size_t b = 0; b < tree_.bodies.size(); ++b) {
-      items_.push_back({&tree_.bodies[b].mesh, poses_[b], static_cast<std::int16_t>(b)});
+      items_.push_back(body_item(tree_, b, poses_[b]));
     }
     if (scene != nullptr) scene->append_items(truth, items_);
     renderer_.render(items_, image_);

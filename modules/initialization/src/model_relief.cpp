@@ -8,6 +8,7 @@
 
 #include "flat_sides.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/rendering/body_item.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
 
 namespace lockbox {
@@ -79,8 +80,7 @@ HeightRanges measure(const KinematicTree& tree, const Eigen::Isometry3d& T_body_
   for (const auto& poses : draws) {
     items.clear();
     for (std::size_t b = 0; b < poses.size(); ++b) {
-      items.push_back(
-          {&tree.bodies[b].mesh, T_camera_body * poses[b], static_cast<std::int16_t>(b)});
+      items.push_back(body_item(tree, b, T_camera_body * poses[b]));
     }
     renderer.render(items, image);
     for (int v = 0; v < pixels; ++v) {

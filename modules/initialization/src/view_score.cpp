@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lockbox/model/moved_bodies.hpp"
+#include "lockbox/rendering/body_item.hpp"
 #include "outline_continuation.hpp"
 
 namespace lockbox {
@@ -63,7 +64,7 @@ void ViewScore::draw(const Configuration& configuration, const std::vector<std::
   items_.clear();
   for (std::size_t b = 0; b < poses_.size(); ++b) {
     if (bodies[b] != 0) {
-      items_.push_back({&tree_.bodies[b].mesh, poses_[b], static_cast<std::int16_t>(b)});
+      items_.push_back(body_item(tree_, b, poses_[b]));
     }
   }
   drawing.renderer->render(items_, drawing.image);

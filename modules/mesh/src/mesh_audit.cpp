@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/mesh/mesh_audit.hpp"
 
+#include "lockbox/mesh/repair.hpp"
 #include "lockbox/mesh/topology.hpp"
 
 namespace lockbox {
@@ -17,6 +18,12 @@ MeshAudit audit(const TriangleMesh& mesh) {
   result.volume = signed_volume(mesh);
   result.bounds = bounds(mesh);
   return result;
+}
+
+bool encloses_solid(const TriangleMesh& mesh) {
+  const MeshAudit found = audit(mesh);
+  return !mesh.triangles.empty() && found.is_closed() && found.non_manifold_edges == 0 &&
+         oriented_outwards(mesh).triangles == mesh.triangles;
 }
 
 }  // namespace lockbox

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "lockbox/mesh/content_hash.hpp"
+#include "lockbox/mesh/mesh_audit.hpp"
 
 namespace lockbox {
 namespace {
@@ -69,6 +70,7 @@ void merge_visuals(Body& body) {
     append(body.mesh, visual.mesh);
     body.visuals.push_back(std::move(visual));
   }
+  body.encloses_solid = encloses_solid(body.mesh);
 }
 
 /// For each body the joints that hang on it, sorted by content.

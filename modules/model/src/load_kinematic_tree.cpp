@@ -7,6 +7,7 @@
 #include "canonical_order.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/mesh/load_mesh.hpp"
+#include "lockbox/mesh/mesh_audit.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "mesh_locator.hpp"
 #include "rigid_bodies.hpp"
@@ -108,6 +109,7 @@ KinematicTree read_mesh_tree(const std::filesystem::path& file) {
   body.links = {tree.name};
   body.visuals.push_back({load_mesh(file), ColoredMesh{}.rgba});
   body.mesh = body.visuals.front().mesh;
+  body.encloses_solid = encloses_solid(body.mesh);
   return tree;
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "edge_worker.hpp"
+#include "lockbox/rendering/body_item.hpp"
 
 namespace lockbox {
 namespace {
@@ -105,7 +106,7 @@ void EdgeTerm::render(const PinholeCamera& camera,
                       const std::vector<Eigen::Isometry3d>& T_camera_body) {
   items_.clear();
   for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
-    items_.push_back({&tree_.bodies[b].mesh, T_camera_body[b], static_cast<std::int16_t>(b)});
+    items_.push_back(body_item(tree_, b, T_camera_body[b]));
   }
   const PinholeCamera cropped{crop_.width(), crop_.height(),         camera.fx,
                               camera.fy,     camera.cx - crop_.left, camera.cy - crop_.top};

@@ -8,6 +8,7 @@
 
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/moved_bodies.hpp"
+#include "lockbox/rendering/body_item.hpp"
 
 namespace lockbox {
 namespace {
@@ -135,7 +136,7 @@ void PatchLikelihood::render(const Configuration& configuration,
   items_.clear();
   for (std::size_t b = 0; b < poses_.size(); ++b) {
     if ((moved[b] != 0) == of_moved) {
-      items_.push_back({&tree_.bodies[b].mesh, poses_[b], static_cast<std::int16_t>(b)});
+      items_.push_back(body_item(tree_, b, poses_[b]));
     }
   }
   renderer_->render(items_, image);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lockbox/kernels/point_to_field.hpp"
+#include "lockbox/rendering/body_item.hpp"
 
 namespace lockbox {
 namespace {
@@ -71,8 +72,7 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
   items_.clear();
   for (std::size_t b = 0; b < model.tree.bodies.size(); ++b) {
     if (model.fields[b]) {
-      items_.push_back(
-          {&model.tree.bodies[b].mesh, T_camera_body[b], static_cast<std::int16_t>(b)});
+      items_.push_back(body_item(model.tree, b, T_camera_body[b]));
     }
   }
   renderer_->render(items_, image_);

@@ -6,20 +6,21 @@
 #include <utility>
 
 #include "screen_triangle.hpp"
+#include "triangle_rows.hpp"
 
 namespace lockbox {
 namespace {
 
-using rendering::first_centre;
+using rendering::kBandRows;
 using rendering::ScreenTriangle;
 using rendering::Vertex;
 
 constexpr std::size_t kChunk = 256;  ///< vertices or triangles that are prepared at once
-constexpr int kBandRows = 16;        ///< rows of the image that are drawn at once
 
 /// A range of the vertices or triangles of one item.
 struct Range {
   const RenderItem* item;
+  std::size_t item_index;
   std::size_t first_vertex;  ///< of the item, among the vertices of all items
   std::size_t begin;
   std::size_t end;
@@ -32,41 +33,10 @@ struct TriangleChunk {
   int end_row;
 };
 
-void append_ranges(const RenderItem& item, std::size_t first_vertex, std::size_t count,
-                   std::vector<Range>& ranges) {
+void append_ranges(std::span<const RenderItem> items, std::size_t item, std::size_t first_vertex,
+                   std::size_t count, std::vector<Range>& ranges) {
   for (std::size_t begin = 0; begin < count; begin += kChunk) {
-    ranges.push_back({&item, first_vertex, begin, std::min(begin + kChunk, count)});
-  }
-}
-
-/// Without branches, so that the compiler makes it SIMD; `inverse_z` holds 1/z of what is nearest.
-void draw_span(float start, float step, float low, float high, std::int16_t id, int count,
-               float* __restrict inverse_z, std::int16_t* __restrict ids) {
-  for (int i = 0; i < count; ++i) {
-    const float candidate = std::min(std::max(start + step * static_cast<float>(i), low), high);
-    const float nearest = inverse_z[i];
-    const int keep = -static_cast<int>(candidate <= nearest);
-    inverse_z[i] = std::max(nearest, candidate);
-    ids[i] = static_cast<std::int16_t>((ids[i] & keep) | (id & ~keep));
-  }
-}
-
-void draw_rows(const ScreenTriangle& t, int first_row, int end_row, RenderedDepth& image) {
-  const int end = std::min(end_row, t.end_row);
-  for (int row = std::max(first_row, t.first_row); row < end; ++row) {
-    const double whole = t.whole.column(row);
-    const double broken = row < t.middle_row ? t.upper.column(row) : t.lower.column(row);
-    const int left = first_centre(t.whole_is_left ? whole : broken, image.width);
-    const int right = first_centre(t.whole_is_left ? broken : whole, image.width);
-    if (left >= right) {
-      continue;
-    }
-    const double start = t.inverse_z + (left - t.u0) * t.du + (row - t.v0) * t.dv;
-    const std::size_t first =
-        static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-        static_cast<std::size_t>(left);
-    draw_span(static_cast<float>(start), static_cast<float>(t.du), t.low, t.high, t.id,
-              right - left, &image.depth[first], &image.id[first]);
+    ranges.push_back({&items[item], item, first_vertex, begin, std::min(begin + kChunk, count)});
   }
 }
 
@@ -78,10 +48,13 @@ struct DepthRenderer::Workspace {
   std::vector<Vertex> vertices;  ///< of all items
   std::vector<Range> vertex_ranges;
   std::vector<Range> triangle_ranges;
-  std::vector<TriangleChunk> chunks;  ///< one a triangle range; more are kept for later frames
+  std::vector<TriangleChunk> chunks;      ///< one a triangle range; more are kept for later frames
+  std::vector<std::uint8_t> is_cut;       ///< a vertex range: whether the near plane cuts it
+  std::vector<std::uint8_t> shows_backs;  ///< an item
 
   void plan(std::span<const RenderItem> items);
-  void project(const Range& range);
+  void project(std::size_t vertex_range);
+  void find_visible_backs(std::span<const RenderItem> items);
   void prepare(const Range& range, TriangleChunk& chunk) const;
   void draw_band(int first_row, int end_row, RenderedDepth& image) const;
 };
@@ -90,31 +63,51 @@ void DepthRenderer::Workspace::plan(std::span<const RenderItem> items) {
   vertex_ranges.clear();
   triangle_ranges.clear();
   std::size_t first_vertex = 0;
-  for (const RenderItem& item : items) {
-    append_ranges(item, first_vertex, item.mesh->vertices.size(), vertex_ranges);
-    append_ranges(item, first_vertex, item.mesh->triangles.size(), triangle_ranges);
-    first_vertex += item.mesh->vertices.size();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const TriangleMesh& mesh = *items[i].mesh;
+    append_ranges(items, i, first_vertex, mesh.vertices.size(), vertex_ranges);
+    append_ranges(items, i, first_vertex, mesh.triangles.size(), triangle_ranges);
+    first_vertex += mesh.vertices.size();
   }
   vertices.resize(first_vertex);
+  is_cut.resize(vertex_ranges.size());
   if (chunks.size() < triangle_ranges.size()) {
     chunks.resize(triangle_ranges.size());
   }
 }
 
-void DepthRenderer::Workspace::project(const Range& range) {
+void DepthRenderer::Workspace::project(std::size_t vertex_range) {
+  const Range& range = vertex_ranges[vertex_range];
+  bool cut = false;
   for (std::size_t i = range.begin; i < range.end; ++i) {
-    vertices[range.first_vertex + i] =
+    const Vertex vertex =
         rendering::projected(camera, range.item->T_camera_mesh * range.item->mesh->vertices[i]);
+    vertices[range.first_vertex + i] = vertex;
+    cut = cut || !(vertex.p_camera.z() >= kNear);
+  }
+  is_cut[vertex_range] = cut ? 1 : 0;
+}
+
+/// Of a solid, fronts hide all backs, unless the near plane cuts it open.
+void DepthRenderer::Workspace::find_visible_backs(std::span<const RenderItem> items) {
+  shows_backs.resize(items.size());
+  std::transform(items.begin(), items.end(), shows_backs.begin(),
+                 [](const RenderItem& item) { return item.encloses_solid ? 0 : 1; });
+  for (std::size_t i = 0; i < vertex_ranges.size(); ++i) {
+    shows_backs[vertex_ranges[i].item_index] |= is_cut[i];
   }
 }
 
 void DepthRenderer::Workspace::prepare(const Range& range, TriangleChunk& chunk) const {
   const Vertex* vertex = vertices.data() + range.first_vertex;
+  const bool draws_backs = shows_backs[range.item_index] != 0;
   chunk.triangles.clear();
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const auto& [a, b, c] = range.item->mesh->triangles[i];
-    rendering::append_screen_triangles(camera, kNear, vertex[a], vertex[b], vertex[c],
-                                       range.item->id, chunk.triangles);
+    if (draws_backs || rendering::shows_front(vertex[a], vertex[b], vertex[c])) {
+      rendering::append_screen_triangles(camera, kNear, vertex[a], vertex[b], vertex[c],
+                                         range.item->id, chunk.triangles);
+    }
   }
   chunk.first_row = camera.height;
   chunk.end_row = 0;
@@ -146,7 +139,7 @@ void DepthRenderer::Workspace::draw_band(int first_row, int end_row, RenderedDep
 }
 
 DepthRenderer::DepthRenderer(const PinholeCamera& camera, const Executor& executor)
-    : workspace_(new Workspace{camera, executor, {}, {}, {}, {}}) {}
+    : workspace_(new Workspace{camera, executor, {}, {}, {}, {}, {}, {}}) {}
 
 DepthRenderer::~DepthRenderer() = default;
 DepthRenderer::DepthRenderer(DepthRenderer&&) noexcept = default;
@@ -169,8 +162,8 @@ void DepthRenderer::render(std::span<const RenderItem> items, RenderedDepth& ima
   image.depth.resize(pixels);
   image.id.resize(pixels);
   w.plan(items);
-  w.executor.for_each(w.vertex_ranges.size(),
-                      [&](std::size_t i) { w.project(w.vertex_ranges[i]); });
+  w.executor.for_each(w.vertex_ranges.size(), [&](std::size_t i) { w.project(i); });
+  w.find_visible_backs(items);
   w.executor.for_each(w.triangle_ranges.size(),
                       [&](std::size_t i) { w.prepare(w.triangle_ranges[i], w.chunks[i]); });
   w.executor.for_each_chunk(static_cast<std::size_t>(image.height), kBandRows,

@@ -54,6 +54,12 @@ struct ScreenTriangle {
   std::int16_t id;
 };
 
+/// Whether the camera sees the side from which the vertices run counter-clockwise. All three lie
+/// behind the near plane.
+inline bool shows_front(const Vertex& a, const Vertex& b, const Vertex& c) {
+  return (b.u - a.u) * (c.v - a.v) < (c.u - a.u) * (b.v - a.v);
+}
+
 /// Appends the part of the triangle behind the near plane, as up to two screen triangles; nothing
 /// if it covers no pixel centre of the image.
 void append_screen_triangles(const PinholeCamera& camera, double near, const Vertex& a,

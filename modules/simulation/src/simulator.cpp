@@ -6,6 +6,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/rendering/body_item.hpp"
 
 namespace lockbox {
 
@@ -26,7 +27,7 @@ void Simulator::simulate(const State& state, std::uint64_t index, DepthFrame& fr
   forward_kinematics(tree_, state.configuration, T_camera_body_);
   items_.clear();
   for (std::size_t b = 0; b < tree_.bodies.size(); ++b) {
-    items_.push_back({&tree_.bodies[b].mesh, T_camera_body_[b], static_cast<std::int16_t>(b)});
+    items_.push_back(body_item(tree_, b, T_camera_body_[b]));
   }
   scene_.append_items(state, items_);
   renderer_.render(items_, clean_);

@@ -22,4 +22,8 @@ struct MeshAudit {
 
 MeshAudit audit(const TriangleMesh& mesh);
 
+/// Whether the surface is closed, without edges of more than two triangles, and its faces look
+/// outwards (see oriented_outwards()): from outside, nothing is seen from behind.
+bool encloses_solid(const TriangleMesh& mesh);
+
 }  // namespace lockbox

@@ -41,6 +41,7 @@ struct Body {
   std::vector<ColoredMesh> visuals;  ///< empty for a mere frame
   TriangleMesh mesh;                 ///< all visuals together, body frame, metres
   int parent_joint = -1;             ///< -1 for the base
+  bool encloses_solid = false;       ///< whether the mesh is known to, see mesh_audit.hpp
 };
 
 /// Bodies in depth-first order from the base (body 0); joint j moves body j + 1. Among siblings the

@@ -4,7 +4,8 @@
 // A pixel is one ray, through its centre (integer coordinates, see PinholeCamera); it belongs to
 // the triangle that the ray hits, with no pixel lost or shared between neighbours (top-left rule).
 // 1/z is linear in the image, so that depth is exact up to float rounding. Both faces of a triangle
-// are drawn. Equal depths go to the earlier item. The same for any number of threads.
+// are drawn, unless it is known to bound a solid. Equal depths go to the earlier item. The same for
+// any number of threads.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -24,6 +25,9 @@ struct RenderItem {
   const TriangleMesh* mesh = nullptr;
   Eigen::Isometry3d T_camera_mesh = Eigen::Isometry3d::Identity();
   std::int16_t id = 0;  ///< what its pixels are marked with, not kNothing
+  /// See lockbox/mesh/mesh_audit.hpp. Faces seen from behind are left out then, which halves the
+  /// work: nearer ones hide them.
+  bool encloses_solid = false;
 };
 
 inline constexpr std::int16_t kNothing = -1;
