@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <set>
 
@@ -59,6 +60,13 @@ class Rest {
   std::deque<Eigen::Isometry3d> last_;
 };
 
+/// Trackers are made once, for that takes longer than some runs.
+struct Follower {
+  std::unique_ptr<Tracker> tracker;
+  int searches = 0;  ///< in all runs before
+};
+using Followers = std::map<std::string, Follower>;  ///< by variant
+
 class Convergence : public Experiment {
  public:
   void add_options(CLI::App& options) override {
@@ -108,23 +116,28 @@ class Convergence : public Experiment {
   }
 
   static void follow(const ArticulatedModel& model, const Recording& recording, std::uint64_t seed,
-                     ConvergenceRun& run) {
+                     Followers& followers, ConvergenceRun& run) {
     const State& truth = recording.truth.front();
-    Tracker tracker(model, tracker_options(run.variant, model.tree));
-    tracker.start(displaced(truth.configuration, run, seed));
+    auto& [tracker, searches] = followers[run.variant.text()];
+    if (!tracker) {
+      tracker = std::make_unique<Tracker>(model, tracker_options(run.variant, model.tree));
+    }
+    tracker->start(displaced(truth.configuration, run, seed));
     Rest rest;
     FrameOutcome outcome;
     for (const DepthFrame& frame : recording.frames) {
-      const TrackingResult& result = tracker.process(frame);
+      const TrackingResult& result = tracker->process(frame);
       outcome = compare(model.tree, result, truth);
       ++run.frames;
+      run.judgement.add(outcome.status == TrackingStatus::tracking, outcome.is_right());
       const bool may_be_found_yet =
-          tracker.options().search_anywhere &&
+          tracker->options().search_anywhere &&
           (result.status == TrackingStatus::lost || result.status == TrackingStatus::initializing);
       if (rest.reached_with(result.configuration) && !may_be_found_yet) break;
     }
     run.status = to_string(outcome.status);
-    run.searches = outcome.searches;
+    run.searches = outcome.searches - searches;
+    searches = outcome.searches;
     run.translation = outcome.translation;
     run.rotation = outcome.rotation;
     run.joints = outcome.joints;
@@ -149,10 +162,11 @@ class Convergence : public Experiment {
     Progress progress("convergence " + model.tree.name, shard_.runs_of(runs.size()), settings.quiet,
                       "runs");
     std::size_t finished = 0;
+    Followers followers;
     for (std::size_t i = 0; i < runs.size() && !interruption.requested(); ++i) {
       if (!shard_.holds(i)) continue;
       if (done.count(key(runs[i])) == 0) {
-        follow(model, recording, settings.seed, runs[i]);
+        follow(model, recording, settings.seed, followers, runs[i]);
         append_row(file, to_row(runs[i]));
       }
       progress.update(++finished, runs[i].status);

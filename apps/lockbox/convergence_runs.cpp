@@ -10,6 +10,8 @@
 #include <map>
 #include <set>
 
+#include "experiment.hpp"
+
 namespace lockbox::app {
 namespace {
 
@@ -128,7 +130,11 @@ const std::vector<std::string>& convergence_columns() {
                                                    "translation",
                                                    "rotation",
                                                    "joint_error",
-                                                   "worst_joint"};
+                                                   "worst_joint",
+                                                   "frames_tracking",
+                                                   "frames_trusted_wrongly",
+                                                   "frames_right",
+                                                   "frames_right_not_tracking"};
   return columns;
 }
 
@@ -137,14 +143,27 @@ std::string Variant::text() const {
 }
 
 Row to_row(const ConvergenceRun& run) {
-  return {run.variant.tracker, run.variant.joints, run.start_translation,
-          run.start_rotation,  run.sample,         run.status,
-          run.searches,        run.frames,         run.translation,
-          run.rotation,        run.joints,         run.worst_joint};
+  return {run.variant.tracker,
+          run.variant.joints,
+          run.start_translation,
+          run.start_rotation,
+          run.sample,
+          run.status,
+          run.searches,
+          run.frames,
+          run.translation,
+          run.rotation,
+          run.joints,
+          run.worst_joint,
+          run.judgement.tracking,
+          run.judgement.tracking_but_wrong,
+          run.judgement.right,
+          run.judgement.right_but_not_tracking};
 }
 
 ConvergenceRun from_row(const Table& table, const Row& row) {
   const auto number = [&](const char* column) { return table.number(row, column); };
+  const auto count = [&](const char* column) { return static_cast<std::size_t>(number(column)); };
   return {{table.word(row, "tracker"), table.word(row, "joints")},
           number("start_translation_cm"),
           number("start_rotation_degrees"),
@@ -155,7 +174,9 @@ ConvergenceRun from_row(const Table& table, const Row& row) {
           number("translation"),
           number("rotation"),
           number("joint_error"),
-          table.word(row, "worst_joint")};
+          table.word(row, "worst_joint"),
+          {count("frames_tracking"), count("frames_trusted_wrongly"), count("frames_right"),
+           count("frames_right_not_tracking")}};
 }
 
 std::string key(const ConvergenceRun& run) {
@@ -188,6 +209,9 @@ void print_convergence(const std::vector<ConvergenceRun>& runs, const Tolerances
         "succeed, with an observable joint beyond its tolerance",
         count(own, all, [&](const ConvergenceRun& run) { return good(run) && run.joints > 1.0; }));
     print_contour(success_map(own, success));
+    JudgementCount judgement;
+    for (const ConvergenceRun& run : own) judgement += run.judgement;
+    print_judgement(judgement);
   }
 }
 

@@ -39,7 +39,7 @@ void print_evaluation(const KinematicTree& tree, const Evaluation& evaluation) {
     print_row(joint.name, slides ? "mm" : "degrees", slides ? kMillimetres : kDegrees,
               summary.errors);
   }
-  const Judgement& judgement = evaluation.judgement;
+  const JudgementCount& judgement = evaluation.judgement;
   std::cout << judgement.tracking << " of " << evaluation.frames.size()
             << " frames tracked, of these wrong: " << judgement.tracking_but_wrong
             << "; right but not called tracking: " << judgement.right_but_not_tracking

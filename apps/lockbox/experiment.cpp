@@ -2,6 +2,7 @@
 #include "experiment.hpp"
 
 #include <algorithm>
+#include <iomanip>
 #include <iostream>
 
 #include "lockbox/simulation/trajectory.hpp"
@@ -39,6 +40,20 @@ std::vector<TrackingResult> track(Tracker& tracker, const Recording& recording) 
   std::vector<TrackingResult> results;
   for (const DepthFrame& frame : recording.frames) results.push_back(tracker.process(frame));
   return results;
+}
+
+void print_judgement(const JudgementCount& frames) {
+  const auto print = [](const char* what, std::size_t all, const char* of_these, std::size_t part) {
+    std::cout << what << ": " << all << ", " << of_these << ": " << part;
+    if (all > 0) {
+      const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(all);
+      std::cout << std::fixed << std::setprecision(2) << " (" << percent << " %)";
+    }
+    std::cout << '\n';
+  };
+  print("frames called tracking", frames.tracking, "of these wrong", frames.tracking_but_wrong);
+  print("frames that are right", frames.right, "of these called tracking",
+        frames.right - frames.right_but_not_tracking);
 }
 
 void draw(const std::filesystem::path& stem, const Figure& figure) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lockbox/evaluation/figure.hpp"
+#include "lockbox/evaluation/judgement_count.hpp"
 #include "lockbox/evaluation/recording.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/tracking/tracker.hpp"
@@ -52,6 +53,9 @@ Recording simulate(const ArticulatedModel& model, const std::vector<State>& trut
 
 /// Hands all frames to the tracker; returns what it made of each.
 std::vector<TrackingResult> track(Tracker& tracker, const Recording& recording);
+
+/// How far the status `tracking` can be trusted, in two lines.
+void print_judgement(const JudgementCount& frames);
 
 /// Draws the figure, or says on standard error why there is none.
 void draw(const std::filesystem::path& stem, const Figure& figure);

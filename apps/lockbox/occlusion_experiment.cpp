@@ -78,11 +78,8 @@ void print_summary(const KinematicTree& tree, const OcclusionRuns& runs) {
       std::max_element(runs.results.begin(), runs.results.end(),
                        [](auto& a, auto& b) { return a.occluded < b.occluded; });
   std::cout << std::setprecision(1) << "hidden at most: " << 100.0 * most_hidden->occluded
-            << " % of the box\nright, but not called tracking: "
-            << with.judgement.right_but_not_tracking << " of " << with.judgement.right
-            << " frames; called tracking, but wrong: " << with.judgement.tracking_but_wrong
-            << " of " << with.judgement.tracking
-            << " frames; searches: " << runs.results.back().searches << '\n';
+            << " % of the box; searches: " << runs.results.back().searches << '\n';
+  print_judgement(with.judgement);
 }
 
 Curve curve_of(const std::string& name, const Evaluation& evaluation,

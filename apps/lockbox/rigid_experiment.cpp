@@ -49,23 +49,22 @@ Table rows_of(const std::vector<RigidRun>& runs) {
 
 void print_summary(const std::vector<RigidRun>& runs) {
   std::size_t arrived = 0;
-  std::cout << "\nstart (cm)  end (mm, degrees)  at noise level from frame  searches  "
-               "trusted wrongly (frames)\n";
+  JudgementCount judgement;
+  std::cout << "\nstart (cm)  end (mm, degrees)  at noise level from frame  searches\n";
   for (const RigidRun& run : runs) {
     const FrameOutcome& last = run.frames.back();
     const auto arrival = run.arrival();
     arrived += arrival ? 1U : 0U;
-    const auto trusted_wrongly =
-        std::count_if(run.frames.begin(), run.frames.end(),
-                      [](const FrameOutcome& frame) { return frame.is_wrongly_trusted(); });
+    judgement += count_judgements(run.frames);
     std::cout << std::fixed << std::setprecision(0) << std::setw(10) << kCentimetres * run.start
               << std::setprecision(2) << std::setw(11) << 1000.0 * last.translation << std::setw(8)
               << kDegrees * last.rotation << std::setw(27)
               << (arrival ? std::to_string(*arrival) : "never") << std::setw(10) << last.searches
-              << std::setw(26) << trusted_wrongly << '\n';
+              << '\n';
   }
   std::cout << "at noise level (2 mm, 0.2 degrees) at the end: " << arrived << " of " << runs.size()
             << " starts\n";
+  print_judgement(judgement);
 }
 
 Figure error_figure(const std::string& name, const std::vector<RigidRun>& runs) {

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "experiment.hpp"
 #include "speed_runs.hpp"
 
 namespace lockbox::app {
@@ -13,11 +14,6 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 const char* text(StepKind kind) {
   return kind == StepKind::base ? "base" : "hinge";
-}
-
-std::ptrdiff_t trusted_wrongly(const std::vector<FrameOutcome>& frames) {
-  return std::count_if(frames.begin(), frames.end(),
-                       [](auto& frame) { return frame.is_wrongly_trusted(); });
 }
 
 void add_rows(const Row& run, const std::vector<FrameOutcome>& frames, Table& table) {
@@ -33,9 +29,8 @@ void add_rows(const Row& run, const std::vector<FrameOutcome>& frames, Table& ta
 }
 
 void print_runs(const std::vector<SpeedRun>& runs) {
-  std::cout << "\nspeed  base (m/s)  joints (degrees/s, m/s)  right (%)  searches  "
-               "trusted wrongly (frames)\n"
-            << std::fixed;
+  std::cout << "\nspeed  base (m/s)  joints (degrees/s, m/s)  right (%)  searches\n" << std::fixed;
+  JudgementCount judgement;
   for (const SpeedRun& run : runs) {
     const double right =
         100.0 * static_cast<double>(run.frames_right()) / static_cast<double>(run.frames.size());
@@ -43,9 +38,10 @@ void print_runs(const std::vector<SpeedRun>& runs) {
               << run.base_speed << std::setprecision(0) << std::setw(17)
               << kDegrees * run.turning_speed << std::setprecision(2) << std::setw(8)
               << run.sliding_speed << std::setprecision(1) << std::setw(11) << right
-              << std::setw(10) << run.frames.back().searches << std::setw(26)
-              << trusted_wrongly(run.frames) << '\n';
+              << std::setw(10) << run.frames.back().searches << '\n';
+    judgement += count_judgements(run.frames);
   }
+  print_judgement(judgement);
   const auto broken =
       std::find_if(runs.begin(), runs.end(), [](auto& run) { return !run.holds(); });
   if (broken == runs.end()) {
@@ -59,19 +55,20 @@ void print_steps(StepKind kind, const std::vector<StepRun>& steps) {
   int own = 0;
   int in_time = 0;
   int searched = 0;
-  std::ptrdiff_t wrongly = 0;
+  JudgementCount judgement;
   for (const StepRun& step : steps) {
     if (step.kind != kind) continue;
     ++own;
     in_time += step.is_in_time() ? 1 : 0;
     searched += step.frames.back().searches > 0 ? 1 : 0;
-    wrongly += trusted_wrongly(step.frames);
+    judgement += count_judgements(step.frames);
   }
   if (own == 0) return;
   std::cout << (kind == StepKind::base ? "step of 8 cm and 10 degrees"
                                        : "step of a hinge by 20 degrees")
             << ": at noise level within 5 frames without searching in " << in_time << " of " << own
-            << " runs; searched in " << searched << "; frames trusted wrongly: " << wrongly << '\n';
+            << " runs; searched in " << searched << '\n';
+  print_judgement(judgement);
 }
 
 Panel step_panel(StepKind kind, const std::vector<StepRun>& steps) {

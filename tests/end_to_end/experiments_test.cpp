@@ -132,13 +132,19 @@ TEST(Order, DoesNotMatter) {
 
 TEST(Kidnap, FollowsBothKindsToTheEnd) {
   const TemporaryFolder folder;
-  const auto summary = run_experiment("kidnap", "rigid_block", folder / "out", {"--runs", "1"});
+  const auto summary =
+      run_experiment("kidnap", "rigid_block", folder / "out", {"--runs", "1", "--live-runs", "1"});
   const auto rows = read_rows(folder / "out/kidnap_rigid_block.csv");
   ASSERT_EQ(rows.size(), 60U);
   EXPECT_EQ(rows.front().at("kind"), "covered");
   EXPECT_EQ(rows.back().at("kind"), "thrown");
   EXPECT_GT(number(rows.front(), "searches"), 0.0);
   EXPECT_THAT(summary, HasSubstr("of 1 runs"));
+  EXPECT_THAT(summary, HasSubstr("frames called tracking: "));
+  const auto live = read_rows(folder / "out/kidnap_rigid_block_live.csv");
+  ASSERT_EQ(live.size(), 1U);
+  EXPECT_GT(number(live.front(), "seconds"), 0.0);
+  EXPECT_THAT(summary, HasSubstr("live: found in 1 of 1 runs"));
 }
 
 TEST(Occlusion, ComparesWithTheRunWithoutTheArm) {

@@ -60,6 +60,23 @@ TEST_F(FrameOutcomes, NothingKnownIsNotRight) {
   EXPECT_FALSE(outcome().is_right());
 }
 
+TEST_F(FrameOutcomes, AreCountedByWhatTheyAreAndWhatTheyAreCalled) {
+  std::vector<FrameOutcome> frames{outcome(), outcome()};
+  result_.status = TrackingStatus::uncertain;
+  frames.push_back(outcome());
+  result_.configuration.T_camera_base.translation().x() += 0.1;
+  frames.push_back(outcome());
+  result_.status = TrackingStatus::tracking;
+  frames.push_back(outcome());
+  JudgementCount count = count_judgements(frames);
+  EXPECT_EQ(count.tracking, 3U);
+  EXPECT_EQ(count.tracking_but_wrong, 1U);
+  EXPECT_EQ(count.right, 3U);
+  EXPECT_EQ(count.right_but_not_tracking, 1U);
+  count += count;
+  EXPECT_EQ(count.right, 6U);
+}
+
 TEST_F(FrameOutcomes, BecomeStatesWithTheJointsDeviations) {
   result_.observable[7] = false;
   const StatesFile states = to_states(tree_, {result_});

@@ -131,7 +131,7 @@ TEST_F(Metrics, JudgeTheStatusByTolerances) {
   estimate.states[1].extra = {"0.05"};
   estimate.states[2].status = "uncertain";  // right, and not called tracking
   estimate.states[2].extra = {"0.001"};
-  const Judgement judgement = evaluate(tree_, estimate, three_frames()).judgement;
+  const JudgementCount judgement = evaluate(tree_, estimate, three_frames()).judgement;
   EXPECT_EQ(judgement.tracking, 2U);
   EXPECT_EQ(judgement.tracking_but_wrong, 1U);
   EXPECT_EQ(judgement.right, 2U);

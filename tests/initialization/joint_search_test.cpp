@@ -42,6 +42,18 @@ TEST_F(JointSearch, FindsADoorThatSwungUnseen) {
   EXPECT_NEAR(position(found, "door_bottom_left"), 1.5, 0.05);
 }
 
+/// The latch where it was would speak against every position of its door but the old one.
+TEST_F(JointSearch, FindsADoorAndWhatItCarriesTogether) {
+  Configuration truth = truth_;
+  set_joint_position(model_.tree, truth, "latch", -1.3);
+  const TiledCloud cloud = seen(model_, truth, wall_behind(0.6));
+  const Configuration found =
+      Initializer(model_, {}, Executor(1))
+          .find_joints(cloud, start_, {variable("door_bottom_left"), variable("latch")});
+  EXPECT_NEAR(position(found, "door_bottom_left"), 1.5, 0.05);
+  EXPECT_NEAR(position(found, "latch"), -1.3, 0.1);
+}
+
 TEST_F(JointSearch, LeavesAllOthersWhereTheyAre) {
   const Configuration found = Initializer(model_, {}, Executor(1))
                                   .find_joints(cloud_, start_, {variable("door_bottom_left")});

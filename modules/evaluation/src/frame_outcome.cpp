@@ -32,6 +32,14 @@ bool FrameOutcome::is_at_noise_level() const {
   return is_right(kNoiseLevel) && joints <= kNoiseShare;
 }
 
+JudgementCount count_judgements(const std::vector<FrameOutcome>& frames) {
+  JudgementCount count;
+  for (const FrameOutcome& frame : frames) {
+    count.add(frame.status == TrackingStatus::tracking, frame.is_right());
+  }
+  return count;
+}
+
 FrameOutcome compare(const KinematicTree& tree, const TrackingResult& result, const State& truth) {
   const FrameErrors errors = FrameComparison(tree, {}).compare(as_state(result), truth);
   FrameOutcome outcome{result.status, result.searches, errors.translation, errors.rotation, 0.0};

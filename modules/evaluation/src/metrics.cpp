@@ -76,18 +76,13 @@ bool within_tolerances(const KinematicTree& tree, const FrameErrors& frame,
   return true;
 }
 
-Judgement judge(const KinematicTree& tree, const std::vector<FrameErrors>& frames,
-                const Tolerances& tolerances) {
-  Judgement judgement;
+JudgementCount judge(const KinematicTree& tree, const std::vector<FrameErrors>& frames,
+                     const Tolerances& tolerances) {
+  JudgementCount count;
   for (const FrameErrors& frame : frames) {
-    const bool tracking = frame.status == "tracking";
-    const bool right = within_tolerances(tree, frame, tolerances);
-    judgement.tracking += tracking ? 1 : 0;
-    judgement.right += right ? 1 : 0;
-    judgement.tracking_but_wrong += tracking && !right ? 1 : 0;
-    judgement.right_but_not_tracking += right && !tracking ? 1 : 0;
+    count.add(frame.status == "tracking", within_tolerances(tree, frame, tolerances));
   }
-  return judgement;
+  return count;
 }
 
 void summarize_base(Evaluation& evaluation) {

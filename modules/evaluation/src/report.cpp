@@ -29,7 +29,7 @@ Json to_json(const Statistics& statistics, const char* unit) {
           {"maximum", number(statistics.maximum)}};
 }
 
-Json to_json(const Judgement& judgement, std::size_t frames) {
+Json to_json(const JudgementCount& judgement, std::size_t frames) {
   return {{"tracking_share", ratio(judgement.tracking, frames)},
           {"tracking", judgement.tracking},
           {"tracking_but_wrong", judgement.tracking_but_wrong},

@@ -56,7 +56,7 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud) {
     candidates = w.rank(cloud, hypotheses);
   }
   if (!candidates.empty()) {
-    w.settle_joints(cloud, fine_view, candidates.front().configuration);
+    w.settle(cloud, fine_view, candidates.front().configuration);
   }
   return candidates;
 }
@@ -70,8 +70,9 @@ Configuration Initializer::find_joints(const TiledCloud& cloud, const Configurat
   w.scores.front().set_view(view, kIsKnown);
   Configuration configuration = start;
   scan_joints(w.model.tree, w.scores.front(), variables, 0.01, kScan, configuration);
-  scan_joints(w.model.tree, w.scores.front(), variables, 0.006, kScan, configuration);
-  scan_low_relief(w.low_relief, cloud, variables, configuration);
+  const auto margins =
+      scan_joints(w.model.tree, w.scores.front(), variables, 0.006, kScan, configuration);
+  scan_by_image(w.low_relief, cloud, variables, margins, configuration);
   return configuration;
 }
 

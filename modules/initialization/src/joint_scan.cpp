@@ -3,70 +3,222 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "levers.hpp"
+#include "lockbox/model/moved_bodies.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr int kMostPositions = 64;
+constexpr std::size_t kMostPeaks = 3;     // of what carries others
 constexpr double kLeastGain = 1.0;        // pixels: worth moving for
 constexpr double kHardlyStandsOut = 4.0;  // standard deviations of a depth
+constexpr double kDoubt = 5.0;         // pixels: that two positions may differ by without telling
+constexpr std::ptrdiff_t kBeside = 2;  // positions that are nearly the same
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::vector<double> positions_between(double lower, double upper, int count) {
-  std::vector<double> positions;
-  positions.reserve(static_cast<std::size_t>(std::max(0, count)) +
-                    1);  // one is added by the caller
-  for (int i = 0; i < count; ++i) {
-    positions.push_back(lower + (upper - lower) * i / std::max(1, count - 1));
+/// Positions of a variable, equally far from each other.
+struct Range {
+  double lower;
+  double upper;
+  int count;
+
+  double step() const { return (upper - lower) / (count - 1); }
+  double position(std::ptrdiff_t i) const { return lower + static_cast<double>(i) * step(); }
+};
+
+/// By how much the best of a range's scores exceeds all that are not beside it; infinite where
+/// nothing is seen that could tell them apart.
+double margin_of(const Range& range, const std::vector<double>& scores) {
+  const auto begin = scores.begin();
+  const auto end = begin + range.count;
+  const auto best = std::max_element(begin, end);
+  if (*best == *std::min_element(begin, end)) return kInfinity;
+  double rival = -kInfinity;
+  for (auto score = begin; score != end; ++score) {
+    if (std::abs(score - best) > kBeside) rival = std::max(rival, *score);
   }
-  return positions;
+  return *best - rival;
 }
 
-void scan_variable(const KinematicTree& tree, ViewScore& score, int variable, double lever,
-                   double slack, const ScanSteps& steps, Configuration& configuration) {
-  const VariableLimits limits = variable_limits(tree, variable);
-  const bool limited = std::isfinite(limits.upper - limits.lower);
-  double lower = limited ? limits.lower : configuration.q[variable] - std::numbers::pi;
-  double upper = limited ? limits.upper : configuration.q[variable] + std::numbers::pi;
-  const double reach = (upper - lower) * lever;
-  if (!(reach > 0.0)) return;
-  int count = std::clamp(static_cast<int>(reach / steps.metres) + 2, 3, kMostPositions);
-  const double start = configuration.q[variable];
-  double best_gain = kLeastGain;
-  double step = (upper - lower) / (count - 1);
-  for (int level = 0; level <= steps.halvings; ++level) {
-    std::vector<double> positions = positions_between(lower, upper, count);
-    positions.push_back(start);
-    const std::vector<double> scores = score.scan(configuration, variable, positions, slack);
-    const auto best = std::max_element(scores.begin(), scores.end() - 1);
-    const double gain = *best - scores.back();
-    if (gain > best_gain) {
-      best_gain = gain;
-      configuration.q[variable] = positions[static_cast<std::size_t>(best - scores.begin())];
+/// Those whose neighbours are no better, the best first.
+std::vector<std::size_t> best_peaks(const std::vector<double>& scores) {
+  std::vector<std::size_t> peaks;
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    const bool rises = i == 0 || scores[i] > scores[i - 1];
+    const bool falls = i + 1 == scores.size() || scores[i] >= scores[i + 1];
+    if (rises && falls) peaks.push_back(i);
+  }
+  std::stable_sort(peaks.begin(), peaks.end(),
+                   [&](std::size_t a, std::size_t b) { return scores[a] > scores[b]; });
+  peaks.resize(std::min(peaks.size(), kMostPeaks));
+  return peaks;
+}
+
+/// Scans variables of one tree in one view.
+class JointScan {
+ public:
+  JointScan(const KinematicTree& tree, ViewScore& score, const std::vector<int>& variables,
+            double slack, const ScanSteps& steps)
+      : tree_(tree),
+        score_(score),
+        variables_(variables),
+        slack_(slack),
+        steps_(steps),
+        levers_(model_levers(tree).variables),
+        nothing_(tree.bodies.size(), 0) {}
+
+  void scan_all(Configuration& configuration, std::vector<double>& margins) {
+    std::vector<std::uint8_t> is_done(static_cast<std::size_t>(tree_.variables()), 0);
+    for (const int variable : variables_) {
+      if (is_done[static_cast<std::size_t>(variable)] != 0) continue;
+      scan(variable, configuration, margins);
+      for (const int carried : carried_by(variable)) {
+        is_done[static_cast<std::size_t>(carried)] = 1;
+      }
     }
-    step *= 0.5;
-    lower = std::max(limits.lower, configuration.q[variable] - step);
-    upper = std::min(limits.upper, configuration.q[variable] + step);
-    count = 3;
   }
-}
+
+ private:
+  /// Those of the list that move some of what this one moves, and nothing else.
+  std::vector<int> carried_by(int variable) const {
+    const auto moved = moved_bodies(tree_, variable);
+    std::vector<int> carried;
+    for (const int other : variables_) {
+      const auto own = moved_bodies(tree_, other);
+      const bool is_part = own != moved && std::equal(own.begin(), own.end(), moved.begin(),
+                                                      [](auto a, auto b) { return a <= b; });
+      if (is_part) carried.push_back(other);
+    }
+    return carried;
+  }
+
+  void scan(int variable, Configuration& configuration, std::vector<double>& margins) {
+    const Range range = whole_range(variable, configuration);
+    if (range.count == 0) return;
+    const std::vector<int> carried = carried_by(variable);
+    if (!carried.empty()) {
+      scan_with_carried(variable, range, carried, configuration, margins);
+      return;
+    }
+    const std::vector<double> scores = scores_in(range, variable, nothing_, configuration);
+    margins[static_cast<std::size_t>(variable)] = margin_of(range, scores);
+    const bool has_moved = move_to_best(range, variable, scores, kLeastGain, configuration);
+    look_closer(range, variable, nothing_, has_moved ? 0.0 : kLeastGain, configuration);
+  }
+
+  /// What is carried may stand anywhere yet, and would speak for or against every position: it is
+  /// left out until the best ones are known, then scanned at each of them.
+  void scan_with_carried(int variable, const Range& range, const std::vector<int>& carried,
+                         Configuration& configuration, std::vector<double>& margins) {
+    const std::vector<std::uint8_t> left_out = moved_by(carried);
+    std::vector<double> scores = scores_in(range, variable, left_out, configuration);
+    margins[static_cast<std::size_t>(variable)] = margin_of(range, scores);
+    scores.pop_back();
+    std::vector<Configuration> trials{configuration, configuration};
+    for (const std::size_t peak : best_peaks(scores)) {
+      Configuration& trial = trials.emplace_back(configuration);
+      trial.q[variable] = range.position(static_cast<std::ptrdiff_t>(peak));
+      look_closer(range, variable, left_out, 0.0, trial);
+    }
+    std::vector<std::vector<double>> margins_there(trials.size(), margins);
+    for (std::size_t i = 1; i < trials.size(); ++i) {
+      for (const int other : carried) scan(other, trials[i], margins_there[i]);
+    }
+    const std::vector<double> totals = score_.scan(trials, variable, nothing_, slack_);
+    const auto best =
+        static_cast<std::size_t>(std::max_element(totals.begin(), totals.end()) - totals.begin());
+    margins = margins_there[best];
+    if (totals[best] - totals.front() > kLeastGain) configuration = trials[best];
+  }
+
+  std::vector<std::uint8_t> moved_by(const std::vector<int>& variables) const {
+    std::vector<std::uint8_t> all = nothing_;
+    for (const int variable : variables) {
+      const auto moved = moved_bodies(tree_, variable);
+      std::transform(moved.begin(), moved.end(), all.begin(), all.begin(),
+                     [](auto a, auto b) { return std::max(a, b); });
+    }
+    return all;
+  }
+
+  /// All that the variable may be, or a whole turn. No positions if it moves nothing.
+  Range whole_range(int variable, const Configuration& configuration) const {
+    const VariableLimits limits = variable_limits(tree_, variable);
+    const bool is_limited = std::isfinite(limits.upper - limits.lower);
+    const double start = configuration.q[variable];
+    const double lower = is_limited ? limits.lower : start - std::numbers::pi;
+    const double upper = is_limited ? limits.upper : start + std::numbers::pi;
+    const double reach = (upper - lower) * levers_[variable];
+    if (!(reach > 0.0)) return {lower, upper, 0};
+    return {lower, upper,
+            std::clamp(static_cast<int>(reach / steps_.metres) + 2, 3, kMostPositions)};
+  }
+
+  /// Of the range's positions and, last, of where the variable is.
+  std::vector<double> scores_in(const Range& range, int variable,
+                                const std::vector<std::uint8_t>& left_out,
+                                const Configuration& configuration) {
+    trials_.assign(static_cast<std::size_t>(range.count) + 1, configuration);
+    for (int i = 0; i < range.count; ++i) {
+      trials_[static_cast<std::size_t>(i)].q[variable] = range.position(i);
+    }
+    return score_.scan(trials_, variable, left_out, slack_);
+  }
+
+  /// If it is better by more than that.
+  static bool move_to_best(const Range& range, int variable, const std::vector<double>& scores,
+                           double least_gain, Configuration& configuration) {
+    const auto best = std::max_element(scores.begin(), scores.end() - 1);
+    if (!(*best - scores.back() > least_gain)) return false;
+    configuration.q[variable] = range.position(best - scores.begin());
+    return true;
+  }
+
+  /// Halves the steps around where the variable is.
+  void look_closer(const Range& range, int variable, const std::vector<std::uint8_t>& left_out,
+                   double least_gain, Configuration& configuration) {
+    const VariableLimits limits = variable_limits(tree_, variable);
+    double step = range.step();
+    for (int level = 0; level < steps_.halvings; ++level) {
+      step *= 0.5;
+      const Range closer{std::max(limits.lower, configuration.q[variable] - step),
+                         std::min(limits.upper, configuration.q[variable] + step), 3};
+      const auto scores = scores_in(closer, variable, left_out, configuration);
+      if (move_to_best(closer, variable, scores, least_gain, configuration)) least_gain = 0.0;
+    }
+  }
+
+  const KinematicTree& tree_;
+  ViewScore& score_;
+  const std::vector<int>& variables_;
+  double slack_;
+  ScanSteps steps_;
+  Eigen::VectorXd levers_;
+  std::vector<std::uint8_t> nothing_;  ///< left out, by body
+  std::vector<Configuration> trials_;
+};
 
 }  // namespace
 
-void scan_joints(const KinematicTree& tree, ViewScore& score, const std::vector<int>& variables,
-                 double slack, const ScanSteps& steps, Configuration& configuration) {
-  const ModelLevers levers = model_levers(tree);
-  for (const int variable : variables) {
-    scan_variable(tree, score, variable, levers.variables[variable], slack, steps, configuration);
-  }
+std::vector<double> scan_joints(const KinematicTree& tree, ViewScore& score,
+                                const std::vector<int>& variables, double slack,
+                                const ScanSteps& steps, Configuration& configuration) {
+  std::vector<double> margins(static_cast<std::size_t>(tree.variables()), kInfinity);
+  JointScan(tree, score, variables, slack, steps).scan_all(configuration, margins);
+  return margins;
 }
 
-void scan_low_relief(LowRelief& low_relief, const TiledCloud& cloud,
-                     const std::vector<int>& variables, Configuration& configuration) {
+void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
+                   const std::vector<int>& variables, const std::vector<double>& margins,
+                   Configuration& configuration) {
   for (const int variable : variables) {
-    if (low_relief.prominence(variable, configuration) > kHardlyStandsOut) continue;
+    const bool is_told = margins[static_cast<std::size_t>(variable)] > kDoubt &&
+                         low_relief.prominence(variable, configuration) > kHardlyStandsOut;
+    if (is_told) continue;
     const auto sighting = low_relief.find_anywhere(cloud, configuration, variable);
     if (sighting) configuration.q[variable] = sighting->position;
   }

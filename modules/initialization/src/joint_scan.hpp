@@ -18,14 +18,19 @@ inline constexpr ScanSteps kGlance{0.06, 0};
 inline constexpr ScanSteps kScan{0.012, 2};
 
 /// Moves one joint variable after the other, in the order of the tree, to the position of its whole
-/// range that explains the view best. A variable that changes nothing in the view stays where it
-/// is. slack: metres that surfaces may be off.
-void scan_joints(const KinematicTree& tree, ViewScore& score, const std::vector<int>& variables,
-                 double slack, const ScanSteps& steps, Configuration& configuration);
+/// range that explains the view best; those that carry others together with them. A variable that
+/// changes nothing in the view stays where it is. slack: metres that surfaces may be off. Returns,
+/// by variable, by how many pixels the best position explains more than any that is not beside it;
+/// infinity where nothing is seen of it.
+std::vector<double> scan_joints(const KinematicTree& tree, ViewScore& score,
+                                const std::vector<int>& variables, double slack,
+                                const ScanSteps& steps, Configuration& configuration);
 
-/// The same for variables whose parts hardly stand out of the noise: the likelihood of the image
-/// decides. For everything else known to a few millimetres.
-void scan_low_relief(LowRelief& low_relief, const TiledCloud& cloud,
-                     const std::vector<int>& variables, Configuration& configuration);
+/// The same for variables whose parts hardly stand out of the noise, or of which too little is
+/// seen, by the margins that scan_joints() returned: the likelihood of the image decides. For
+/// everything else known to a few millimetres.
+void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
+                   const std::vector<int>& variables, const std::vector<double>& margins,
+                   Configuration& configuration);
 
 }  // namespace lockbox

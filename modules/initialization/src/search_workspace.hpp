@@ -43,9 +43,8 @@ struct Initializer::Workspace {
   std::vector<Hypothesis> seek(const TiledCloud& cloud, const PlanarScene& scene);
   /// What stages sought, the most convincing first.
   std::vector<Candidate> rank(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses);
-  /// All joints of what was found once more.
-  void settle_joints(const TiledCloud& cloud, const CoarseView& fine_view,
-                     Configuration& configuration);
+  /// What was found made exact, all joints sought once more.
+  void settle(const TiledCloud& cloud, const CoarseView& fine_view, Configuration& configuration);
 
  private:
   std::vector<Hypothesis> match(const PlanarScene& scene);
@@ -56,6 +55,7 @@ struct Initializer::Workspace {
   void add_matched(const ModelRelief& relief, const ReliefMatch& match,
                    std::vector<Hypothesis>& hypotheses) const;
   void align_if_better(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses);
+  void align_exactly(const TiledCloud& cloud, Configuration& configuration);
   void align_coarsely(double spread, int iterations, Configuration& configuration,
                       bool hold_joints = false);
   double judge(const Hypothesis& hypothesis, double slack, double tolerance);

@@ -70,18 +70,15 @@ void ViewScore::draw(const Configuration& configuration, const std::vector<std::
   drawing.renderer->render(items_, drawing.image);
 }
 
-/// Makes moving_ and rest_ show just the part of the view in which the variable moves anything.
-void ViewScore::frame_motion(const Configuration& configuration, int variable,
-                             const std::vector<double>& positions,
+/// Makes moving_ and rest_ show just the part of the view in which the trials show what is moved.
+void ViewScore::frame_motion(std::span<const Configuration> trials,
                              const std::vector<std::uint8_t>& moved) {
   const PinholeCamera& camera = view_->camera;
   Eigen::AlignedBox2d frame;
   nearest_reach_ = std::numeric_limits<double>::infinity();
   const Eigen::AlignedBox2d image(Eigen::Vector2d(0.0, 0.0),
                                   Eigen::Vector2d(camera.width - 1, camera.height - 1));
-  Configuration trial = configuration;
-  for (const double position : positions) {
-    trial.q[variable] = position;
+  for (const Configuration& trial : trials) {
     forward_kinematics(tree_, trial, poses_);
     for (std::size_t b = 0; b < moved.size(); ++b) {
       if (moved[b] == 0 || boxes_[b].isEmpty()) continue;
@@ -212,11 +209,15 @@ double ViewScore::fit(const Configuration& configuration, double slack) {
   return count_pixels(slack).fit();
 }
 
-std::vector<double> ViewScore::scan(const Configuration& configuration, int variable,
-                                    const std::vector<double>& positions, double slack) {
-  const std::vector<std::uint8_t> moved = moved_bodies(tree_, variable);
-  frame_motion(configuration, variable, positions, moved);
-  draw(configuration, others_than(moved), rest_);
+std::vector<double> ViewScore::scan(std::span<const Configuration> trials, int variable,
+                                    const std::vector<std::uint8_t>& left_out, double slack) {
+  std::vector<std::uint8_t> moved = moved_bodies(tree_, variable);
+  const std::vector<std::uint8_t> others = others_than(moved);
+  for (std::size_t b = 0; b < moved.size(); ++b) {
+    if (left_out[b] != 0) moved[b] = 0;
+  }
+  frame_motion(trials, moved);
+  draw(trials.front(), others, rest_);
   const RenderedDepth& rest = rest_.image;
   rest_scores_.assign(rest.depth.size(), 0.0);
   for (int v = 0; v < rest.height; ++v) {
@@ -226,23 +227,27 @@ std::vector<double> ViewScore::scan(const Configuration& configuration, int vari
     }
   }
   std::vector<double> scores;
-  Configuration trial = configuration;
-  for (const double position : positions) {
-    trial.q[variable] = position;
+  scores.reserve(trials.size());
+  for (const Configuration& trial : trials) {
     draw(trial, moved, moving_);
-    const RenderedDepth& image = moving_.image;
-    double sum = 0.0;
-    for (int v = 0; v < image.height; ++v) {
-      for (int u = 0; u < image.width; ++u) {
-        const std::size_t pixel = image.index(u, v);
-        if (image.id[pixel] != kNothing && image.depth[pixel] < rest.depth[pixel]) {
-          sum += pixel_score(moving_, u, v, slack) - rest_scores_[pixel];
-        }
-      }
-    }
-    scores.push_back(sum);
+    scores.push_back(score_of_moved(slack));
   }
   return scores;
+}
+
+/// What the moved bodies explain, less what is explained of what they hide.
+double ViewScore::score_of_moved(double slack) const {
+  const RenderedDepth& image = moving_.image;
+  double sum = 0.0;
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const std::size_t pixel = image.index(u, v);
+      if (image.id[pixel] != kNothing && image.depth[pixel] < rest_.image.depth[pixel]) {
+        sum += pixel_score(moving_, u, v, slack) - rest_scores_[pixel];
+      }
+    }
+  }
+  return sum;
 }
 
 }  // namespace lockbox

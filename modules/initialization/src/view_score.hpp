@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "coarse_view.hpp"
@@ -37,9 +38,10 @@ class ViewScore {
   /// The larger, the better the whole model fits, for comparing near configurations.
   double fit(const Configuration& configuration, double slack);
 
-  /// The scores of the whole model for positions of one joint variable, up to a constant.
-  std::vector<double> scan(const Configuration& configuration, int variable,
-                           const std::vector<double>& positions, double slack);
+  /// The scores of the whole model, up to a constant, for configurations that differ in nothing but
+  /// what one joint variable moves. left_out: bodies that are not drawn, by body.
+  std::vector<double> scan(std::span<const Configuration> trials, int variable,
+                           const std::vector<std::uint8_t>& left_out, double slack);
 
  private:
   /// Part of the view, drawn.
@@ -52,9 +54,9 @@ class ViewScore {
 
   void draw(const Configuration& configuration, const std::vector<std::uint8_t>& bodies,
             Drawing& drawing);
-  void frame_motion(const Configuration& configuration, int variable,
-                    const std::vector<double>& positions, const std::vector<std::uint8_t>& moved);
+  void frame_motion(std::span<const Configuration> trials, const std::vector<std::uint8_t>& moved);
   ViewEvidence count_pixels(double slack) const;
+  double score_of_moved(double slack) const;
   bool is_before_reach(double measured, double slack) const;
   double pixel_score(const Drawing& drawing, int u, int v, double slack) const;
   double share_in_view(const std::vector<std::uint8_t>& bodies) const;

@@ -13,10 +13,23 @@ namespace {
 
 constexpr int kBeyond = 3;          // pixels of the view, across an outline
 constexpr float kRounding = 1e-5F;  // metres: more than single precision errs
+/// A body most of whose points lie behind it, though within the gate, is not what they lie on: of a
+/// flat part that is elsewhere they show the face that it would lie on. What recedes by less than
+/// this is the model's inexactness, and with few points, that err alike, noise: so many of its
+/// standard deviations, if each point's way were drawn by lot.
+constexpr double kMayRecede = 0.25;
+constexpr double kRecedesByNoise = 3.0;
+constexpr double kScatter = 0.57;  // of (-1, 0, 1) for (before, near, behind) by one sigma
 
 std::size_t index(int width, int u, int v) {
   return static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
          static_cast<std::size_t>(u);
+}
+
+void count_explained(double pixels, double behind, double sigma, Agreement& counts) {
+  counts.explained += pixels;
+  if (behind > sigma) counts.recedes += pixels;
+  if (behind < -sigma) counts.recedes -= pixels;
 }
 
 /// Adds one sample to what it says of its body; nothing if it lies outside the image.
@@ -40,8 +53,9 @@ void count(const ArticulatedModel& model, const ViewSample& sample,
       static_cast<double>(model.fields[static_cast<std::size_t>(sample.body)]
                               ->sample((T_camera_body.inverse() * q).cast<float>())
                               .distance);
-  if (std::abs(distance) < options.cut * options.noise.sigma_z(p.z())) {
-    counts.explained += sample.pixels;
+  const double sigma = options.noise.sigma_z(p.z());
+  if (std::abs(distance) < options.cut * sigma) {
+    count_explained(sample.pixels, measured - p.z(), sigma, counts);
   } else {
     (measured > p.z() ? counts.contradicted : counts.occluded) += sample.pixels;
   }
@@ -80,6 +94,7 @@ void add(const Agreement& counts, Agreement& sum) {
   sum.contradicted += counts.contradicted;
   sum.occluded += counts.occluded;
   sum.unknown += counts.unknown;
+  sum.recedes += counts.recedes;
   sum.pixels += counts.pixels;
 }
 
@@ -87,10 +102,20 @@ void make_shares(Agreement& counts) {
   if (counts.pixels == 0.0) {
     return;
   }
-  for (double* share :
-       {&counts.explained, &counts.contradicted, &counts.occluded, &counts.unknown}) {
+  for (double* share : {&counts.explained, &counts.contradicted, &counts.occluded, &counts.unknown,
+                        &counts.recedes}) {
     *share /= counts.pixels;
   }
+}
+
+/// Counts of one body: what recedes as a whole contradicts it.
+void contradict_by_what_recedes(double noise_correlation, Agreement& counts) {
+  const double independent = counts.explained / noise_correlation;
+  const double by_noise = kRecedesByNoise * kScatter / std::sqrt(independent);
+  if (!(counts.recedes > (kMayRecede + by_noise) * counts.explained)) return;
+  counts.explained -= counts.recedes;
+  counts.contradicted += counts.recedes;
+  counts.recedes = 0.0;
 }
 
 }  // namespace
@@ -126,6 +151,7 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
     outline_.goes_on += chunk_outlines_[i].goes_on;
   }
   for (Agreement& body : bodies_) {
+    contradict_by_what_recedes(options.noise_correlation, body);
     add(body, total_);
     make_shares(body);
   }
@@ -194,14 +220,14 @@ void AgreementMeter::count_points(const Scene& scene, const ViewSamples::Chunk& 
       scene.model.fields[body]->view(), to_rigid_motion(T_camera_body.inverse()),
       {points.x.data(), points.y.data(), points.z.data(), padded}, points.distance.data());
   for (std::size_t i = 0; i < points.size; ++i) {
-    const float gate = static_cast<float>(
-        scene.options.cut * scene.options.noise.sigma_z(static_cast<double>(points.expected[i])));
+    const double sigma = scene.options.noise.sigma_z(static_cast<double>(points.expected[i]));
+    const auto gate = static_cast<float>(scene.options.cut * sigma);
     const float distance = std::abs(points.distance[i]);
     const float behind = points.z[i] - points.expected[i];
     const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + points.number[i]);
     if (distance < gate - kRounding) {
       counts.pixels += sample.pixels;
-      counts.explained += sample.pixels;
+      count_explained(sample.pixels, static_cast<double>(behind), sigma, counts);
     } else if (distance > gate + kRounding && std::abs(behind) > kRounding) {
       counts.pixels += sample.pixels;
       (behind > 0.0F ? counts.contradicted : counts.occluded) += sample.pixels;

@@ -99,7 +99,9 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
     const auto& sighting = sightings_[static_cast<std::size_t>(v)];
     if (sighting) covariance_.set_independent(6 + v, sighting->variance);
   }
-  if (annealing.iterations > 0) refine_at_edges(cloud, annealing.hold_joints);
+  if (annealing.iterations > 0 && annealing.at_edges) {
+    refine_at_edges(cloud, annealing.hold_joints);
+  }
   covariance_.add_floors(moves_.levers());
   result_.covariance = covariance_.covariance();
   result_.sigma = covariance_.sigma();

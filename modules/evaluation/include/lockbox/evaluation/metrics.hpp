@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lockbox/evaluation/bounds_file.hpp"
+#include "lockbox/evaluation/judgement_count.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "lockbox/evaluation/tolerances.hpp"
 #include "lockbox/model/kinematic_tree.hpp"
@@ -39,21 +40,13 @@ struct JointSummary {
   Honesty honesty;
 };
 
-/// Whether the status `tracking` can be trusted (counts of frames).
-struct Judgement {
-  std::size_t tracking = 0;
-  std::size_t tracking_but_wrong = 0;  ///< base, or a joint not flagged, beyond its tolerance
-  std::size_t right = 0;               ///< within all tolerances
-  std::size_t right_but_not_tracking = 0;
-};
-
 struct Evaluation {
   std::vector<FrameErrors> frames;   ///< one a reference state
   std::size_t unmatched = 0;         ///< reference states without an estimate near them
   Statistics translation;            ///< metres, over frames that determine it
   Statistics rotation;               ///< radians
   std::vector<JointSummary> joints;  ///< in the order of the file
-  Judgement judgement;
+  JudgementCount judgement;
 };
 
 /// Pairs each reference state with the estimate nearest in time, at most half a frame away (half

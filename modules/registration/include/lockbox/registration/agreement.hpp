@@ -18,10 +18,13 @@ namespace lockbox {
 /// an image.
 struct Agreement {
   double explained = 0.0;     ///< measured where the model says
-  double contradicted = 0.0;  ///< seen through
+  double contradicted = 0.0;  ///< seen through, or most of it lies behind
   double occluded = 0.0;      ///< something else in front
   double unknown = 0.0;       ///< not measured
-  double pixels = 0.0;        ///< of the camera, of which these are shares
+  /// Of what is explained: measured behind the surface by more than a standard deviation, less what
+  /// is so far before it. Noise goes both ways alike.
+  double recedes = 0.0;
+  double pixels = 0.0;  ///< of the camera, of which these are shares
 
   /// Of what speaks for or against the model, the share that speaks for it; 0 if nothing does.
   double consent() const { return explained > 0.0 ? explained / (explained + contradicted) : 0.0; }

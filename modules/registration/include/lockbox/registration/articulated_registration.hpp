@@ -41,6 +41,7 @@ struct Annealing {
   /// Sees the configuration after each linearisation, and whether the gates are narrow by then; may
   /// end the alignment by returning false.
   std::function<bool(const Configuration& configuration, bool is_narrow)> on_iteration = nullptr;
+  bool at_edges = true;  ///< end with the step by the image at edges, if the options ask for it
 };
 
 struct RegistrationResult {
