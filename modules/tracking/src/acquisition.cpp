@@ -33,23 +33,30 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
 }
 
 bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess) {
-  if (consider(registration_.align(cloud_, guess, narrow())) || consider(find_near(frame, guess))) {
+  if (consider(registration_.align(cloud_, guess, narrow()))) return true;
+  const auto contradicted = contradicted_variables(*best_, model_.tree, options_);
+  if (!contradicted.empty() && consider(with_joints_sought(best_->at_rest, contradicted))) {
     return true;
   }
+  if (consider(find_near(frame, guess))) return true;
   // Frames that did not wait for a search went by, and joints may have moved anywhere in them.
-  return options_.background_search && consider(with_joints_sought(best_->at_rest));
+  return options_.background_search &&
+         consider(with_joints_sought(best_->at_rest, free_variables()));
 }
 
-const RegistrationResult& Acquisition::with_joints_sought(const Configuration& start) {
+const RegistrationResult& Acquisition::with_joints_sought(const Configuration& start,
+                                                          const std::vector<int>& variables) {
+  return registration_.align(cloud_, find_joints(start, variables), narrow());
+}
+
+std::vector<int> Acquisition::free_variables() const {
   std::vector<int> variables;
   for (int v = 0; v < model_.tree.variables(); ++v) {
     const auto& locked = options_.registration.locked;
     const auto index = static_cast<std::size_t>(v);
-    if (index >= locked.size() || !locked[index]) {
-      variables.push_back(v);
-    }
+    if (index >= locked.size() || !locked[index]) variables.push_back(v);
   }
-  return registration_.align(cloud_, find_joints(start, variables), narrow());
+  return variables;
 }
 
 Annealing Acquisition::narrow() const {

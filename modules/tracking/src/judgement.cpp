@@ -29,6 +29,20 @@ bool is_contradicted(const Agreement& body, const TrackerOptions& options) {
   return decided >= options.least_body_pixels && body.consent() < options.least_body_agreement;
 }
 
+std::vector<int> contradicted_variables(const RegistrationResult& registered,
+                                        const KinematicTree& tree, const TrackerOptions& options) {
+  std::vector<int> variables;
+  const std::vector<bool>& locked = options.registration.locked;
+  for (std::size_t b = 0; b < registered.body_agreement.size(); ++b) {
+    const int joint = tree.bodies[b].parent_joint;
+    if (joint < 0 || !is_contradicted(registered.body_agreement[b], options)) continue;
+    const int variable = tree.joints[static_cast<std::size_t>(joint)].variable;
+    const auto index = static_cast<std::size_t>(variable);
+    if (index >= locked.size() || !locked[index]) variables.push_back(variable);
+  }
+  return variables;
+}
+
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options) {
   const Agreement& whole = registered.agreement;
   const auto& bodies = registered.body_agreement;

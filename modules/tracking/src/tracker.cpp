@@ -238,26 +238,11 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
 
 /// Over their whole ranges.
 void Tracker::seek_contradicted_joints(RegistrationResult& best) {
-  list_contradicted_joints(best);
+  sought_joints_ = contradicted_variables(best, model_.tree, options_);
   if (!sought_joints_.empty()) {
     keep_better(registration_.align(cloud_, acquisition_.find_joints(best.at_rest, sought_joints_),
                                     {options_.start_joint_spread, options_.start_joint_iterations}),
                 best);
-  }
-}
-
-/// Those whose own body is seen through.
-void Tracker::list_contradicted_joints(const RegistrationResult& registered) {
-  sought_joints_.clear();
-  for (std::size_t b = 0; b < registered.body_agreement.size(); ++b) {
-    const int joint = model_.tree.bodies[b].parent_joint;
-    if (joint < 0 || !is_contradicted(registered.body_agreement[b], options_)) {
-      continue;
-    }
-    const int variable = model_.tree.joints[static_cast<std::size_t>(joint)].variable;
-    if (!options_.registration.locked[static_cast<std::size_t>(variable)]) {
-      sought_joints_.push_back(variable);
-    }
   }
 }
 

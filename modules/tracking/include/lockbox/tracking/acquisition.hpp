@@ -36,7 +36,9 @@ class Acquisition {
 
  private:
   bool find_from(const DepthFrame& frame, const Configuration& guess);
-  const RegistrationResult& with_joints_sought(const Configuration& start);
+  const RegistrationResult& with_joints_sought(const Configuration& start,
+                                               const std::vector<int>& variables);
+  std::vector<int> free_variables() const;
   bool consider(const RegistrationResult& found);
   Annealing narrow() const;
   void keep_object(const Configuration& start);

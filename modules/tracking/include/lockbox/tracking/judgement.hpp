@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/tracking/tracker_options.hpp"
@@ -27,5 +28,9 @@ bool is_more_convincing(const Agreement& agreement, const Agreement& than);
 
 /// Whether the camera sees through most of what the body should hide.
 bool is_contradicted(const Agreement& body, const TrackerOptions& options);
+
+/// The joint variables, but for locked ones, that move a body which is contradicted.
+std::vector<int> contradicted_variables(const RegistrationResult& registered,
+                                        const KinematicTree& tree, const TrackerOptions& options);
 
 }  // namespace lockbox

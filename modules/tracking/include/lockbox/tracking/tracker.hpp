@@ -72,7 +72,6 @@ class Tracker {
   const RegistrationResult& with_leap_followed(const DepthFrame& frame,
                                                const RegistrationResult& registered);
   void seek_contradicted_joints(RegistrationResult& best);
-  void list_contradicted_joints(const RegistrationResult& registered);
   void report(const RegistrationResult& registered);
 
   const ArticulatedModel& model_;

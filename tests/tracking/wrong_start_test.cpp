@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Flat parts that a start puts far from where they are: there the camera measures what they would
+// lie on, as near as their own backs.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "initialization/seen_model.hpp"
+#include "lockbox/simulation/trajectory.hpp"
+#include "lockbox/tracking/tracker.hpp"
+
+namespace lockbox {
+namespace {
+
+struct WrongStart {
+  const char* joint;
+  double off;  ///< radians or metres
+};
+
+void PrintTo(const WrongStart& start, std::ostream* out) {
+  *out << start.joint << " off by " << start.off;
+}
+
+class JointsThatStartWrong : public ::testing::TestWithParam<WrongStart> {
+ protected:
+  const ArticulatedModel& model_ = shipped("lockbox");
+  Configuration truth_ = [this] {
+    Configuration configuration = rest_configuration(model_.tree);
+    configuration.T_camera_base = facing_pose(1.25);
+    return configuration;
+  }();
+};
+
+TEST_P(JointsThatStartWrong, AreFoundAtOnce) {
+  const int joint = joint_index(model_.tree, GetParam().joint);
+  const double right = joint_position(model_.tree, truth_, joint);
+  Configuration start = truth_;
+  set_joint_position(model_.tree, start, GetParam().joint, right + GetParam().off);
+  Tracker tracker(model_, {});
+  tracker.start(start);
+  for (std::uint64_t number = 0; number < 2; ++number) {
+    const auto& result = tracker.process(seen_frame(model_, truth_, wall_behind(0.6), number));
+    EXPECT_EQ(result.status, TrackingStatus::tracking);
+    EXPECT_NEAR(joint_position(model_.tree, result.configuration, joint), right, 0.01);
+    EXPECT_EQ(result.searches, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Tracker, JointsThatStartWrong,
+                         ::testing::Values(WrongStart{"latch", 1.5}, WrongStart{"latch", -1.5},
+                                           WrongStart{"block", 0.2}, WrongStart{"slider", 0.25},
+                                           WrongStart{"cylinder_vertical", 0.12}));
+
+}  // namespace
+}  // namespace lockbox
