@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 
 #include "lockbox/simulation/trajectory.hpp"
 #include "primesense_camera.hpp"
@@ -44,12 +45,13 @@ std::vector<TrackingResult> track(Tracker& tracker, const Recording& recording) 
 
 void print_judgement(const JudgementCount& frames) {
   const auto print = [](const char* what, std::size_t all, const char* of_these, std::size_t part) {
-    std::cout << what << ": " << all << ", " << of_these << ": " << part;
+    std::ostringstream line;  // leaves the format of what follows alone
+    line << what << ": " << all << ", " << of_these << ": " << part;
     if (all > 0) {
       const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(all);
-      std::cout << std::fixed << std::setprecision(2) << " (" << percent << " %)";
+      line << std::fixed << std::setprecision(2) << " (" << percent << " %)";
     }
-    std::cout << '\n';
+    std::cout << line.str() << '\n';
   };
   print("frames called tracking", frames.tracking, "of these wrong", frames.tracking_but_wrong);
   print("frames that are right", frames.right, "of these called tracking",

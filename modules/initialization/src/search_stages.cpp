@@ -38,7 +38,7 @@ const Annealing kExactly{.spread = 0.005, .iterations = 8};
 constexpr double kSamePlace = 1.0;  // radii: most of the pixels are the same
 constexpr Selection kMatched{0.1, 96, 0.5, 16};
 constexpr Selection kPlaced{0.1, 40, 0.5, 8};
-constexpr Selection kPosed{0.2, 6, 0.5, 2};
+constexpr Selection kPosed{0.15, 8, 0.5, 2};
 constexpr Selection kRanked{0.0, 12, kSamePlace, 2};
 
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
