@@ -80,6 +80,7 @@ Table rows_of(const std::vector<LiveKidnapRun>& runs) {
 }
 
 void print_latency(const char* when, const std::vector<double>& milliseconds) {
+  if (milliseconds.empty()) return;
   const Statistics statistics = summarize(milliseconds);
   std::cout << "  latency of a frame " << when << ": median " << statistics.median << " ms, 95 % "
             << statistics.percentile_95 << " ms\n";

@@ -137,7 +137,7 @@ LiveKidnapRun run_live(const ArticulatedModel& model, int number,
     }
     if (next < kFramesBeforeKidnap) {
       run.usual_latency.push_back(result.latency_ms);
-    } else if (!run.seconds) {
+    } else if (next >= kFirstInView && !run.seconds) {
       run.search_latency.push_back(result.latency_ms);
     }
     ++next;

@@ -41,7 +41,7 @@ struct LiveKidnapRun {
   int number = 0;
   std::optional<double> seconds;      ///< from the first frame in view to an estimate that is right
   std::vector<double> usual_latency;  ///< of frames before the event, milliseconds
-  std::vector<double> search_latency;  ///< of frames from the event until it is found
+  std::vector<double> search_latency;  ///< of frames in view until it is found
   std::vector<FrameOutcome> frames;    ///< from the first one in view
 };
 

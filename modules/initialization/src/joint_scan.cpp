@@ -71,14 +71,15 @@ class JointScan {
         levers_(model_levers(tree).variables),
         nothing_(tree.bodies.size(), 0) {}
 
-  void scan_all(Configuration& configuration, std::vector<double>& margins) {
+  /// Sets the margins of those that are listed.
+  void scan_each(const std::vector<int>& variables, Configuration& configuration,
+                 std::vector<double>& margins) {
     std::vector<std::uint8_t> is_done(static_cast<std::size_t>(tree_.variables()), 0);
-    for (const int variable : variables_) {
+    for (const int variable : variables) {
       if (is_done[static_cast<std::size_t>(variable)] != 0) continue;
-      scan(variable, configuration, margins);
-      for (const int carried : carried_by(variable)) {
-        is_done[static_cast<std::size_t>(carried)] = 1;
-      }
+      const std::vector<int> carried = carried_by(variable);
+      scan(variable, carried, configuration, margins);
+      for (const int other : carried) is_done[static_cast<std::size_t>(other)] = 1;
     }
   }
 
@@ -96,10 +97,10 @@ class JointScan {
     return carried;
   }
 
-  void scan(int variable, Configuration& configuration, std::vector<double>& margins) {
+  void scan(int variable, const std::vector<int>& carried, Configuration& configuration,
+            std::vector<double>& margins) {
     const Range range = whole_range(variable, configuration);
     if (range.count == 0) return;
-    const std::vector<int> carried = carried_by(variable);
     if (!carried.empty()) {
       scan_with_carried(variable, range, carried, configuration, margins);
       return;
@@ -126,12 +127,12 @@ class JointScan {
     }
     std::vector<std::vector<double>> margins_there(trials.size(), margins);
     for (std::size_t i = 1; i < trials.size(); ++i) {
-      for (const int other : carried) scan(other, trials[i], margins_there[i]);
+      scan_each(carried, trials[i], margins_there[i]);
     }
     const std::vector<double> totals = score_.scan(trials, variable, nothing_, slack_);
     const auto best =
         static_cast<std::size_t>(std::max_element(totals.begin(), totals.end()) - totals.begin());
-    margins = margins_there[best];
+    margins = margins_there[std::max<std::size_t>(best, 1)];  // the first trial is as it was
     if (totals[best] - totals.front() > kLeastGain) configuration = trials[best];
   }
 
@@ -208,7 +209,7 @@ std::vector<double> scan_joints(const KinematicTree& tree, ViewScore& score,
                                 const std::vector<int>& variables, double slack,
                                 const ScanSteps& steps, Configuration& configuration) {
   std::vector<double> margins(static_cast<std::size_t>(tree.variables()), kInfinity);
-  JointScan(tree, score, variables, slack, steps).scan_all(configuration, margins);
+  JointScan(tree, score, variables, slack, steps).scan_each(variables, configuration, margins);
   return margins;
 }
 
