@@ -42,7 +42,7 @@ TEST_F(JointSearch, FindsADoorThatSwungUnseen) {
   EXPECT_NEAR(position(found, "door_bottom_left"), 1.5, 0.05);
 }
 
-/// The latch where it was would speak against every position of its door but the old one.
+/// Where little of a door is in view, its latch decides: HardScenes, DoorWhoseLatchStandsElsewhere.
 TEST_F(JointSearch, FindsADoorAndWhatItCarriesTogether) {
   Configuration truth = truth_;
   set_joint_position(model_.tree, truth, "latch", -1.3);
