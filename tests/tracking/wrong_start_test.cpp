@@ -46,6 +46,23 @@ TEST_P(JointsThatStartWrong, AreFoundAtOnce) {
   }
 }
 
+/// With less and less of the noise between a flat part's faces.
+TEST(JointsThatStartRight, AreTrustedFromNearAndFar) {
+  const ArticulatedModel& model = shipped("lockbox");
+  Configuration truth = rest_configuration(model.tree);
+  set_joint_position(model.tree, truth, "block", 0.1);
+  set_joint_position(model.tree, truth, "slider", 0.12);
+  for (double distance = 0.9; distance < 2.5; distance += 0.25) {
+    truth.T_camera_base = facing_pose(distance);
+    Tracker tracker(model, {});
+    tracker.start(truth);
+    const auto number = static_cast<std::uint64_t>(100.0 * distance);
+    const auto& result = tracker.process(seen_frame(model, truth, wall_behind(0.6), number));
+    EXPECT_EQ(result.status, TrackingStatus::tracking) << distance;
+    EXPECT_EQ(result.searches, 0) << distance;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Tracker, JointsThatStartWrong,
                          ::testing::Values(WrongStart{"latch", 1.5}, WrongStart{"latch", -1.5},
                                            WrongStart{"block", 0.2}, WrongStart{"slider", 0.25},

@@ -60,6 +60,7 @@ struct Initializer::Workspace {
                       bool hold_joints = false);
   double judge(const Hypothesis& hypothesis, double slack, double tolerance);
   double judge_closely(const Configuration& configuration, double slack);
+  static constexpr double kFineSlack = 0.003;  ///< metres that surfaces may be off at last
   static constexpr double kMedianNoise = 0.6;  ///< of the noise is left in a median of 4 x 4
   static constexpr double kHalfNoise = 0.85;   ///< of 2 x 2
   ViewScore& score() { return scores[Executor::worker()]; }

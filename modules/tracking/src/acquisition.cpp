@@ -65,7 +65,7 @@ Annealing Acquisition::narrow() const {
 
 /// Keeps it if it is the best so far; true if it is judged `tracking`.
 bool Acquisition::consider(const RegistrationResult& found) {
-  if (!best_ || is_more_convincing(found.agreement, best_->agreement)) {
+  if (!best_ || found.agreement.conviction() > best_->agreement.conviction()) {
     best_ = found;
   }
   return judge(found, options_) == TrackingStatus::tracking;

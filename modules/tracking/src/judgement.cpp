@@ -19,11 +19,6 @@ std::string to_string(TrackingStatus status) {
   return "lost";
 }
 
-bool is_more_convincing(const Agreement& agreement, const Agreement& than) {
-  const auto conviction = [](const Agreement& a) { return a.explained - 2.0 * a.contradicted; };
-  return conviction(agreement) > conviction(than);
-}
-
 bool is_contradicted(const Agreement& body, const TrackerOptions& options) {
   const double decided = (body.explained + body.contradicted) * body.pixels;
   return decided >= options.least_body_pixels && body.consent() < options.least_body_agreement;

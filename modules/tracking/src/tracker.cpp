@@ -19,7 +19,7 @@ bool search_is_due(int frames_searched) {
 }
 
 void keep_better(const RegistrationResult& registered, RegistrationResult& best) {
-  if (is_more_convincing(registered.agreement, best.agreement)) {
+  if (registered.agreement.conviction() > best.agreement.conviction()) {
     best = registered;
   }
 }

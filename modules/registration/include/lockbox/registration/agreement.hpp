@@ -28,6 +28,10 @@ struct Agreement {
 
   /// Of what speaks for or against the model, the share that speaks for it; 0 if nothing does.
   double consent() const { return explained > 0.0 ? explained / (explained + contradicted) : 0.0; }
+
+  /// For comparing configurations: a contradiction counts more than what remains unexplained, which
+  /// may be hidden.
+  double conviction() const { return explained - 2.0 * contradicted; }
 };
 
 /// What the camera sees just beyond the model's outline, where something farther away, or nothing,

@@ -23,9 +23,6 @@ bool is_believable(const RegistrationResult& registered, const TrackerOptions& o
 /// still on its way, is `uncertain` at best.
 TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options);
 
-/// A contradiction counts more than what remains unexplained: that may be hidden.
-bool is_more_convincing(const Agreement& agreement, const Agreement& than);
-
 /// Whether the camera sees through most of what the body should hide.
 bool is_contradicted(const Agreement& body, const TrackerOptions& options);
 
