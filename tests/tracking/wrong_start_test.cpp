@@ -66,7 +66,8 @@ TEST(JointsThatStartRight, AreTrustedFromNearAndFar) {
 INSTANTIATE_TEST_SUITE_P(Tracker, JointsThatStartWrong,
                          ::testing::Values(WrongStart{"latch", 1.5}, WrongStart{"latch", -1.5},
                                            WrongStart{"block", 0.2}, WrongStart{"slider", 0.25},
-                                           WrongStart{"cylinder_vertical", 0.12}));
+                                           WrongStart{"cylinder_vertical", 0.12},
+                                           WrongStart{"disk", 1.0}, WrongStart{"disk", -2.0}));
 
 }  // namespace
 }  // namespace lockbox

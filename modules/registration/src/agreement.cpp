@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "agreement_patch.hpp"
 #include "lockbox/registration/rigid_motion.hpp"
 #include "outline.hpp"
 
@@ -24,12 +25,6 @@ constexpr double kScatter = 0.57;  // of (-1, 0, 1) for (before, near, behind) b
 std::size_t index(int width, int u, int v) {
   return static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
          static_cast<std::size_t>(u);
-}
-
-void count_explained(double pixels, double behind, double sigma, Agreement& counts) {
-  counts.explained += pixels;
-  if (behind > sigma) counts.recedes += pixels;
-  if (behind < -sigma) counts.recedes -= pixels;
 }
 
 /// Adds one sample to what it says of its body; nothing if it lies outside the image.
@@ -95,6 +90,7 @@ void add(const Agreement& counts, Agreement& sum) {
   sum.occluded += counts.occluded;
   sum.unknown += counts.unknown;
   sum.recedes += counts.recedes;
+  sum.patches_behind += counts.patches_behind;
   sum.pixels += counts.pixels;
 }
 
@@ -103,7 +99,7 @@ void make_shares(Agreement& counts) {
     return;
   }
   for (double* share : {&counts.explained, &counts.contradicted, &counts.occluded, &counts.unknown,
-                        &counts.recedes}) {
+                        &counts.recedes, &counts.patches_behind}) {
     *share /= counts.pixels;
   }
 }
@@ -219,6 +215,7 @@ void AgreementMeter::count_points(const Scene& scene, const ViewSamples::Chunk& 
   kernels::look_up_distance(
       scene.model.fields[body]->view(), to_rigid_motion(T_camera_body.inverse()),
       {points.x.data(), points.y.data(), points.z.data(), padded}, points.distance.data());
+  AgreementPatch patch(scene.options, scene.surface.reduction(), counts);
   for (std::size_t i = 0; i < points.size; ++i) {
     const double sigma = scene.options.noise.sigma_z(static_cast<double>(points.expected[i]));
     const auto gate = static_cast<float>(scene.options.cut * sigma);
@@ -227,14 +224,18 @@ void AgreementMeter::count_points(const Scene& scene, const ViewSamples::Chunk& 
     const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + points.number[i]);
     if (distance < gate - kRounding) {
       counts.pixels += sample.pixels;
-      count_explained(sample.pixels, static_cast<double>(behind), sigma, counts);
-    } else if (distance > gate + kRounding && std::abs(behind) > kRounding) {
+      patch.explain(sample, static_cast<double>(behind), sigma);
+    } else if (distance > gate + kRounding && behind > kRounding) {
       counts.pixels += sample.pixels;
-      (behind > 0.0F ? counts.contradicted : counts.occluded) += sample.pixels;
+      patch.contradict(sample, static_cast<double>(behind), sigma);
+    } else if (distance > gate + kRounding && behind < -kRounding) {
+      counts.pixels += sample.pixels;
+      counts.occluded += sample.pixels;
     } else {
       count(scene.model, sample, T_camera_body, scene.cloud, scene.options, counts);
     }
   }
+  patch.close();
 }
 
 }  // namespace lockbox

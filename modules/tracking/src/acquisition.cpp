@@ -34,6 +34,8 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
 
 bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess) {
   if (consider(registration_.align(cloud_, guess, narrow()))) return true;
+  const bool is_on_its_way = best_->last_move > options_.most_last_move;
+  if (is_on_its_way && consider(registration_.align(cloud_, best_->at_rest, narrow()))) return true;
   const auto contradicted = contradicted_variables(*best_, model_.tree, options_);
   if (!contradicted.empty() && consider(with_joints_sought(best_->at_rest, contradicted))) {
     return true;

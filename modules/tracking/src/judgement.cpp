@@ -20,8 +20,12 @@ std::string to_string(TrackingStatus status) {
 }
 
 bool is_contradicted(const Agreement& body, const TrackerOptions& options) {
-  const double decided = (body.explained + body.contradicted) * body.pixels;
-  return decided >= options.least_body_pixels && body.consent() < options.least_body_agreement;
+  const double decided = body.explained + body.contradicted;
+  const bool lies_in_front = body.patches_behind > options.most_patches_behind * decided &&
+                             body.patches_behind * body.pixels > options.least_body_pixels;
+  const bool is_seen_through = body.consent() < options.least_body_agreement &&
+                               decided * body.pixels >= options.least_body_pixels;
+  return lies_in_front || is_seen_through;
 }
 
 std::vector<int> contradicted_variables(const RegistrationResult& registered,

@@ -18,12 +18,15 @@ namespace lockbox {
 /// an image.
 struct Agreement {
   double explained = 0.0;     ///< measured where the model says
-  double contradicted = 0.0;  ///< seen through, or most of it lies behind
+  double contradicted = 0.0;  ///< seen through, or measured behind as a patch or as a whole
   double occluded = 0.0;      ///< something else in front
   double unknown = 0.0;       ///< not measured
   /// Of what is explained: measured behind the surface by more than a standard deviation, less what
   /// is so far before it. Noise goes both ways alike.
   double recedes = 0.0;
+  /// Of what is contradicted: patches that were measured behind the surface as wholes. It lies
+  /// elsewhere there, though the rest of the body, if that is flat or round, may be explained.
+  double patches_behind = 0.0;
   double pixels = 0.0;  ///< of the camera, of which these are shares
 
   /// Of what speaks for or against the model, the share that speaks for it; 0 if nothing does.

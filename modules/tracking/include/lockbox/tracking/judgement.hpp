@@ -23,7 +23,7 @@ bool is_believable(const RegistrationResult& registered, const TrackerOptions& o
 /// still on its way, is `uncertain` at best.
 TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options);
 
-/// Whether the camera sees through most of what the body should hide.
+/// Whether the camera sees through what the body should hide: much of it, or some patches.
 bool is_contradicted(const Agreement& body, const TrackerOptions& options);
 
 /// The joint variables, but for locked ones, that move a body which is contradicted.

@@ -38,6 +38,7 @@ struct TrackerOptions {
   double least_agreement = 0.9;
   double least_body_agreement = 0.75;
   double least_body_pixels = 80.0;
+  double most_patches_behind = 0.03;  ///< of what speaks for or against a body: patches behind it
   double most_continued = 0.85;  ///< of the outline: there the scene goes on as the model's surface
   double most_last_move = 0.003;  ///< metres: surfaces that still move are not where they belong
   double lost_agreement = 0.60;   ///< below it, or below half of least_explained: `lost`

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of which most is measured where the estimate has it, and some is not: a disk whose handle
+// is elsewhere, a part that overlaps with where it is.
+#include "lockbox/tracking/judgement.hpp"
+
+#include <gtest/gtest.h>
+
+#include "initialization/seen_model.hpp"
+#include "lockbox/simulation/trajectory.hpp"
+
+namespace lockbox {
+namespace {
+
+struct PartlyWrong {
+  const char* joint;
+  double off;  ///< radians or metres
+};
+
+void PrintTo(const PartlyWrong& estimate, std::ostream* out) {
+  *out << estimate.joint << " off by " << estimate.off;
+}
+
+class PartsThatArePartlyWrong : public ::testing::TestWithParam<PartlyWrong> {
+ protected:
+  /// The estimate as it is, registered by no step.
+  const RegistrationResult& as_it_is(const Configuration& estimate) {
+    return registration_.align(cloud_, estimate, {0.0, 0});
+  }
+
+  const ArticulatedModel& model_ = shipped("lockbox");
+  TrackerOptions options_;
+  Configuration truth_ = [this] {
+    Configuration configuration = rest_configuration(model_.tree);
+    configuration.T_camera_base = facing_pose(1.25);
+    set_joint_position(model_.tree, configuration, "block", 0.1);
+    set_joint_position(model_.tree, configuration, "cylinder_horizontal", 0.06);
+    return configuration;
+  }();
+  TiledCloud cloud_ = seen(model_, truth_, wall_behind(0.6));
+  ArticulatedRegistration registration_{model_, options_.registration, Executor(1)};
+};
+
+TEST_P(PartsThatArePartlyWrong, AreContradictedAlone) {
+  const int joint = joint_index(model_.tree, GetParam().joint);
+  const int variable = model_.tree.joints[static_cast<std::size_t>(joint)].variable;
+  EXPECT_EQ(judge(as_it_is(truth_), options_), TrackingStatus::tracking);
+  Configuration wrong = truth_;
+  set_joint_position(model_.tree, wrong, GetParam().joint,
+                     joint_position(model_.tree, truth_, joint) + GetParam().off);
+  const RegistrationResult& result = as_it_is(wrong);
+  EXPECT_EQ(contradicted_variables(result, model_.tree, options_), std::vector<int>{variable});
+  EXPECT_NE(judge(result, options_), TrackingStatus::tracking);
+}
+
+INSTANTIATE_TEST_SUITE_P(Judgement, PartsThatArePartlyWrong,
+                         ::testing::Values(PartlyWrong{"disk", 0.5}, PartlyWrong{"disk", -1.5},
+                                           PartlyWrong{"disk", 3.1}, PartlyWrong{"block", 0.03},
+                                           PartlyWrong{"cylinder_horizontal", 0.02},
+                                           PartlyWrong{"cylinder_vertical", 0.02}));
+
+}  // namespace
+}  // namespace lockbox
