@@ -32,6 +32,11 @@ class BackgroundSearchTest : public ::testing::Test {
     return answer;
   }
 
+  static Configuration out_of_place(Configuration configuration) {
+    configuration.T_camera_base.pretranslate(Eigen::Vector3d(5.0, 0.0, 0.0));
+    return configuration;
+  }
+
   const ArticulatedModel& model = mechanism();
   const Configuration truth = mechanism_start(model);
   const DepthFrame frame = measured(model, truth, "primesense");
@@ -66,6 +71,33 @@ TEST_F(BackgroundSearchTest, LooksNearTheGuessFirst) {
   ASSERT_TRUE(answer);
   EXPECT_EQ(judge(*answer, options()), TrackingStatus::tracking);
   EXPECT_EQ(search.searches(), 0);
+}
+
+TEST_F(BackgroundSearchTest, FollowsWhatIsFoundIntoTheNewestFrame) {
+  Configuration now = truth;
+  now.T_camera_base.pretranslate(Eigen::Vector3d(0.03, 0.01, 0.02));
+  set_joint_position(model.tree, now, "turn", -0.6);
+  const DepthFrame after = measured(model, now, "primesense", 2);
+  search.start(frame, truth, true);
+  search.show(after);
+  const auto answer = wait();
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(judge(*answer, options()), TrackingStatus::tracking);
+  const Eigen::Isometry3d error = answer->configuration.T_camera_base.inverse() * now.T_camera_base;
+  EXPECT_LT(error.translation().norm(), 5e-3);
+  EXPECT_LT((answer->configuration.q - now.q).norm(), 0.02);
+}
+
+TEST_F(BackgroundSearchTest, AnAnswerThatCannotBeFollowedIsThatOfItsOwnFrame) {
+  const DepthFrame after = measured(model, out_of_place(truth), "primesense", 2);
+  search.start(frame, truth, true);
+  search.show(after);
+  const auto answer = wait();
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(judge(*answer, options()), TrackingStatus::tracking);
+  const Eigen::Isometry3d error =
+      answer->configuration.T_camera_base.inverse() * truth.T_camera_base;
+  EXPECT_LT(error.translation().norm(), 5e-3);
 }
 
 TEST_F(BackgroundSearchTest, WhatWasCancelledGivesNoAnswerAndTheNextOneDoes) {

@@ -2,11 +2,19 @@
 #include "lockbox/tracking/background_search.hpp"
 
 #include <cassert>
-#include <chrono>
+#include <utility>
 
 #include "lockbox/tracking/acquisition.hpp"
 
 namespace lockbox {
+namespace {
+
+/// So old an answer may be: about two frames, through which a frame's own steps can follow.
+constexpr std::chrono::milliseconds kFresh(70);
+/// Each takes less time than the one before, in which things move less far.
+constexpr int kMostRoundsToCatchUp = 4;
+
+}  // namespace
 
 /// All that a search writes to, so that it shares nothing with the tracker but the model.
 struct BackgroundSearch::Seeker {
@@ -33,14 +41,55 @@ void BackgroundSearch::start(const DepthFrame& frame, const std::optional<Config
                              bool anywhere) {
   assert(!is_busy());
   frame_ = frame;
+  has_newer_ = false;
   is_cancelled_ = false;
   executor_.resume();
-  running_ = std::async(std::launch::async, [this, guess, anywhere] {
-    // Here, because it takes a while: what the camera sees meanwhile need not wait.
-    if (!seeker_) seeker_ = std::make_unique<Seeker>(model_, options_, executor_);
+  running_ =
+      std::async(std::launch::async, [this, guess, anywhere] { return find(guess, anywhere); });
+}
+
+BackgroundSearch::Answer BackgroundSearch::find(const std::optional<Configuration>& guess,
+                                                bool anywhere) {
+  // Here, because it takes a while: what the camera sees meanwhile need not wait.
+  if (!seeker_) seeker_ = std::make_unique<Seeker>(model_, options_, executor_);
+  seeker_->cloud.assign(frame_, options_.cloud, executor_);
+  Answer answer = seeker_->acquisition.find(frame_, guess, anywhere);
+  if (answer) catch_up(*answer);
+  return answer;
+}
+
+/// Base and joints may have gone far while they were sought: they are sought around where they
+/// were, again and again, which takes longer than a frame may take.
+void BackgroundSearch::catch_up(RegistrationResult& answer) {
+  const auto is_tracking = [this](const RegistrationResult& found) {
+    return judge(found, options_) == TrackingStatus::tracking;
+  };
+  for (int round = 0; round < kMostRoundsToCatchUp && is_tracking(answer); ++round) {
+    if (!take_newest()) return;
     seeker_->cloud.assign(frame_, options_.cloud, executor_);
-    return seeker_->acquisition.find(frame_, guess, anywhere);
-  });
+    const Answer followed = seeker_->acquisition.find(frame_, answer.at_rest, false);
+    if (!followed || !is_tracking(*followed)) return;
+    answer = *followed;
+    if (Clock::now() - shown_at_ < kFresh) return;
+  }
+}
+
+void BackgroundSearch::show(const DepthFrame& frame) {
+  if (!is_busy()) return;
+  const std::lock_guard lock(newest_mutex_);
+  newest_ = frame;
+  newest_shown_at_ = Clock::now();
+  has_newer_ = true;
+}
+
+/// Makes it the search's own; false if it is already.
+bool BackgroundSearch::take_newest() {
+  const std::lock_guard lock(newest_mutex_);
+  if (!has_newer_) return false;
+  std::swap(frame_, newest_);
+  shown_at_ = newest_shown_at_;
+  has_newer_ = false;
+  return true;
 }
 
 std::optional<RegistrationResult> BackgroundSearch::take() {

@@ -105,6 +105,7 @@ std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame
     background_ = std::make_unique<BackgroundSearch>(model_, options_);
   }
   std::optional<RegistrationResult> found;
+  background_->show(frame);
   if (const auto answer = background_->take()) {
     found = brought_up_to_date(*answer);
   } else if (is_due && !is_known()) {
@@ -120,20 +121,21 @@ std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame
   return found;
 }
 
-/// The answer is about an earlier frame, and joints may be anywhere by now. If the base has gone
-/// too far since, the next search begins at the answer: that takes less time, in which it goes less
-/// far.
+/// The answer is a few frames old. If the object has gone too far since, the next search begins at
+/// the answer: that takes less time, in which it goes less far.
 std::optional<RegistrationResult> Tracker::brought_up_to_date(const RegistrationResult& answer) {
+  if (judge(answer, options_) == TrackingStatus::lost) return std::nullopt;
   RegistrationResult here = registration_.align(
-      cloud_, answer.at_rest, {options_.start_joint_spread, options_.start_joint_iterations});
+      cloud_, answer.at_rest, {options_.start_joint_spread, options_.registration.max_iterations});
   const auto is_tracking = [this](const RegistrationResult& registered) {
     return judge(registered, options_) == TrackingStatus::tracking;
   };
-  if (is_tracking(here) || !is_tracking(answer)) {
-    return here;
+  if (!is_tracking(here)) {
+    keep_better(registration_.align(cloud_, here.at_rest,
+                                    {options_.start_joint_spread, options_.further_iterations}),
+                here);
   }
-  seek_contradicted_joints(here);
-  if (is_tracking(here)) {
+  if (is_tracking(here) || !is_tracking(answer)) {
     return here;
   }
   guess_ = answer.at_rest;
@@ -146,11 +148,12 @@ std::optional<RegistrationResult> Tracker::where_it_was() {
   if (!guess_) {
     return std::nullopt;
   }
-  const RegistrationResult& here = registration_.align(
-      cloud_, *guess_, {options_.start_joint_spread, options_.registration.max_iterations});
-  if (judge(here, options_) != TrackingStatus::tracking) {
-    return std::nullopt;
-  }
+  const double spread = options_.start_joint_spread;
+  const RegistrationResult& at_a_glance = registration_.align(cloud_, *guess_, {spread, 0});
+  if (judge(at_a_glance, options_) == TrackingStatus::lost) return std::nullopt;
+  const RegistrationResult& here =
+      registration_.align(cloud_, *guess_, {spread, options_.registration.max_iterations});
+  if (judge(here, options_) != TrackingStatus::tracking) return std::nullopt;
   return here;
 }
 
@@ -215,16 +218,20 @@ bool Tracker::has_leapt(const RegistrationResult& registered) const {
 }
 
 /// Joints are sought over their ranges, then the base around where it was last believed to be.
+/// Live, what does not help in the first frame of doubt is left to the search, which does all that,
+/// too.
 const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
                                                       const RegistrationResult& registered) {
   const bool is_hidden = is_hidden_at_once(registered);
   best_ = registered;
-  // It may be on its way still: then nothing is to be sought.
-  keep_better(registration_.align(cloud_, best_.at_rest,
-                                  {predictor_.spread(), options_.further_iterations}),
-              best_);
-  seek_contradicted_joints(best_);
-  if (is_hidden) {  // by the object itself, when the estimate lies behind it
+  if (!options_.background_search || frames_searched_ == 0) {
+    // It may be on its way still: then nothing is to be sought.
+    keep_better(registration_.align(cloud_, best_.at_rest,
+                                    {predictor_.spread(), options_.further_iterations}),
+                best_);
+    seek_contradicted_joints(best_);
+  }
+  if (is_hidden && !options_.background_search) {  // by itself, when the estimate lies behind it
     keep_better(acquisition_.find_near(frame, *guess_), best_);
   }
   if (judge(best_, options_) != TrackingStatus::tracking) {

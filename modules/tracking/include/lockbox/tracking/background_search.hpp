@@ -2,8 +2,10 @@
 // Finds the object in a thread of its own, while the tracker's goes on with the frames.
 #pragma once
 
+#include <chrono>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "lockbox/core/depth_frame.hpp"
@@ -14,7 +16,8 @@
 
 namespace lockbox {
 
-/// One search at a time, in one frame each. The model must outlive it. All calls come from one
+/// One search at a time, in one frame each; what is found is then followed through the newest ones,
+/// until it is no older than a few frames. The model must outlive it. All calls come from one
 /// thread, and none of them waits for the search but the destructor, which stops it first.
 class BackgroundSearch {
  public:
@@ -29,8 +32,12 @@ class BackgroundSearch {
   /// Begins what Acquisition::find() does, with a copy of the frame. Not while it is busy.
   void start(const DepthFrame& frame, const std::optional<Configuration>& guess, bool anywhere);
 
-  /// What was found in the frame given to start(), once after each search; none before its end, if
-  /// nothing resembled the model, or if it was cancelled. An error of the search comes out here.
+  /// A newer frame than that given to start(): what is found is to be followed into it.
+  void show(const DepthFrame& frame);
+
+  /// What was found, in the newest frame into which it could be followed, once after each search;
+  /// none before its end, if nothing resembled the model, or if it was cancelled. An error of the
+  /// search comes out here.
   std::optional<RegistrationResult> take();
 
   /// Nobody needs the answer any more. It stays busy until the search has noticed.
@@ -42,12 +49,22 @@ class BackgroundSearch {
  private:
   struct Seeker;
   using Answer = std::optional<RegistrationResult>;
+  using Clock = std::chrono::steady_clock;
+
+  Answer find(const std::optional<Configuration>& guess, bool anywhere);
+  void catch_up(RegistrationResult& answer);
+  bool take_newest();
 
   const ArticulatedModel& model_;
   TrackerOptions options_;
   Executor executor_;
   DepthFrame frame_;                ///< the search's own while it is busy
+  Clock::time_point shown_at_;      ///< likewise: when frame_ was the newest
   std::unique_ptr<Seeker> seeker_;  ///< likewise
+  std::mutex newest_mutex_;         ///< of the three below
+  DepthFrame newest_;
+  Clock::time_point newest_shown_at_;
+  bool has_newer_ = false;  ///< than frame_
   bool is_cancelled_ = false;
   int searches_ = 0;
   std::future<Answer> running_;  ///< last: it goes first, and waits for the search
