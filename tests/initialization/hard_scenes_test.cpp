@@ -52,7 +52,8 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"DiskThatDrawingsTurnTooFar", "lockbox", 1, 304},
                       HardScene{"RivalsWithinARadius", "lockbox", 1, 402},
                       HardScene{"SmallBlockTurnedByADegree", "rigid_block", 1, 57},
-                      HardScene{"AnswersToBeExactBeforeTheyAreCompared", "rigid_block", 1, 242}),
+                      HardScene{"AnswersToBeExactBeforeTheyAreCompared", "rigid_block", 1, 242},
+                      HardScene{"CabinetThatSaysLittleAtFirst", "cabinet", 1, 121}),
     [](const auto& scene) { return std::string(scene.param.what); });
 
 }  // namespace

@@ -14,9 +14,8 @@ namespace lockbox {
 namespace {
 
 constexpr double kHardlyLess = 0.9;
-constexpr double kHardlyWorse = 0.01;    // of the visible surface
-constexpr std::size_t kMatchesEach = 8;  // of one relief on one region
-constexpr int kAnchorPositions = 5;      // of a joint between base and a matched side
+constexpr double kHardlyWorse = 0.01;  // of the visible surface
+constexpr int kAnchorPositions = 5;    // of a joint between base and a matched side
 
 constexpr bool kHoldJoints = true;
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
@@ -29,9 +28,7 @@ const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 const Annealing kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
 const Annealing kExactly{.spread = 0.005, .iterations = 8};
 
-// What stages keep: before joints are known, less says little.
-constexpr Selection kMatched{0.1, 96, 0.5, 16};
-constexpr Selection kPlaced{0.1, 40, 0.5, 8};
+// What the last stages keep.
 constexpr Selection kPosed{0.15, 8, 0.5, 2};
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
 std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
@@ -98,9 +95,10 @@ void Initializer::Workspace::add_matched(const ModelRelief& relief, const Relief
 }
 
 std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
-                                                     const PlanarScene& scene) {
-  std::vector<Hypothesis> hypotheses = match(scene);
-  place(hypotheses);
+                                                     const PlanarScene& scene,
+                                                     const Breadth& breadth) {
+  std::vector<Hypothesis> hypotheses = match(scene, breadth);
+  place(hypotheses, breadth);
   pose(hypotheses);
   fit(hypotheses);
   fit_closely(cloud, hypotheses);
@@ -108,25 +106,27 @@ std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
 }
 
 /// Flat sides of the model laid onto flat regions of the view.
-std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene) {
+std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
+                                                      const Breadth& breadth) {
   const auto& regions = scene.regions;
   const std::size_t pairs = regions.size() * reliefs.size();
   std::vector<std::vector<Hypothesis>> found(pairs);
   executor.for_each(pairs, [&](std::size_t pair) {
     const ModelRelief& relief = reliefs[pair % reliefs.size()];
     const PlanarRegion& region = regions[pair / reliefs.size()];
-    for (const auto& match : match_relief(scene.view, region, relief, scene.noise, kMatchesEach)) {
+    for (const auto& match :
+         match_relief(scene.view, region, relief, scene.noise, breadth.matches_each)) {
       add_matched(relief, match, found[pair]);
     }
     for (Hypothesis& hypothesis : found[pair]) hypothesis.score = judge(hypothesis, 0.02, 1.0);
   });
   std::vector<Hypothesis> all;
   for (auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  return best_apart(std::move(all), kMatched, levers);
+  return best_apart(std::move(all), breadth.matched, levers);
 }
 
 /// Base poses made exact as far as the known bodies tell, and a glance at the joints.
-void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses) {
+void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Breadth& breadth) {
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis refined = hypotheses[i];
     align_coarsely(0.025, 4, refined.configuration, kHoldJoints);
@@ -138,7 +138,7 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses) {
     scan_joints(model.tree, score(), all_variables, 0.02, kGlance, hypotheses[i].configuration);
     hypotheses[i].score = judge(hypotheses[i], 0.02, 0.5);
   });
-  hypotheses = best_apart(std::move(hypotheses), kPlaced, levers);
+  hypotheses = best_apart(std::move(hypotheses), breadth.placed, levers);
 }
 
 /// All joints sought over their ranges, then moved together with the base.

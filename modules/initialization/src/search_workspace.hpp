@@ -14,6 +14,13 @@
 
 namespace lockbox {
 
+/// What the first stages keep: before joints are known, a low score says little.
+struct Breadth {
+  std::size_t matches_each;  ///< of one relief on one region
+  Selection matched;
+  Selection placed;
+};
+
 /// The memory of the search, and its stages in their order.
 struct Initializer::Workspace {
   const ArticulatedModel& model;
@@ -39,16 +46,21 @@ struct Initializer::Workspace {
   double view_noise() const { return kMedianNoise * options.depth_noise; }
   double fine_view_noise() const { return kHalfNoise * options.depth_noise; }
 
-  /// All stages up to rank.
-  std::vector<Hypothesis> seek(const TiledCloud& cloud, const PlanarScene& scene);
-  /// What stages sought, the most convincing first.
-  std::vector<Candidate> rank(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses);
+  /// All stages but the last. While no answer is convincing, they are gone through again with the
+  /// planes of the finer view, then keeping more, and all answers are ranked together.
+  std::vector<Candidate> seek_until_convinced(const TiledCloud& cloud, const PlanarScene& scene,
+                                              const CoarseView& fine_view);
   /// What was found made exact, all joints sought once more.
   void settle(const TiledCloud& cloud, const CoarseView& fine_view, Configuration& configuration);
 
  private:
-  std::vector<Hypothesis> match(const PlanarScene& scene);
-  void place(std::vector<Hypothesis>& hypotheses);
+  /// All stages up to rank.
+  std::vector<Hypothesis> seek(const TiledCloud& cloud, const PlanarScene& scene,
+                               const Breadth& breadth);
+  /// What stages sought, the most convincing first.
+  std::vector<Candidate> rank(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses);
+  std::vector<Hypothesis> match(const PlanarScene& scene, const Breadth& breadth);
+  void place(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
   void pose(std::vector<Hypothesis>& hypotheses);
   void fit(std::vector<Hypothesis>& hypotheses);
   void fit_closely(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses);
