@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "initialization/seen_model.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 
@@ -50,6 +52,21 @@ TEST_P(PartsThatArePartlyWrong, AreContradictedAlone) {
   const RegistrationResult& result = as_it_is(wrong);
   EXPECT_EQ(contradicted_variables(result, model_.tree, options_), std::vector<int>{variable});
   EXPECT_NE(judge(result, options_), TrackingStatus::tracking);
+}
+
+TEST(Judgement, ACornerDoesNotSayWhereTheBoardIs) {
+  const ArticulatedModel& model = shipped("lockbox");
+  const TrackerOptions options;
+  ArticulatedRegistration registration(model, options.registration, Executor(1));
+  Configuration truth = rest_configuration(model.tree);
+  for (const auto& [x, y, expected] : {std::tuple{0.4, 0.3, TrackingStatus::tracking},
+                                       std::tuple{1.1, 0.95, TrackingStatus::uncertain}}) {
+    truth.T_camera_base = Eigen::Translation3d(x, y, 0.0) * facing_pose(1.25);
+    const TiledCloud cloud = seen(model, truth, wall_behind(0.6));
+    const RegistrationResult& result = registration.align(cloud, truth, {0.0, 3});
+    EXPECT_GT(result.agreement.explained, 0.9);
+    EXPECT_EQ(judge(result, options), expected) << x;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Judgement, PartsThatArePartlyWrong,

@@ -57,8 +57,9 @@ TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions&
     return TrackingStatus::lost;
   }
   const bool rests = registered.last_move <= options.most_last_move;
-  return rests && is_believable(registered, options) ? TrackingStatus::tracking
-                                                     : TrackingStatus::uncertain;
+  const bool is_known = registered.sigma.head<3>().norm() <= options.most_base_sigma;
+  return rests && is_known && is_believable(registered, options) ? TrackingStatus::tracking
+                                                                 : TrackingStatus::uncertain;
 }
 
 }  // namespace lockbox

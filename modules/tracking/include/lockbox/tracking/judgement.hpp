@@ -19,8 +19,9 @@ std::string to_string(TrackingStatus status);
 /// body, however small it is beside the others, nor a surface that goes on beyond the outline.
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options);
 
-/// Of a registered configuration: `tracking`, `uncertain` or `lost`. What is not believable, or was
-/// still on its way, is `uncertain` at best.
+/// Of a registered configuration: `tracking`, `uncertain` or `lost`. What is not believable, of
+/// which too little is seen to know where the base is, or was still on its way, is `uncertain` at
+/// best.
 TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options);
 
 /// Whether the camera sees through what the body should hide: much of it, or some patches.

@@ -41,7 +41,9 @@ struct TrackerOptions {
   double most_patches_behind = 0.03;  ///< of what speaks for or against a body: patches behind it
   double most_continued = 0.85;  ///< of the outline: there the scene goes on as the model's surface
   double most_last_move = 0.003;  ///< metres: surfaces that still move are not where they belong
-  double lost_agreement = 0.60;   ///< below it, or below half of least_explained: `lost`
+  /// Metres, of the base's position as the frame tells it: the corner of a board in a wall fits.
+  double most_base_sigma = 0.005;
+  double lost_agreement = 0.60;  ///< below it, or below half of least_explained: `lost`
 };
 
 }  // namespace lockbox
