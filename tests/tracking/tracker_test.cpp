@@ -127,6 +127,7 @@ TEST_F(TrackerTest, ABaseThatLeapsIsFoundInTheSameFrame) {
 
 TEST_F(TrackerTest, AnAlignmentThatIsStillOnItsWayIsUncertain) {
   RegistrationResult registered;
+  registered.sigma = Eigen::VectorXd::Zero(6);
   registered.agreement.explained = 0.9;
   registered.last_move = options().most_last_move;
   EXPECT_EQ(judge(registered, options()), TrackingStatus::tracking);
