@@ -220,12 +220,12 @@ Figure convergence_figure(const std::string& name, const std::vector<Convergence
   Figure figure{name + ": runs that succeed, by the error of the start", {}};
   for (const auto& [variant, own] : by_variant(runs)) {
     const HeatMap map = success_map(own, success);
-    figure.panels.push_back({"translation of the start (cm)",
-                             "rotation (degrees)",
-                             {half_contour(map)},
-                             false,
-                             variant,
-                             map});
+    const Curve contour = half_contour(map);
+    const bool is_crossed =
+        std::any_of(contour.x.begin(), contour.x.end(), [](double x) { return std::isfinite(x); });
+    figure.panels.push_back({"translation of the start (cm)", "rotation (degrees)",
+                             is_crossed ? std::vector<Curve>{contour} : std::vector<Curve>{}, false,
+                             variant, map});
   }
   return figure;
 }
