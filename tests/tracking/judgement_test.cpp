@@ -9,20 +9,12 @@
 
 #include "initialization/seen_model.hpp"
 #include "lockbox/simulation/trajectory.hpp"
+#include "wrong_joint.hpp"
 
 namespace lockbox {
 namespace {
 
-struct PartlyWrong {
-  const char* joint;
-  double off;  ///< radians or metres
-};
-
-void PrintTo(const PartlyWrong& estimate, std::ostream* out) {
-  *out << estimate.joint << " off by " << estimate.off;
-}
-
-class PartsThatArePartlyWrong : public ::testing::TestWithParam<PartlyWrong> {
+class PartsThatArePartlyWrong : public ::testing::TestWithParam<WrongJoint> {
  protected:
   /// The estimate as it is, registered by no step.
   const RegistrationResult& as_it_is(const Configuration& estimate) {
@@ -43,11 +35,11 @@ class PartsThatArePartlyWrong : public ::testing::TestWithParam<PartlyWrong> {
 };
 
 TEST_P(PartsThatArePartlyWrong, AreContradictedAlone) {
-  const int joint = joint_index(model_.tree, GetParam().joint);
+  const int joint = joint_index(model_.tree, GetParam().name);
   const int variable = model_.tree.joints[static_cast<std::size_t>(joint)].variable;
   EXPECT_EQ(judge(as_it_is(truth_), options_), TrackingStatus::tracking);
   Configuration wrong = truth_;
-  set_joint_position(model_.tree, wrong, GetParam().joint,
+  set_joint_position(model_.tree, wrong, GetParam().name,
                      joint_position(model_.tree, truth_, joint) + GetParam().off);
   const RegistrationResult& result = as_it_is(wrong);
   EXPECT_EQ(contradicted_variables(result, model_.tree, options_), std::vector<int>{variable});
@@ -70,10 +62,10 @@ TEST(Judgement, ACornerDoesNotSayWhereTheBoardIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Judgement, PartsThatArePartlyWrong,
-                         ::testing::Values(PartlyWrong{"disk", 0.5}, PartlyWrong{"disk", -1.5},
-                                           PartlyWrong{"disk", 3.1}, PartlyWrong{"block", 0.03},
-                                           PartlyWrong{"cylinder_horizontal", 0.02},
-                                           PartlyWrong{"cylinder_vertical", 0.02}));
+                         ::testing::Values(WrongJoint{"disk", 0.5}, WrongJoint{"disk", -1.5},
+                                           WrongJoint{"disk", 3.1}, WrongJoint{"block", 0.03},
+                                           WrongJoint{"cylinder_horizontal", 0.02},
+                                           WrongJoint{"cylinder_vertical", 0.02}));
 
 }  // namespace
 }  // namespace lockbox

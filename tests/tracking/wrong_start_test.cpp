@@ -8,20 +8,12 @@
 #include "initialization/seen_model.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 #include "lockbox/tracking/tracker.hpp"
+#include "wrong_joint.hpp"
 
 namespace lockbox {
 namespace {
 
-struct WrongStart {
-  const char* joint;
-  double off;  ///< radians or metres
-};
-
-void PrintTo(const WrongStart& start, std::ostream* out) {
-  *out << start.joint << " off by " << start.off;
-}
-
-class JointsThatStartWrong : public ::testing::TestWithParam<WrongStart> {
+class JointsThatStartWrong : public ::testing::TestWithParam<WrongJoint> {
  protected:
   const ArticulatedModel& model_ = shipped("lockbox");
   Configuration truth_ = [this] {
@@ -32,10 +24,10 @@ class JointsThatStartWrong : public ::testing::TestWithParam<WrongStart> {
 };
 
 TEST_P(JointsThatStartWrong, AreFoundAtOnce) {
-  const int joint = joint_index(model_.tree, GetParam().joint);
+  const int joint = joint_index(model_.tree, GetParam().name);
   const double right = joint_position(model_.tree, truth_, joint);
   Configuration start = truth_;
-  set_joint_position(model_.tree, start, GetParam().joint, right + GetParam().off);
+  set_joint_position(model_.tree, start, GetParam().name, right + GetParam().off);
   Tracker tracker(model_, {});
   tracker.start(start);
   for (std::uint64_t number = 0; number < 2; ++number) {
@@ -64,10 +56,10 @@ TEST(JointsThatStartRight, AreTrustedFromNearAndFar) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Tracker, JointsThatStartWrong,
-                         ::testing::Values(WrongStart{"latch", 1.5}, WrongStart{"latch", -1.5},
-                                           WrongStart{"block", 0.2}, WrongStart{"slider", 0.25},
-                                           WrongStart{"cylinder_vertical", 0.12},
-                                           WrongStart{"disk", 1.0}, WrongStart{"disk", -2.0}));
+                         ::testing::Values(WrongJoint{"latch", 1.5}, WrongJoint{"latch", -1.5},
+                                           WrongJoint{"block", 0.2}, WrongJoint{"slider", 0.25},
+                                           WrongJoint{"cylinder_vertical", 0.12},
+                                           WrongJoint{"disk", 1.0}, WrongJoint{"disk", -2.0}));
 
 }  // namespace
 }  // namespace lockbox

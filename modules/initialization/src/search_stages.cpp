@@ -28,8 +28,8 @@ const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 const Annealing kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
 const Annealing kExactly{.spread = 0.005, .iterations = 8};
 
-// What the last stages keep.
-constexpr Selection kPosed{0.15, 8, 0.5, 2};
+constexpr Selection kPosed{0.15, 8, 0.5, 2};  // what the last stages keep
+
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
 std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
   const VariableLimits limits = variable_limits(tree, variable);
