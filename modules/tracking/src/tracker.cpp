@@ -166,8 +166,9 @@ void Tracker::follow(const DepthFrame& frame) {
   const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
   const RegistrationResult& registered = registration_.align(
       cloud_, prediction, {predictor_.spread(), options_.registration.max_iterations});
-  const RegistrationResult& found = has_leapt(registered) ? with_leap_followed(frame, registered)
-                                                          : come_to_rest(prediction, registered);
+  const RegistrationResult& found = has_leapt(registered)
+                                        ? with_leap_followed(frame, prediction, registered)
+                                        : come_to_rest(prediction, registered);
   const bool was_believed = result_.status == TrackingStatus::tracking;
   report(found);
   if (!was_believed && result_.status == TrackingStatus::tracking) {
@@ -221,14 +222,14 @@ bool Tracker::has_leapt(const RegistrationResult& registered) const {
 /// Live, what does not help in the first frame of doubt is left to the search, which does all that,
 /// too.
 const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
+                                                      const Configuration& prediction,
                                                       const RegistrationResult& registered) {
   const bool is_hidden = is_hidden_at_once(registered);
   best_ = registered;
   if (!options_.background_search || frames_searched_ == 0) {
     // It may be on its way still: then nothing is to be sought.
-    keep_better(registration_.align(cloud_, best_.at_rest,
-                                    {predictor_.spread(), options_.further_iterations}),
-                best_);
+    keep_better(come_to_rest(prediction, registered), best_);
+    carry_parts(prediction, best_);
     seek_contradicted_joints(best_);
   }
   if (is_hidden && !options_.background_search) {  // by itself, when the estimate lies behind it
@@ -241,6 +242,22 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
     }
   }
   return best_;
+}
+
+/// While the base was on its way, parts were dragged along by whatever lay near. Where it is now,
+/// they start anew as predicted; of two answers that explain the image, that is the likelier one.
+void Tracker::carry_parts(const Configuration& prediction, RegistrationResult& best) {
+  const Configuration carried{best.at_rest.T_camera_base, prediction.q};
+  const double gate = options_.registration.cut * predictor_.spread();
+  if (registration_.moves().between(prediction, carried) <= gate) return;
+  const RegistrationResult& registered = registration_.align(
+      cloud_, carried, {predictor_.spread(), options_.registration.max_iterations});
+  const RegistrationResult& at_rest = come_to_rest(carried, registered);
+  if (judge(at_rest, options_) == TrackingStatus::tracking) {
+    best = at_rest;
+  } else {
+    keep_better(at_rest, best);
+  }
 }
 
 /// Over their whole ranges.

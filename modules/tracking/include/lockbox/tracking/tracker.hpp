@@ -70,7 +70,9 @@ class Tracker {
   bool is_hidden_at_once(const RegistrationResult& registered) const;
   bool has_leapt(const RegistrationResult& registered) const;
   const RegistrationResult& with_leap_followed(const DepthFrame& frame,
+                                               const Configuration& prediction,
                                                const RegistrationResult& registered);
+  void carry_parts(const Configuration& prediction, RegistrationResult& best);
   void seek_contradicted_joints(RegistrationResult& best);
   void report(const RegistrationResult& registered);
 
