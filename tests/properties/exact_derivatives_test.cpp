@@ -151,7 +151,10 @@ ExpectedImage expected_image(const ArticulatedModel& model, const Configuration&
   const int last_top = camera.height - kMargin - EdgeTile::kSide;
   for (int top = kMargin; top <= last_top; top += EdgeTile::kSide) {
     for (int left = kMargin; left <= last_left; left += EdgeTile::kSide) {
-      if (!tile.read(samples, left, top)) continue;
+      if (!tile.read(samples, EdgeTile::kSamples * left - EdgeTile::kReach,
+                     EdgeTile::kSamples * top - EdgeTile::kReach)) {
+        continue;
+      }
       for (int row = 0; row < EdgeTile::kSide; ++row) {
         tile.begin_row(row);
         for (int column = 0; column < EdgeTile::kSide; ++column) {

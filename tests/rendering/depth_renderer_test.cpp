@@ -59,6 +59,33 @@ TEST(DepthRenderer, DrawsWithTheCameraThatItWasGivenLast) {
   EXPECT_EQ(image.id, expected.id);
 }
 
+TEST(DepthRenderer, WindowsShowTheSameAsTheWholeImage) {
+  const TriangleMesh near_ball = ball(0.2, 60);
+  const TriangleMesh wall = rectangle(4.0, 3.0);
+  const std::vector<RenderItem> items{{&near_ball, placed({0.1, 0.0, 1.0}), 3},
+                                      {&wall, placed({0.0, 0.0, 1.5}, {0.3, 0.2, 0.0}), 5}};
+  const RenderedDepth whole = rendered(vga_camera(), items);
+  DepthRenderer renderer(vga_camera(), Executor(2));
+  renderer.prepare(items);
+  RenderedDepth part;
+  for (const ImageWindow& window : {ImageWindow{300, 200, 41, 33}, ImageWindow{0, 0, 640, 480},
+                                    ImageWindow{609, 463, 31, 17}, ImageWindow{7, 430, 1, 50}}) {
+    renderer.draw(window, part);
+    ASSERT_EQ(part.width, window.width);
+    ASSERT_EQ(part.height, window.height);
+    for (int v = 0; v < window.height; ++v) {
+      for (int u = 0; u < window.width; ++u) {
+        const std::size_t i = whole.index(window.left + u, window.top + v);
+        ASSERT_EQ(part.id[part.index(u, v)], whole.id[i]) << u << ' ' << v;
+        const float depth = whole.depth[i];
+        ASSERT_TRUE(part.depth[part.index(u, v)] == depth ||
+                    std::abs(part.depth[part.index(u, v)] - depth) < 1e-6F * depth)
+            << u << ' ' << v;
+      }
+    }
+  }
+}
+
 TEST(DepthRenderer, NothingIsInfinitelyFarAway) {
   const RenderedDepth image = rendered(vga_camera(), {});
   EXPECT_EQ(image.depth.size(), 640U * 480U);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 #include "edge_worker.hpp"
 #include "lockbox/rendering/body_item.hpp"
@@ -20,6 +22,7 @@ constexpr double kNearest = 0.05;        // metres: what comes nearer to the cam
 constexpr float kLeastBend = 0.1F;
 
 constexpr int kSide = EdgeTile::kSide;
+constexpr int kSamples = EdgeTile::kSamples;
 
 std::size_t index(const Pixel& pixel, const PinholeCamera& camera) {
   return static_cast<std::size_t>(pixel.v) * static_cast<std::size_t>(camera.width) +
@@ -41,7 +44,8 @@ EdgeTerm::EdgeTerm(const KinematicTree& tree, const RegistrationOptions& options
     : tree_(tree),
       options_(options),
       executor_(executor),
-      renderer_(std::make_unique<DepthRenderer>(PinholeCamera{}, executor)) {
+      renderer_(std::make_unique<DepthRenderer>(PinholeCamera{}, executor)),
+      sample_renderer_(std::make_unique<DepthRenderer>(PinholeCamera{}, executor)) {
   for (const Body& body : tree.bodies) boxes_.push_back(bounds(body.mesh));
   for (int i = 0; i < executor.threads(); ++i) {
     workers_.push_back(std::make_unique<Worker>(options.noise, 6 + tree.variables()));
@@ -110,8 +114,19 @@ void EdgeTerm::render(const PinholeCamera& camera,
   }
   const PinholeCamera cropped{crop_.width(), crop_.height(),         camera.fx,
                               camera.fy,     camera.cx - crop_.left, camera.cy - crop_.top};
-  renderer_->set_camera(refined(cropped, EdgeTile::kSamples));
-  renderer_->render(items_, samples_);
+  renderer_->set_camera(cropped);
+  renderer_->render(items_, view_);
+  sample_renderer_->set_camera(refined(cropped, kSamples));
+  sample_renderer_->prepare(items_);
+}
+
+/// The windows of these tiles of the row that begins at pixel row `top`.
+void EdgeTerm::draw_samples(int first_tile, int end_tile, int top, RenderedDepth& samples) const {
+  const auto begin_of_window = [](int pixel) { return kSamples * pixel - EdgeTile::kReach; };
+  sample_renderer_->draw(
+      {begin_of_window(kMargin + kSide * first_tile), begin_of_window(top),
+       kSamples * kSide * (end_tile - first_tile - 1) + EdgeTile::kWindow, EdgeTile::kWindow},
+      samples);
 }
 
 void EdgeTerm::express_in_camera(const std::vector<Eigen::Isometry3d>& T_camera_body,
@@ -134,10 +149,8 @@ void EdgeTerm::find_bends() {
   centres_.resize(width * height);
   has_bend_.assign(width * height, 0);
   executor_.for_each(height, [&](std::size_t v) {
-    const float* const depths =
-        &samples_.depth[samples_.index(0, EdgeTile::kSamples * static_cast<int>(v))];
-    for (std::size_t u = 0; u < width; ++u) {
-      centres_[v * width + u] = 1.0F / depths[EdgeTile::kSamples * u];  // 1 / infinity = 0
+    for (std::size_t i = v * width; i < (v + 1) * width; ++i) {
+      centres_[i] = 1.0F / view_.depth[i];  // 1 / infinity = 0
     }
   });
   const float least =
@@ -156,12 +169,14 @@ void EdgeTerm::find_bends() {
 }
 
 /// Those of a tile's pixels that measure an edge of the model before the model.
-void EdgeTerm::select(const TiledCloud& cloud, int left, int top, Worker& worker) const {
-  worker.count = 0;
+void EdgeTerm::select(const TiledCloud& cloud, int left, int top, EdgePixels& pixels) const {
+  pixels.count = 0;
   const PinholeCamera& camera = cloud.camera();
-  std::size_t count = 0;
   for (int v = 0; v < kSide; ++v) {
-    for (int u = 0; u < kSide; ++u) {
+    std::uint64_t any_in_row = 0;
+    static_assert(sizeof(any_in_row) == kSide);
+    std::memcpy(&any_in_row, &has_bend_[crop_.index(left, top + v)], kSide);
+    for (int u = 0; u < kSide && any_in_row != 0; ++u) {
       if (has_bend_[crop_.index(left + u, top + v)] == 0) continue;
       const Pixel pixel = crop_.pixel(left + u, top + v);
       const bool in_image =
@@ -169,25 +184,22 @@ void EdgeTerm::select(const TiledCloud& cloud, int left, int top, Worker& worker
       if (!in_image) continue;
       const std::size_t i = index(pixel, camera);
       if (!(cloud.depth()[i] > 0.0F) || !cloud.keeps(i)) continue;
-      worker.cells[count++] = static_cast<std::uint8_t>(v * kSide + u);
+      pixels.cells[pixels.count++] = static_cast<std::uint8_t>(v * kSide + u);
     }
   }
-  if (count < kLeastPixels || !worker.tile.read(samples_, left, top)) return;
-  const auto end = std::remove_if(
-      worker.cells.begin(), worker.cells.begin() + static_cast<std::ptrdiff_t>(count),
-      [&](std::uint8_t cell) { return worker.tile.may_show_nothing(cell % kSide, cell / kSide); });
-  worker.count = static_cast<std::size_t>(end - worker.cells.begin());
 }
 
-/// Fills columns with the pixels that agree with the model at all.
-void EdgeTerm::compare(const TiledCloud& cloud, int left, int top, Worker& worker) const {
+/// Of the tile in hand, fills columns with the pixels that agree with the model at all.
+void EdgeTerm::compare(const TiledCloud& cloud, int left, int top, const EdgePixels& pixels,
+                       Worker& worker) const {
   const PinholeCamera& camera = cloud.camera();
   worker.find_variables(variables_);
   worker.noise.clear();
   int last_row = -1;
-  for (std::size_t i = 0; i < worker.count; ++i) {
-    const int column = worker.cells[i] % kSide;
-    const int row = worker.cells[i] / kSide;
+  for (std::size_t i = 0; i < pixels.count; ++i) {
+    const int column = pixels.cells[i] % kSide;
+    const int row = pixels.cells[i] / kSide;
+    if (worker.tile.may_show_nothing(column, row)) continue;
     const Pixel pixel = crop_.pixel(left + column, top + row);
     if (row != last_row) worker.tile.begin_row(row);
     last_row = row;
@@ -208,11 +220,28 @@ void EdgeTerm::sum_row(const TiledCloud& cloud, int top, RowSums& sums) {
   sums.products.setZero(unknowns + 1, unknowns + 1);
   sums.pixels = 0.0;
   Worker& worker = *workers_[Executor::worker()];
-  for (int column = 0; column < crop_.tile_columns; ++column) {
-    const int left = kMargin + kSide * column;
-    select(cloud, left, top, worker);
-    if (worker.count < kLeastPixels) continue;
-    compare(cloud, left, top, worker);
+  std::vector<EdgePixels>& row = worker.row;
+  row.resize(static_cast<std::size_t>(crop_.tile_columns));
+  for (int tile = 0; tile < crop_.tile_columns; ++tile) {
+    select(cloud, kMargin + kSide * tile, top, row[static_cast<std::size_t>(tile)]);
+  }
+  const auto has_edge = [](const EdgePixels& pixels) { return pixels.count >= kLeastPixels; };
+  auto first = std::find_if(row.begin(), row.end(), has_edge);
+  while (first != row.end()) {
+    const auto end = std::find_if_not(first, row.end(), has_edge);
+    sum_tiles(cloud, static_cast<int>(first - row.begin()), static_cast<int>(end - row.begin()),
+              top, worker, sums);
+    first = std::find_if(end, row.end(), has_edge);
+  }
+}
+
+/// Neighbours in the worker's row.
+void EdgeTerm::sum_tiles(const TiledCloud& cloud, int first, int end, int top, Worker& worker,
+                         RowSums& sums) const {
+  draw_samples(first, end, top, worker.samples);
+  for (int tile = first; tile < end; ++tile) {
+    if (!worker.tile.read(worker.samples, kSamples * kSide * (tile - first), 0)) continue;
+    compare(cloud, kMargin + kSide * tile, top, worker.row[static_cast<std::size_t>(tile)], worker);
     if (worker.noise.count() < static_cast<Index>(kLeastPixels)) continue;
     worker.add_whitened(sums.products);
     sums.pixels += static_cast<double>(worker.noise.count());

@@ -9,6 +9,8 @@ namespace {
 
 using Taps = std::array<float, kernels::kWindowTaps>;
 
+constexpr std::size_t kRows = kernels::kWindowRows;
+
 /// Gaussian density around a pixel's centre, at points `shift` of their distance after the samples.
 Taps jitter_density(double lateral_pixels, double shift) {
   const double sigma = EdgeTile::kSamples * std::max(lateral_pixels, 1e-3);
@@ -40,15 +42,15 @@ EdgeTile::EdgeTile(double lateral_pixels)
     : taps_{jitter_density(lateral_pixels, 0.0), jitter_density(lateral_pixels, 0.5)} {}
 
 bool EdgeTile::read(const RenderedDepth& samples, int left, int top) {
-  const auto first_column = static_cast<std::size_t>(kSamples * left - kReach);
-  const auto first_row = static_cast<std::size_t>(kSamples * top - kReach);
+  const auto first_column = static_cast<std::size_t>(left);
+  const auto first_row = static_cast<std::size_t>(top);
   const auto width = static_cast<std::size_t>(samples.width);
-  for (std::size_t j = 0; j < kWindow; ++j) {
+  for (std::size_t j = 0; j < kRows; ++j) {
     const float* const depths = &samples.depth[(first_row + j) * width + first_column];
     float* const d = &window_.d[j * kernels::kWindowStride];
-    for (std::size_t i = 0; i < kWindow; ++i) d[i] = 1.0F / depths[i];  // 1 / infinity = 0
+    for (std::size_t i = 0; i < kRows; ++i) d[i] = 1.0F / depths[i];  // 1 / infinity = 0
   }
-  reference_ = window_.d[kernels::kWindowStride * (kWindow / 2) + kWindow / 2];
+  reference_ = window_.d[kernels::kWindowStride * (kRows / 2) + kRows / 2];
   return find_bodies(samples, first_column, first_row);
 }
 
@@ -57,16 +59,16 @@ bool EdgeTile::find_bodies(const RenderedDepth& samples, std::size_t left, std::
   shows_nothing_ = false;
   std::int16_t last = kNothing;
   bool starts = true;
-  for (std::size_t j = 0; j < kWindow; ++j) {
+  for (std::size_t j = 0; j < kRows; ++j) {
     const std::int16_t* const ids =
         &samples.id[(top + j) * static_cast<std::size_t>(samples.width) + left];
     float* const bodies = &window_.body[j * kernels::kWindowStride];
     int others = 0;
-    for (std::size_t i = 0; i < kWindow; ++i) {
+    for (std::size_t i = 0; i < kRows; ++i) {
       bodies[i] = static_cast<float>(ids[i]);
       others |= ids[i] ^ last;
     }
-    for (std::size_t i = 0; i < kWindow && (others != 0 || starts); ++i) {
+    for (std::size_t i = 0; i < kRows && (others != 0 || starts); ++i) {
       if (ids[i] == last && !starts) continue;
       starts = false;
       last = ids[i];

@@ -15,6 +15,12 @@
 
 namespace lockbox {
 
+/// Those of a tile's pixels that measure an edge, row by row.
+struct EdgeTerm::EdgePixels {
+  std::array<std::uint8_t, EdgeTile::kSide * EdgeTile::kSide> cells{};  ///< of the tile
+  std::size_t count = 0;                                                ///< of them
+};
+
 /// The memory of one thread.
 struct EdgeTerm::Worker {
   using Index = Eigen::Index;
@@ -23,7 +29,9 @@ struct EdgeTerm::Worker {
   static constexpr double kFit = 2.0;
 
   Worker(const SensorNoise& sensor, Index unknowns)
-      : tile(sensor.lateral_pixels),
+      : row(),
+        samples(),
+        tile(sensor.lateral_pixels),
         noise(sensor, kSide),
         columns(kSide * kSide, unknowns + 1),
         products(unknowns + 1, unknowns + 1) {
@@ -82,11 +90,11 @@ struct EdgeTerm::Worker {
     return 6 + variables[static_cast<std::size_t>(column - 6)];
   }
 
+  std::vector<EdgePixels> row;  ///< by tile of a row of tiles
+  RenderedDepth samples;        ///< of neighbouring tiles in it
   EdgeTile tile;
   TileNoise noise;
-  std::array<std::uint8_t, kSide * kSide> cells{};  ///< at edges, row by row
-  std::size_t count = 0;                            ///< of them
-  std::vector<int> variables;                       ///< that move anything in the tile
+  std::vector<int> variables;  ///< that move anything in the tile
   /// By compared pixel: derivative of the mean by the base's twist in the camera's frame and by
   /// the variables, then the residual.
   Eigen::MatrixXf columns;

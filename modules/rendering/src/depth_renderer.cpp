@@ -26,12 +26,30 @@ struct Range {
   std::size_t end;
 };
 
-/// The visible triangles of one range, with the rows that they touch.
+/// The visible triangles of one range, with the rows and columns that they touch.
 struct TriangleChunk {
   std::vector<ScreenTriangle> triangles;
   int first_row;
   int end_row;
+  int first_column;
+  int end_column;
 };
+
+/// Whether a triangle, or any of a chunk, may touch these rows of the window.
+template <class Shape>
+bool touches(const Shape& shape, const ImageWindow& window, int first_row, int end_row) {
+  return shape.first_row < end_row && shape.end_row > first_row &&
+         shape.first_column < window.left + window.width && shape.end_column > window.left;
+}
+
+void resize(const ImageWindow& window, RenderedDepth& image) {
+  image.width = window.width;
+  image.height = window.height;
+  const auto pixels =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  image.depth.resize(pixels);
+  image.id.resize(pixels);
+}
 
 void append_ranges(std::span<const RenderItem> items, std::size_t item, std::size_t first_vertex,
                    std::size_t count, std::vector<Range>& ranges) {
@@ -56,7 +74,7 @@ struct DepthRenderer::Workspace {
   void project(std::size_t vertex_range);
   void find_visible_backs(std::span<const RenderItem> items);
   void prepare(const Range& range, TriangleChunk& chunk) const;
-  void draw_band(int first_row, int end_row, RenderedDepth& image) const;
+  void draw_band(const ImageWindow& window, int first_row, int end_row, RenderedDepth& image) const;
 };
 
 void DepthRenderer::Workspace::plan(std::span<const RenderItem> items) {
@@ -111,26 +129,30 @@ void DepthRenderer::Workspace::prepare(const Range& range, TriangleChunk& chunk)
   }
   chunk.first_row = camera.height;
   chunk.end_row = 0;
+  chunk.first_column = camera.width;
+  chunk.end_column = 0;
   for (const ScreenTriangle& t : chunk.triangles) {
     chunk.first_row = std::min(chunk.first_row, t.first_row);
     chunk.end_row = std::max(chunk.end_row, t.end_row);
+    chunk.first_column = std::min(chunk.first_column, t.first_column);
+    chunk.end_column = std::max(chunk.end_column, t.end_column);
   }
 }
 
-void DepthRenderer::Workspace::draw_band(int first_row, int end_row, RenderedDepth& image) const {
+/// Rows of the camera's image, at most kBandRows of them.
+void DepthRenderer::Workspace::draw_band(const ImageWindow& window, int first_row, int end_row,
+                                         RenderedDepth& image) const {
   const auto width = static_cast<std::ptrdiff_t>(image.width);
-  const auto begin = first_row * width;
-  const auto end = end_row * width;
+  const auto begin = (first_row - window.top) * width;
+  const auto end = (end_row - window.top) * width;
   // Until the band is complete, its depths hold 1/z: 0 is infinitely far.
   std::fill(image.depth.begin() + begin, image.depth.begin() + end, 0.0F);
   std::fill(image.id.begin() + begin, image.id.begin() + end, kNothing);
   for (std::size_t i = 0; i < triangle_ranges.size(); ++i) {
-    if (chunks[i].first_row >= end_row || chunks[i].end_row <= first_row) {
-      continue;
-    }
+    if (!touches(chunks[i], window, first_row, end_row)) continue;
     for (const ScreenTriangle& t : chunks[i].triangles) {
-      if (t.first_row < end_row && t.end_row > first_row) {
-        draw_rows(t, first_row, end_row, image);
+      if (touches(t, window, first_row, end_row)) {
+        draw_rows(t, window, first_row, end_row, image);
       }
     }
   }
@@ -154,22 +176,32 @@ void DepthRenderer::set_camera(const PinholeCamera& camera) {
 }
 
 void DepthRenderer::render(std::span<const RenderItem> items, RenderedDepth& image) {
+  prepare(items);
+  const Workspace& w = *workspace_;
+  const ImageWindow whole{0, 0, w.camera.width, w.camera.height};
+  resize(whole, image);
+  w.executor.for_each_chunk(static_cast<std::size_t>(image.height), kBandRows,
+                            [&](std::size_t begin, std::size_t end, std::size_t) {
+                              w.draw_band(whole, static_cast<int>(begin), static_cast<int>(end),
+                                          image);
+                            });
+}
+
+void DepthRenderer::prepare(std::span<const RenderItem> items) {
   Workspace& w = *workspace_;
-  image.width = w.camera.width;
-  image.height = w.camera.height;
-  const auto pixels =
-      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  image.depth.resize(pixels);
-  image.id.resize(pixels);
   w.plan(items);
   w.executor.for_each(w.vertex_ranges.size(), [&](std::size_t i) { w.project(i); });
   w.find_visible_backs(items);
   w.executor.for_each(w.triangle_ranges.size(),
                       [&](std::size_t i) { w.prepare(w.triangle_ranges[i], w.chunks[i]); });
-  w.executor.for_each_chunk(static_cast<std::size_t>(image.height), kBandRows,
-                            [&](std::size_t begin, std::size_t end, std::size_t) {
-                              w.draw_band(static_cast<int>(begin), static_cast<int>(end), image);
-                            });
+}
+
+void DepthRenderer::draw(const ImageWindow& window, RenderedDepth& image) const {
+  resize(window, image);
+  const int end = window.top + window.height;
+  for (int row = window.top; row < end; row += kBandRows) {
+    workspace_->draw_band(window, row, std::min(row + kBandRows, end), image);
+  }
 }
 
 PinholeCamera reduced(const PinholeCamera& camera, int factor) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace lockbox::rendering {
@@ -30,6 +31,7 @@ void append_projected(const Vertex& a, const Vertex& b, const Vertex& c, std::in
   t.first_row = top.row;
   t.middle_row = middle.row;
   t.end_row = bottom.row;
+  std::tie(t.first_column, t.end_column) = std::minmax({a.column, b.column, c.column});
 
   const double middle_u = middle.u - top.u;
   const double middle_v = middle.v - top.v;

@@ -41,6 +41,8 @@ struct ScreenTriangle {
   int first_row;
   int middle_row;
   int end_row;
+  int first_column;  ///< all pixel centres are in [first_column, end_column)
+  int end_column;
   bool whole_is_left;
 
   /// inverse_z(u, v) = inverse_z + (u - u0) du + (v - v0) dv, within [low, high].

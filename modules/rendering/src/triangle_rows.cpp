@@ -36,23 +36,25 @@ HWY_INLINE Vector column_of(const Edge& edge, const Vector row) {
                     hn::Set(tag, edge.u));
 }
 
-/// See first_centre().
-HWY_INLINE Vector first_centre_of(const Vector x, const Vector count) {
-  return hn::Ceil(hn::IfThenElseZero(hn::Gt(x, hn::Zero(Rows())), hn::Min(x, count)));
+/// The first column from `begin` on, and no more than `end`, whose centre is not before x; see
+/// first_centre().
+HWY_INLINE Vector first_centre_of(const Vector x, const Vector begin, const Vector end) {
+  return hn::Ceil(hn::IfThenElse(hn::Gt(x, begin), hn::Min(x, end), begin));
 }
 
 HWY_INLINE void find_spans(const ScreenTriangle& t, const int first, const int count,
-                           const int width, Spans& spans) {
+                           const ImageWindow& window, Spans& spans) {
   const Rows tag;
-  const auto last = hn::Set(tag, static_cast<double>(width));
+  const auto begin = hn::Set(tag, static_cast<double>(window.left));
+  const auto end = hn::Set(tag, static_cast<double>(window.left + window.width));
   const auto middle = hn::Set(tag, static_cast<double>(t.middle_row));
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(tag))) {
     const auto row = hn::Iota(tag, static_cast<double>(first + i));
     const auto whole = column_of(t.whole, row);
     const auto broken =
         hn::IfThenElse(hn::Lt(row, middle), column_of(t.upper, row), column_of(t.lower, row));
-    const auto left = first_centre_of(t.whole_is_left ? whole : broken, last);
-    const auto right = first_centre_of(t.whole_is_left ? broken : whole, last);
+    const auto left = first_centre_of(t.whole_is_left ? whole : broken, begin, end);
+    const auto right = first_centre_of(t.whole_is_left ? broken : whole, begin, end);
     const auto along_row = hn::MulAdd(hn::Sub(left, hn::Set(tag, t.u0)), hn::Set(tag, t.du),
                                       hn::Set(tag, t.inverse_z));
     const auto inverse_z =
@@ -100,16 +102,16 @@ HWY_INLINE void draw_span(const Tag tag, const ScreenTriangle& t, const float st
   }
 }
 
-void draw_rows_of(const ScreenTriangle& t, const int first_row, const int end_row,
-                  RenderedDepth& image) {
+void draw_rows_of(const ScreenTriangle& t, const ImageWindow& window, const int first_row,
+                  const int end_row, RenderedDepth& image) {
   const int first = std::max(first_row, t.first_row);
   const int count = std::min(end_row, t.end_row) - first;
   Spans spans;
-  find_spans(t, first, count, image.width, spans);
+  find_spans(t, first, count, window, spans);
   for (int i = 0; i < count; ++i) {
     const int pixels = spans.right[i] - spans.left[i];
     if (pixels > 0) {
-      const std::size_t at = image.index(spans.left[i], first + i);
+      const std::size_t at = image.index(spans.left[i] - window.left, first + i - window.top);
       draw_span(hn::CappedTag<float, 16>(), t, spans.inverse_z[i], static_cast<std::size_t>(pixels),
                 &image.depth[at], &image.id[at]);
     }
@@ -124,8 +126,9 @@ namespace lockbox::rendering {
 
 HWY_EXPORT(draw_rows_of);
 
-void draw_rows(const ScreenTriangle& triangle, int first_row, int end_row, RenderedDepth& image) {
-  HWY_DYNAMIC_DISPATCH(draw_rows_of)(triangle, first_row, end_row, image);
+void draw_rows(const ScreenTriangle& triangle, const ImageWindow& window, int first_row,
+               int end_row, RenderedDepth& image) {
+  HWY_DYNAMIC_DISPATCH(draw_rows_of)(triangle, window, first_row, end_row, image);
 }
 
 }  // namespace lockbox::rendering

@@ -11,8 +11,9 @@ namespace lockbox::rendering {
 inline constexpr int kBandRows = 16;
 
 /// Draws the rows of a triangle that lie in [first_row, end_row), at most kBandRows of them, where
-/// it is nearer than what is there. Until the image is complete, its depths hold 1/z: 0 is
-/// infinitely far.
-void draw_rows(const ScreenTriangle& triangle, int first_row, int end_row, RenderedDepth& image);
+/// it is nearer than what is there. The image shows that window of the camera's. Until it is
+/// complete, its depths hold 1/z: 0 is infinitely far.
+void draw_rows(const ScreenTriangle& triangle, const ImageWindow& window, int first_row,
+               int end_row, RenderedDepth& image);
 
 }  // namespace lockbox::rendering

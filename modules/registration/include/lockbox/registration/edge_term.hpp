@@ -46,6 +46,7 @@ class EdgeTerm {
   double chi_squared() const { return chi_squared_; }
 
  private:
+  struct EdgePixels;
   struct Worker;
   /// Sums over a row of tiles. Step: base twist in the camera's frame, joint variables, and the
   /// residual as if it were one more.
@@ -69,24 +70,29 @@ class EdgeTerm {
   bool crop_to_model(const PinholeCamera& camera,
                      const std::vector<Eigen::Isometry3d>& T_camera_body);
   void render(const PinholeCamera& camera, const std::vector<Eigen::Isometry3d>& T_camera_body);
+  void draw_samples(int first_tile, int end_tile, int top, RenderedDepth& samples) const;
   void express_in_camera(const std::vector<Eigen::Isometry3d>& T_camera_body,
                          const std::vector<BodyJacobian>& jacobians);
   void find_bends();
-  void select(const TiledCloud& cloud, int left, int top, Worker& worker) const;
-  void compare(const TiledCloud& cloud, int left, int top, Worker& worker) const;
+  void select(const TiledCloud& cloud, int left, int top, EdgePixels& pixels) const;
+  void compare(const TiledCloud& cloud, int left, int top, const EdgePixels& pixels,
+               Worker& worker) const;
   void sum_row(const TiledCloud& cloud, int top, RowSums& sums);
+  void sum_tiles(const TiledCloud& cloud, int first, int end, int top, Worker& worker,
+                 RowSums& sums) const;
   void sum_up(const Eigen::Isometry3d& T_camera_base);
 
   const KinematicTree& tree_;
   RegistrationOptions options_;
   Executor executor_;
-  std::vector<Eigen::AlignedBox3d> boxes_;  ///< by body
-  std::unique_ptr<DepthRenderer> renderer_;
+  std::vector<Eigen::AlignedBox3d> boxes_;          ///< by body
+  std::unique_ptr<DepthRenderer> renderer_;         ///< of pixels' centres
+  std::unique_ptr<DepthRenderer> sample_renderer_;  ///< of EdgeTile::kSamples samples a pixel
   std::vector<std::unique_ptr<Worker>> workers_;
 
   Crop crop_{};
   std::vector<RenderItem> items_;
-  RenderedDepth samples_;
+  RenderedDepth view_;
   std::vector<float> centres_;          ///< by pixel: inverse depth at its centre
   std::vector<std::uint8_t> has_bend_;  ///< by pixel: whether the surface bends or breaks there
   std::vector<BodyJacobian> screws_;    ///< by body: to its twist in the camera's frame

@@ -35,9 +35,12 @@ class EdgeTile {
   /// lateral_pixels: standard deviation of the jitter.
   explicit EdgeTile(double lateral_pixels);
 
-  /// Reads the tile whose first pixel is (left, top) from a rendering with kSamples samples a pixel
-  /// and axis, which reaches two pixels beyond the tile on each side. False if it shows too many
-  /// bodies, or none.
+  /// Samples along each side of what a tile is read from, of which kReach lie before the centre of
+  /// its first pixel.
+  static constexpr int kWindow = static_cast<int>(kernels::kWindowRows);
+
+  /// Reads the tile whose window begins at sample (left, top) of a rendering with kSamples samples
+  /// a pixel and axis. False if it shows too many bodies, or none.
   bool read(const RenderedDepth& samples, int left, int top);
 
   /// Bodies that the tile shows.
@@ -61,8 +64,6 @@ class EdgeTile {
                                         const PinholeCamera& camera) const;
 
  private:
-  static constexpr std::size_t kWindow = kernels::kWindowRows;
-
   /// Of one body: over its samples, and over the steps that it moves along rows (u) and columns.
   struct Moments {
     float d;

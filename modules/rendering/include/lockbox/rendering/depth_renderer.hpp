@@ -46,6 +46,14 @@ struct RenderedDepth {
   }
 };
 
+/// A part of the camera's image, pixels.
+struct ImageWindow {
+  int left = 0;
+  int top = 0;
+  int width = 0;
+  int height = 0;
+};
+
 /// Reusable: after the first frame, frames of the same scene allocate nothing.
 class DepthRenderer {
  public:
@@ -63,6 +71,12 @@ class DepthRenderer {
 
   /// Draws the items into the image, which is resized and overwritten.
   void render(std::span<const RenderItem> items, RenderedDepth& image);
+
+  /// The same in two steps, for who needs few parts of the image: draw() may be called for any of
+  /// them, by several threads, until the next prepare(). The window must lie within the image; its
+  /// first pixel becomes the first one of `image`, which is resized and overwritten.
+  void prepare(std::span<const RenderItem> items);
+  void draw(const ImageWindow& window, RenderedDepth& image) const;
 
  private:
   struct Workspace;
