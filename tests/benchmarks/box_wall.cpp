@@ -2,7 +2,6 @@
 #include "box_wall.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -13,7 +12,9 @@
 namespace lockbox {
 namespace {
 
-constexpr double kSide = 0.64;     // metres
+constexpr int kBoxesAlong = 8;  // each side of the wall
+constexpr int kBoxes = kBoxesAlong * kBoxesAlong;
+constexpr double kPitch = 0.08;    // metres from box to box
 constexpr double kDepth = 0.06;    // of a box
 constexpr double kStep = 0.02;     // that the middle of its front stands out
 constexpr double kGap = 0.004;     // between boxes
@@ -30,10 +31,20 @@ void append(const TriangleMesh& part, const Eigen::Vector3d& offset, TriangleMes
   }
 }
 
-TriangleMesh stepped_box(double width, double height) {
+Eigen::Vector3d place_of(int box) {
+  return {kPitch * (box % kBoxesAlong), kPitch * (box / kBoxesAlong), 0.0};
+}
+
+/// Consecutive boxes, around the first one's middle.
+TriangleMesh stepped_boxes(int count) {
+  const double width = kPitch - kGap;
   TriangleMesh mesh;
-  append(make_box({width - kGap, height - kGap, kDepth}), Eigen::Vector3d::Zero(), mesh);
-  append(make_box({width / 2.0, height / 2.0, kStep}), {0.0, 0.0, 0.5 * (kDepth + kStep)}, mesh);
+  for (int box = 0; box < count; ++box) {
+    const Eigen::Vector3d place = place_of(box);
+    append(make_box({width, width, kDepth}), place, mesh);
+    append(make_box({width / 2.0, width / 2.0, kStep}),
+           place + Eigen::Vector3d(0.0, 0.0, 0.5 * (kDepth + kStep)), mesh);
+  }
   return mesh;
 }
 
@@ -53,11 +64,8 @@ Joint slide(int body, const Eigen::Vector3d& offset, int variables) {
 }  // namespace
 
 ArticulatedModel box_wall(int links, int variables) {
-  const int columns = static_cast<int>(std::ceil(std::sqrt(links)));
-  const int rows = links / columns + (links % columns == 0 ? 0 : 1);
-  const double width = kSide / columns;
-  const double height = kSide / rows;
-  const TriangleMesh mesh = stepped_box(width, height);
+  const int boxes_of_link = kBoxes / links;
+  const TriangleMesh mesh = stepped_boxes(boxes_of_link);
   ArticulatedModel model;
   model.tree.name = "box_wall";
   for (int b = 0; b < links; ++b) {
@@ -69,9 +77,7 @@ ArticulatedModel box_wall(int links, int variables) {
     model.tree.bodies.push_back(std::move(body));
     model.fields.emplace_back(build_field(mesh, FieldOptions{}, Executor()));
     if (b > 0) {
-      const int column = b % columns;
-      const int row = b / columns;
-      model.tree.joints.push_back(slide(b, {column * width, row * height, 0.0}, variables));
+      model.tree.joints.push_back(slide(b, place_of(b * boxes_of_link), variables));
       model.tree.file_order.push_back(b - 1);
       if (b <= variables) {
         model.tree.variable_joint.push_back(b - 1);
@@ -85,11 +91,8 @@ RegistrationScene box_wall_scene(int links, int variables) {
   ArticulatedModel model = box_wall(links, variables);
   Configuration truth = rest_configuration(model.tree);
   truth.T_camera_base = facing_pose(kSeenFrom);
-  // The first box is the base: the wall's centre belongs on the optical axis.
-  const Eigen::Vector3d last =
-      links > 1 ? Eigen::Vector3d(model.tree.joints.back().T_parent_joint.translation())
-                : Eigen::Vector3d::Zero();
-  truth.T_camera_base = truth.T_camera_base * Eigen::Translation3d(-0.5 * last);
+  // The first box is the base's origin: the wall's centre belongs on the optical axis.
+  truth.T_camera_base = truth.T_camera_base * Eigen::Translation3d(-0.5 * place_of(kBoxes - 1));
   for (Eigen::Index v = 0; v < truth.q.size(); ++v) {
     truth.q[v] = 0.01 * static_cast<double>(v % 3);
   }
