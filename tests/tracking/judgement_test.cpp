@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <tuple>
 
 #include "initialization/seen_model.hpp"
@@ -58,6 +59,23 @@ TEST(Judgement, ACornerDoesNotSayWhereTheBoardIs) {
     const RegistrationResult& result = registration.align(cloud, truth, {0.0, 3});
     EXPECT_GT(result.agreement.explained, 0.9);
     EXPECT_EQ(judge(result, options), expected) << x;
+  }
+}
+
+/// A handful of points that stand for many pixels each are known no better than a handful.
+TEST(Judgement, FewPointsContradictNothingThatIsRight) {
+  const ArticulatedModel& model = shipped("board_door_block");
+  TrackerOptions options;
+  options.registration.point_budget = 600;
+  ArticulatedRegistration registration(model, options.registration, Executor(1));
+  Configuration truth = rest_configuration(model.tree);
+  truth.T_camera_base = facing_pose(1.2) * Eigen::AngleAxisd(0.27, Eigen::Vector3d::UnitX());
+  for (std::uint64_t number = 0; number < 30; ++number) {
+    truth.q = static_cast<double>(number) * Eigen::Vector2d(0.03, 0.006);
+    const TiledCloud cloud = seen(model, truth, wall_behind(0.8), number);
+    Configuration start = truth;
+    start.T_camera_base.pretranslate(Eigen::Vector3d(0.002, 0.001, 0.001));
+    EXPECT_TRUE(is_believable(registration.align(cloud, start, {0.002, 3}), options)) << number;
   }
 }
 

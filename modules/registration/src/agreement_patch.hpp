@@ -45,6 +45,7 @@ class AgreementPatch {
     }
     explained_ = {};
     pixels_ = 0.0;
+    samples_ = 0.0;
     sum_behind_ = 0.0;
   }
 
@@ -58,7 +59,9 @@ class AgreementPatch {
 
   bool lies_behind() const {
     if (pixels_ < least_pixels_) return false;
-    const double sigma_of_mean = sigma_ * std::sqrt(options_.noise_correlation / pixels_);
+    // Neighbours err alike, and samples that stand for many pixels are no more than they are.
+    const double independent = std::min(pixels_ / options_.noise_correlation, samples_);
+    const double sigma_of_mean = sigma_ / std::sqrt(independent);
     return sum_behind_ > (kMayRecede + kRecedesByNoise * sigma_of_mean) * pixels_;
   }
 
@@ -70,6 +73,7 @@ class AgreementPatch {
     // How far, of what is too far, does not matter: a few see past an edge to the wall.
     const double most = 2.0 * kMayRecede + options_.cut * sigma;
     pixels_ += sample.pixels;
+    samples_ += 1.0;
     sum_behind_ += sample.pixels * std::clamp(behind, -most, most);
   }
 
@@ -80,6 +84,7 @@ class AgreementPatch {
   Pixel place_{-1, -1};
   double sigma_ = 0.0;  ///< metres; about the same for neighbours
   double pixels_ = 0.0;
+  double samples_ = 0.0;
   double sum_behind_ = 0.0;  ///< metres, over pixels
 };
 
