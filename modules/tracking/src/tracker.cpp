@@ -228,7 +228,10 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
   best_ = registered;
   if (!options_.background_search || frames_searched_ == 0) {
     // It may be on its way still: then nothing is to be sought.
-    keep_better(come_to_rest(prediction, registered), best_);
+    const Configuration start = best_.at_rest;
+    const RegistrationResult& further =
+        registration_.align(cloud_, start, {predictor_.spread(), options_.further_iterations});
+    keep_better(come_to_rest(start, further), best_);
     carry_parts(prediction, best_);
     seek_contradicted_joints(best_);
   }
