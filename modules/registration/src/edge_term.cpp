@@ -155,15 +155,18 @@ void EdgeTerm::find_bends() {
   });
   const float least =
       kLeastBend * static_cast<float>(options_.noise.own_share * options_.noise.depth_quadratic);
-  executor_.for_each(height - 2, [&](std::size_t before) {
+  executor_.for_each(height - 2, [this, width, least](std::size_t before) {
     const float* const above = &centres_[before * width];
     const float* const at = above + width;
     const float* const below = at + width;
     std::uint8_t* const bends = &has_bend_[(before + 1) * width];
-    for (std::size_t u = 1; u + 1 < width; ++u) {
+    const std::size_t end = width - 1;
+    for (std::size_t u = 1; u < end; ++u) {
       const float along_row = std::abs(at[u - 1] + at[u + 1] - 2.0F * at[u]);
       const float along_column = std::abs(above[u] + below[u] - 2.0F * at[u]);
-      bends[u] = at[u] > 0.0F && std::max(along_row, along_column) > least ? 1 : 0;
+      const int shows_model = at[u] > 0.0F ? 1 : 0;
+      const int is_bent = std::max(along_row, along_column) > least ? 1 : 0;
+      bends[u] = static_cast<std::uint8_t>(shows_model * is_bent);  // no branch: many at once
     }
   });
 }
