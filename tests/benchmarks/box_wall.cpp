@@ -32,7 +32,9 @@ void append(const TriangleMesh& part, const Eigen::Vector3d& offset, TriangleMes
 }
 
 Eigen::Vector3d place_of(int box) {
-  return {kPitch * (box % kBoxesAlong), kPitch * (box / kBoxesAlong), 0.0};
+  const int column = box % kBoxesAlong;
+  const int row = box / kBoxesAlong;
+  return {kPitch * column, kPitch * row, 0.0};
 }
 
 /// Consecutive boxes, around the first one's middle.
