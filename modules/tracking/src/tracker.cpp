@@ -218,9 +218,9 @@ bool Tracker::has_leapt(const RegistrationResult& registered) const {
   return !is_believable(registered, options_) || is_hidden_at_once(registered);
 }
 
-/// Joints are sought over their ranges, then the base around where it was last believed to be.
-/// Live, what does not help in the first frame of doubt is left to the search, which does all that,
-/// too.
+/// It is followed until it rests; joints are sought over their ranges, then the base around where
+/// it was last believed to be. Live, what does not help in the first frame of doubt is left to the
+/// search, which does all that, too.
 const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
                                                       const Configuration& prediction,
                                                       const RegistrationResult& registered) {
