@@ -78,6 +78,8 @@ TEST(GlobalResults, ComeBackAsTheyWereWritten) {
   result.scene = 12;
   result.placement = Placement::on_wall;
   result.wrong = "base";
+  result.status = TrackingStatus::uncertain;
+  result.within = true;
   result.seconds = 0.75;
   write_global_results(file, {result, result});
   const auto read = read_global_results(file);
@@ -85,6 +87,8 @@ TEST(GlobalResults, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(read[1].scene, 12U);
   EXPECT_EQ(read[1].placement, Placement::on_wall);
   EXPECT_EQ(read[1].wrong, "base");
+  EXPECT_EQ(read[1].status, TrackingStatus::uncertain);
+  EXPECT_TRUE(read[1].within);
   EXPECT_EQ(read[1].seconds, 0.75);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/random_frame.hpp"
 #include "lockbox/evaluation/symmetry.hpp"
 
@@ -29,8 +30,11 @@ GlobalExperiment::GlobalExperiment(const ArticulatedModel& model, const PinholeC
       sensor_(sensor),
       seed_(seed),
       executor_(executor),
-      initializer_(model, {}, executor),
-      symmetries_(find_symmetries(model)) {}
+      registration_(model, options_.registration, executor_),
+      acquisition_(model, options_, executor_, registration_, cloud_),
+      symmetries_(find_symmetries(model)) {
+  acquisition_.prepare();
+}
 
 GlobalResult GlobalExperiment::search_scene(std::uint64_t number) {
   const RandomFrame seen =
@@ -44,48 +48,61 @@ GlobalResult GlobalExperiment::search_scene(std::uint64_t number) {
   result.distance = drawn.truth.configuration.T_camera_base.translation().norm();
   result.determined = determines_base(seen.bound);
   const auto began = std::chrono::steady_clock::now();
-  TiledCloud cloud;
-  cloud.assign(seen.frame, {}, executor_);
-  const std::vector<Candidate> found = initializer_.find(cloud);
+  cloud_.assign(seen.frame, options_.cloud, executor_);
+  const auto found = acquisition_.find(seen.frame, std::nullopt, true);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  if (found.empty()) {
+  if (found) {
+    compare_with_truth(*found, drawn.truth, seen.bound, result);
+  } else {
     result.wrong = "nothing";
     result.translation = result.rotation = std::numeric_limits<double>::quiet_NaN();
-  } else {
-    judge(found.front(), drawn.truth, seen.bound, result);
   }
   return result;
 }
 
-void GlobalExperiment::judge(const Candidate& found, const State& truth,
-                             const Eigen::VectorXd& bound, GlobalResult& result) const {
+void GlobalExperiment::compare_with_truth(const RegistrationResult& found, const State& truth,
+                                          const Eigen::VectorXd& bound,
+                                          GlobalResult& result) const {
   result.explained = found.agreement.explained;
   result.contradicted = found.agreement.contradicted;
+  result.status = judge(found, options_);
+  TrackingResult answer;
+  answer.status = result.status;
+  answer.configuration = found.configuration;
+  answer.observable = found.observable;
   result.rotation = std::numeric_limits<double>::infinity();
   for (const Eigen::Isometry3d& symmetry : symmetries_) {
-    const Eigen::Isometry3d error =
-        found.configuration.T_camera_base.inverse() * truth.configuration.T_camera_base * symmetry;
-    const double rotation = Eigen::AngleAxisd(error.linear()).angle();
-    if (rotation < result.rotation) {
-      result.rotation = rotation;
-      result.translation = error.translation().norm();
-    }
+    State equal = truth;
+    equal.configuration.T_camera_base = truth.configuration.T_camera_base * symmetry;
+    const FrameOutcome outcome = compare(model_.tree, answer, equal);
+    if (outcome.rotation >= result.rotation) continue;
+    result.rotation = outcome.rotation;
+    result.translation = outcome.translation;
+    result.within = outcome.is_right();
   }
-  if (!(result.translation < 0.01 && result.rotation < kDegree)) result.wrong = "base";
-  for (std::size_t j = 0; j < model_.tree.joints.size() && result.wrong != "base"; ++j) {
+  result.wrong = wrong_unknowns(found.configuration, truth, bound, result);
+  result.right = result.wrong.empty();
+}
+
+std::string GlobalExperiment::wrong_unknowns(const Configuration& found, const State& truth,
+                                             const Eigen::VectorXd& bound,
+                                             const GlobalResult& result) const {
+  if (!(result.translation < 0.01 && result.rotation < kDegree)) return "base";
+  std::string wrong;
+  for (std::size_t j = 0; j < model_.tree.joints.size(); ++j) {
     const Joint& joint = model_.tree.joints[j];
     const bool slides = joint.type == JointType::prismatic;
     const int index = static_cast<int>(j);
-    double error = joint_position(model_.tree, found.configuration, index) -
+    double error = joint_position(model_.tree, found, index) -
                    joint_position(model_.tree, truth.configuration, index);
     if (joint.type == JointType::continuous) error = std::remainder(error, kFullTurn);
     const double sigma = std::abs(joint.multiplier) * bound(6 + joint.variable);
     const bool determined = sigma < (slides ? 0.001 : 0.5 * kDegree);
     if (determined && std::abs(error) > (slides ? 0.01 : 5.0 * kDegree)) {
-      result.wrong += (result.wrong.empty() ? "" : " ") + joint.name;
+      wrong += (wrong.empty() ? "" : " ") + joint.name;
     }
   }
-  result.right = result.wrong.empty();
+  return wrong;
 }
 
 }  // namespace lockbox

@@ -13,8 +13,8 @@ namespace {
 
 constexpr const char* kHeader =
     "scene,placement,cut_off,visible,distance,determined,right,translation,rotation,wrong,"
-    "explained,contradicted,seconds";
-constexpr std::size_t kColumns = 13;
+    "status,within,explained,contradicted,seconds";
+constexpr std::size_t kColumns = 15;
 constexpr std::array<const char*, 3> kPlacements{"free", "on_table", "on_wall"};
 
 Placement parse_placement(const std::string& file, int line, std::string_view word) {
@@ -22,6 +22,14 @@ Placement parse_placement(const std::string& file, int line, std::string_view wo
     if (word == kPlacements[i]) return static_cast<Placement>(i);
   }
   throw InputError(file, line, "'" + std::string(word) + "' is no placement");
+}
+
+TrackingStatus parse_status(const std::string& file, int line, std::string_view word) {
+  for (const auto status : {TrackingStatus::initializing, TrackingStatus::tracking,
+                            TrackingStatus::uncertain, TrackingStatus::lost}) {
+    if (word == to_string(status)) return status;
+  }
+  throw InputError(file, line, "'" + std::string(word) + "' is no status");
 }
 
 GlobalResult parse_row(const std::string& file, int line, std::string_view text) {
@@ -49,9 +57,11 @@ GlobalResult parse_row(const std::string& file, int line, std::string_view text)
   result.translation = number(7);
   result.rotation = number(8);
   result.wrong = fields[9];
-  result.explained = number(10);
-  result.contradicted = number(11);
-  result.seconds = number(12);
+  result.status = parse_status(file, line, fields[10]);
+  result.within = number(11) != 0.0;
+  result.explained = number(12);
+  result.contradicted = number(13);
+  result.seconds = number(14);
   return result;
 }
 
@@ -88,7 +98,8 @@ void write_global_results(const std::filesystem::path& file,
                                result.translation, result.rotation}) {
       out << ',' << number_text(value);
     }
-    out << ',' << result.wrong << ',' << number_text(result.explained) << ','
+    out << ',' << result.wrong << ',' << to_string(result.status) << ','
+        << (result.within ? '1' : '0') << ',' << number_text(result.explained) << ','
         << number_text(result.contradicted) << ',' << number_text(result.seconds) << '\n';
   }
   out.close();

@@ -90,6 +90,7 @@ Configuration Initializer::find_joints(const TiledCloud& cloud, const Configurat
   const auto margins =
       scan_joints(w.model.tree, w.scores.front(), variables, 0.006, kScan, configuration);
   scan_by_image(w.low_relief, cloud, variables, margins, configuration);
+  w.resolve_overlap(cloud, variables, configuration);
   return configuration;
 }
 

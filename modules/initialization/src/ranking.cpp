@@ -62,6 +62,7 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
   for (const Hypothesis& hypothesis : best_apart(hypotheses, kRanked, levers)) {
     if (hypothesis.score <= 0.0) continue;
     Configuration configuration = hypothesis.configuration;
+    resolve_overlap(cloud, all_variables, configuration);
     align_exactly(cloud, configuration);
     const auto& result = fine.align(cloud, configuration, {0.0, 0});
     const double consent = least_consent(result.body_agreement);

@@ -57,7 +57,8 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       all_variables(static_cast<std::size_t>(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1),
       fine(model, options.registration, executor),
-      low_relief(model, options.registration) {
+      low_relief(model, options.registration),
+      overlap(model, fine.collision()) {
   std::iota(all_variables.begin(), all_variables.end(), 0);
   RegistrationOptions coarse_options = options.registration;
   coarse_options.refine_at_edges = false;
@@ -214,7 +215,20 @@ void Initializer::Workspace::settle(const TiledCloud& cloud, const CoarseView& f
   const auto margins =
       scan_joints(model.tree, halves.front(), all_variables, kFineSlack, kScan, configuration);
   scan_by_image(low_relief, cloud, all_variables, margins, configuration);
+  resolve_overlap(cloud, all_variables, configuration);
   align_exactly(cloud, configuration);
+}
+
+void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud,
+                                             const std::vector<int>& variables,
+                                             Configuration& configuration) {
+  for (const int v : variables) {
+    if (!overlap.overlaps(configuration)) return;
+    const Configuration moved = overlap.with_moved(configuration, v);
+    const double before = fine.align(cloud, configuration, {0.0, 0}).agreement.conviction();
+    const double after = fine.align(cloud, moved, {0.0, 0}).agreement.conviction();
+    if (after > before - kHardlyWorse) configuration = moved;
+  }
 }
 
 /// Unless less is explained then. A drawing in pixels cannot tell: its score may be a quarter

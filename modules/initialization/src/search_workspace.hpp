@@ -8,6 +8,7 @@
 #include "hypothesis.hpp"
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/registration/low_relief.hpp"
+#include "overlap.hpp"
 #include "scene_relief.hpp"
 #include "surroundings.hpp"
 #include "view_score.hpp"
@@ -38,6 +39,7 @@ struct Initializer::Workspace {
   std::vector<PartOfCloud> parts;
   ArticulatedRegistration fine;
   LowRelief low_relief;
+  OverlapFinder overlap;
   TiledCloud coarse_cloud;
 
   Workspace(const ArticulatedModel& articulated_model, const InitializerOptions& given,
@@ -52,6 +54,10 @@ struct Initializer::Workspace {
                                               const CoarseView& fine_view);
   /// What was found made exact, all joints sought once more.
   void settle(const TiledCloud& cloud, const CoarseView& fine_view, Configuration& configuration);
+  /// Parts within others would push away what is seen when it is registered: of these variables,
+  /// those about which the view says little yield.
+  void resolve_overlap(const TiledCloud& cloud, const std::vector<int>& variables,
+                       Configuration& configuration);
 
  private:
   /// All stages up to rank.

@@ -24,12 +24,24 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
   if (anywhere) {
     ++searches_;
     for (const Candidate& candidate : initializer().find(cloud_)) {
-      if (consider(registration_.align(cloud_, candidate.configuration, narrow()))) {
+      if (is_confirmed(candidate)) {
         return best_;
       }
     }
   }
   return best_;
+}
+
+/// Wrong answers drift off when gates open. Right ones may, too, along the table they stand on;
+/// then iterations within narrow gates, few as in any frame, keep them where the search has put
+/// them.
+bool Acquisition::is_confirmed(const Candidate& candidate) {
+  const Configuration& sought = candidate.configuration;
+  if (!consider(registration_.align(cloud_, sought, narrow()))) return false;
+  const RegistrationResult& kept =
+      registration_.align(cloud_, sought, {0.0, options_.registration.max_iterations});
+  if (judge(kept, options_) == TrackingStatus::tracking) best_ = kept;
+  return true;
 }
 
 bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess) {

@@ -10,8 +10,8 @@
 
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/evaluation/random_scene.hpp"
-#include "lockbox/initialization/initializer.hpp"
 #include "lockbox/simulation/sensor_model.hpp"
+#include "lockbox/tracking/acquisition.hpp"
 
 namespace lockbox {
 
@@ -27,14 +27,17 @@ struct GlobalResult {
   double translation = 0.0;  ///< error of the base, metres; NaN if nothing was found
   double rotation = 0.0;     ///< radians
   std::string wrong;         ///< "base", or the joints that are wrong
-  double explained = 0.0;    ///< of Agreement
+  /// What the answer is called; `initializing` if there is none.
+  TrackingStatus status = TrackingStatus::initializing;
+  bool within = false;     ///< FrameOutcome::is_right(): what is called tracking has to be
+  double explained = 0.0;  ///< of Agreement
   double contradicted = 0.0;
   double seconds = 0.0;  ///< from depth image to answer
 };
 
-/// Draws the scene, simulates it and searches it. Right is a base within 1 cm and 1 degree, modulo
-/// the symmetries, with every joint whose bound is below 1 mm or 0.5 degrees within 1 cm or 5
-/// degrees.
+/// Draws the scene, simulates it and searches it, as the tracker does with a first frame. Right is
+/// a base within 1 cm and 1 degree, modulo the symmetries, with every joint whose bound is below 1
+/// mm or 0.5 degrees within 1 cm or 5 degrees.
 class GlobalExperiment {
  public:
   GlobalExperiment(const ArticulatedModel& model, const PinholeCamera& camera,
@@ -43,15 +46,20 @@ class GlobalExperiment {
   GlobalResult search_scene(std::uint64_t number);
 
  private:
-  void judge(const Candidate& found, const State& truth, const Eigen::VectorXd& bound,
-             GlobalResult& result) const;
+  void compare_with_truth(const RegistrationResult& found, const State& truth,
+                          const Eigen::VectorXd& bound, GlobalResult& result) const;
+  std::string wrong_unknowns(const Configuration& found, const State& truth,
+                             const Eigen::VectorXd& bound, const GlobalResult& result) const;
 
   const ArticulatedModel& model_;
   PinholeCamera camera_;
   SensorModel sensor_;
   std::uint64_t seed_;
   Executor executor_;
-  Initializer initializer_;
+  TrackerOptions options_;
+  TiledCloud cloud_;
+  ArticulatedRegistration registration_;
+  Acquisition acquisition_;
   std::vector<Eigen::Isometry3d> symmetries_;
 };
 
