@@ -38,6 +38,9 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
 bool Acquisition::is_confirmed(const Candidate& candidate) {
   const Configuration& sought = candidate.configuration;
   if (!consider(registration_.align(cloud_, sought, narrow()))) return false;
+  const bool is_doubtful = judge(*best_, options_) != TrackingStatus::tracking;
+  if (is_doubtful)
+    return true;  // an answer before it explains more, and something contradicts that
   const RegistrationResult& kept =
       registration_.align(cloud_, sought, {0.0, options_.registration.max_iterations});
   if (judge(kept, options_) == TrackingStatus::tracking) best_ = kept;
