@@ -24,7 +24,7 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
   if (anywhere) {
     ++searches_;
     for (const Candidate& candidate : initializer().find(cloud_)) {
-      if (is_confirmed(candidate)) {
+      if (ends_search(candidate)) {
         return best_;
       }
     }
@@ -35,12 +35,11 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
 /// Wrong answers drift off when gates open. Right ones may, too, along the table they stand on;
 /// then iterations within narrow gates, few as in any frame, keep them where the search has put
 /// them.
-bool Acquisition::is_confirmed(const Candidate& candidate) {
+bool Acquisition::ends_search(const Candidate& candidate) {
   const Configuration& sought = candidate.configuration;
   if (!consider(registration_.align(cloud_, sought, narrow()))) return false;
-  const bool is_doubtful = judge(*best_, options_) != TrackingStatus::tracking;
-  if (is_doubtful)
-    return true;  // an answer before it explains more, and something contradicts that
+  // An answer before it may explain more, while something contradicts that: then neither is sure.
+  if (judge(*best_, options_) != TrackingStatus::tracking) return true;
   const RegistrationResult& kept =
       registration_.align(cloud_, sought, {0.0, options_.registration.max_iterations});
   if (judge(kept, options_) == TrackingStatus::tracking) best_ = kept;

@@ -35,7 +35,7 @@ class Acquisition {
   Configuration find_joints(const Configuration& start, const std::vector<int>& variables);
 
  private:
-  bool is_confirmed(const Candidate& candidate);
+  bool ends_search(const Candidate& candidate);
   bool find_from(const DepthFrame& frame, const Configuration& guess);
   const RegistrationResult& with_joints_sought(const Configuration& start,
                                                const std::vector<int>& variables);
