@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "lockbox/initialization/initializer.hpp"
@@ -38,7 +39,8 @@ class JointSearch : public ::testing::Test {
 
 TEST_F(JointSearch, FindsADoorThatSwungUnseen) {
   const Configuration found = Initializer(model_, {}, Executor(1))
-                                  .find_joints(cloud_, start_, {variable("door_bottom_left")});
+                                  .find_joints(cloud_, start_, {variable("door_bottom_left")})
+                                  .configuration;
   EXPECT_NEAR(position(found, "door_bottom_left"), 1.5, 0.05);
 }
 
@@ -49,21 +51,51 @@ TEST_F(JointSearch, FindsADoorAndWhatItCarriesTogether) {
   const TiledCloud cloud = seen(model_, truth, wall_behind(0.6));
   const Configuration found =
       Initializer(model_, {}, Executor(1))
-          .find_joints(cloud, start_, {variable("door_bottom_left"), variable("latch")});
+          .find_joints(cloud, start_, {variable("door_bottom_left"), variable("latch")})
+          .configuration;
   EXPECT_NEAR(position(found, "door_bottom_left"), 1.5, 0.05);
   EXPECT_NEAR(position(found, "latch"), -1.3, 0.1);
 }
 
 TEST_F(JointSearch, LeavesAllOthersWhereTheyAre) {
   const Configuration found = Initializer(model_, {}, Executor(1))
-                                  .find_joints(cloud_, start_, {variable("door_bottom_left")});
+                                  .find_joints(cloud_, start_, {variable("door_bottom_left")})
+                                  .configuration;
   EXPECT_EQ(position(found, "slider"), 0.0);
   EXPECT_EQ(found.T_camera_base.matrix(), start_.T_camera_base.matrix());
 }
 
 TEST_F(JointSearch, FindsLowRelief) {
-  const Configuration found =
-      Initializer(model_, {}, Executor(1)).find_joints(cloud_, start_, {variable("slider")});
+  const Configuration found = Initializer(model_, {}, Executor(1))
+                                  .find_joints(cloud_, start_, {variable("slider")})
+                                  .configuration;
+  EXPECT_NEAR(position(found, "slider"), 0.2, 0.003);
+}
+
+TEST_F(JointSearch, SaysByHowMuchAPositionIsBetter) {
+  const auto margins = Initializer(model_, {}, Executor(1))
+                           .find_joints(cloud_, start_, {variable("door_bottom_left")})
+                           .margins;
+  const auto door = static_cast<std::size_t>(variable("door_bottom_left"));
+  EXPECT_GT(margins[door], 1000.0);
+  EXPECT_TRUE(std::isfinite(margins[door]));
+  EXPECT_TRUE(std::isinf(margins[static_cast<std::size_t>(variable("slider"))]));
+}
+
+/// Whoever locks a joint knows where it stands, and the search is not to know better.
+TEST_F(JointSearch, LeavesLockedJointsWhereTheyAre) {
+  InitializerOptions options;
+  const auto door = static_cast<std::size_t>(variable("door_bottom_left"));
+  options.registration.locked.resize(static_cast<std::size_t>(model_.tree.variables()), false);
+  options.registration.locked[door] = true;
+  Initializer initializer(model_, options, Executor(1));
+  const auto alone = initializer.find_joints(cloud_, start_, {variable("door_bottom_left")});
+  EXPECT_EQ(position(alone.configuration, "door_bottom_left"), 0.0);
+  Configuration held = start_;
+  set_joint_position(model_.tree, held, "door_bottom_left", 1.5);
+  EXPECT_EQ(position(initializer.find(cloud_).at(0).configuration, "door_bottom_left"), 0.0);
+  const Configuration found = initializer.find(cloud_, held).at(0).configuration;
+  EXPECT_EQ(position(found, "door_bottom_left"), 1.5);
   EXPECT_NEAR(position(found, "slider"), 0.2, 0.003);
 }
 

@@ -44,7 +44,7 @@ class BackgroundSearchTest : public ::testing::Test {
 };
 
 TEST_F(BackgroundSearchTest, FindsWhatASearchInTheForegroundFinds) {
-  search.start(frame, std::nullopt, true);
+  search.start(frame, std::nullopt, SearchScope::near_first);
   EXPECT_TRUE(search.is_busy());
   EXPECT_FALSE(search.take());
   const auto answer = wait();
@@ -56,7 +56,7 @@ TEST_F(BackgroundSearchTest, FindsWhatASearchInTheForegroundFinds) {
   ArticulatedRegistration registration(model, options().registration, executor);
   TiledCloud cloud = cloud_of(frame);
   Acquisition acquisition(model, options(), executor, registration, cloud);
-  const auto expected = acquisition.find(frame, std::nullopt, true);
+  const auto expected = acquisition.find(frame, std::nullopt, SearchScope::near_first);
   ASSERT_TRUE(expected);
   EXPECT_TRUE(
       answer->configuration.T_camera_base.isApprox(expected->configuration.T_camera_base, 0.0));
@@ -66,7 +66,7 @@ TEST_F(BackgroundSearchTest, FindsWhatASearchInTheForegroundFinds) {
 TEST_F(BackgroundSearchTest, LooksNearTheGuessFirst) {
   Configuration guess = truth;
   guess.T_camera_base.pretranslate(Eigen::Vector3d(0.03, 0.0, 0.02));
-  search.start(frame, guess, true);
+  search.start(frame, guess, SearchScope::near_first);
   const auto answer = wait();
   ASSERT_TRUE(answer);
   EXPECT_EQ(judge(*answer, options()), TrackingStatus::tracking);
@@ -78,7 +78,7 @@ TEST_F(BackgroundSearchTest, FollowsWhatIsFoundIntoTheNewestFrame) {
   now.T_camera_base.pretranslate(Eigen::Vector3d(0.03, 0.01, 0.02));
   set_joint_position(model.tree, now, "turn", -0.6);
   const DepthFrame after = measured(model, now, "primesense", 2);
-  search.start(frame, truth, true);
+  search.start(frame, truth, SearchScope::near_first);
   search.show(after);
   const auto answer = wait();
   ASSERT_TRUE(answer);
@@ -90,7 +90,7 @@ TEST_F(BackgroundSearchTest, FollowsWhatIsFoundIntoTheNewestFrame) {
 
 TEST_F(BackgroundSearchTest, AnAnswerThatCannotBeFollowedIsThatOfItsOwnFrame) {
   const DepthFrame after = measured(model, out_of_place(truth), "primesense", 2);
-  search.start(frame, truth, true);
+  search.start(frame, truth, SearchScope::near_first);
   search.show(after);
   const auto answer = wait();
   ASSERT_TRUE(answer);
@@ -101,27 +101,27 @@ TEST_F(BackgroundSearchTest, AnAnswerThatCannotBeFollowedIsThatOfItsOwnFrame) {
 }
 
 TEST_F(BackgroundSearchTest, WhatWasCancelledGivesNoAnswerAndTheNextOneDoes) {
-  search.start(frame, std::nullopt, true);
+  search.start(frame, std::nullopt, SearchScope::near_first);
   search.cancel();
   EXPECT_FALSE(wait());
-  search.start(frame, truth, true);
+  search.start(frame, truth, SearchScope::near_first);
   EXPECT_TRUE(wait());
 }
 
 TEST_F(BackgroundSearchTest, AnErrorReachesTheCallerAndTheNextSearchWorks) {
   DepthFrame broken = frame;
   broken.depth.pop_back();
-  search.start(broken, truth, true);
+  search.start(broken, truth, SearchScope::near_first);
   EXPECT_THROW(wait(), InputError);
   EXPECT_FALSE(search.is_busy());
-  search.start(frame, truth, true);
+  search.start(frame, truth, SearchScope::near_first);
   EXPECT_TRUE(wait());
 }
 
 TEST_F(BackgroundSearchTest, EndsWhileItSearches) {
   for (const auto pause : {0, 20, 100}) {
     BackgroundSearch other(model, options());
-    other.start(frame, std::nullopt, true);
+    other.start(frame, std::nullopt, SearchScope::near_first);
     std::this_thread::sleep_for(std::chrono::milliseconds(pause));
     EXPECT_FALSE(other.take());
   }

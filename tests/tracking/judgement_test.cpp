@@ -62,6 +62,43 @@ TEST(Judgement, ACornerDoesNotSayWhereTheBoardIs) {
   }
 }
 
+// The shipped board, metres from its origin.
+constexpr double kBoardBack = 0.018;
+constexpr double kBoardFront = 0.02;
+
+/// From 2 m a board stands out of the wall by less than a pixel's noise allows, but its sides do
+/// as wholes.
+TEST(Judgement, ABoardOnAFarWallEndsThere) {
+  const ArticulatedModel& model = shipped("lockbox");
+  const TrackerOptions options;
+  ArticulatedRegistration registration(model, options.registration, Executor(1));
+  Configuration truth = rest_configuration(model.tree);
+  for (const double distance : {2.0, 2.2}) {
+    truth.T_camera_base = facing_pose(distance);
+    const TiledCloud cloud = seen(model, truth, wall_behind(kBoardBack));
+    const RegistrationResult& result = registration.align(cloud, truth, {0.0, 3});
+    EXPECT_LT(result.outline.continued(), 0.5) << distance;
+    EXPECT_EQ(judge(result, options), TrackingStatus::tracking) << distance;
+  }
+}
+
+TEST(Judgement, ABareWallGoesOn) {
+  const ArticulatedModel& model = shipped("lockbox");
+  const TrackerOptions options;
+  ArticulatedRegistration registration(model, options.registration, Executor(1));
+  Configuration behind_it = rest_configuration(model.tree);
+  for (const double distance : {1.2, 2.0, 2.4}) {
+    behind_it.T_camera_base = facing_pose(distance + 1.0);
+    const TiledCloud cloud = seen(model, behind_it, wall_behind(-1.0));
+    Configuration estimate = behind_it;
+    estimate.T_camera_base = facing_pose(distance + kBoardFront);
+    const RegistrationResult& result = registration.align(cloud, estimate, {0.005, 10});
+    EXPECT_GT(result.agreement.explained, 0.5) << distance;
+    EXPECT_GT(result.outline.continued(), options.most_continued) << distance;
+    EXPECT_NE(judge(result, options), TrackingStatus::tracking) << distance;
+  }
+}
+
 /// A handful of points that stand for many pixels each are known no better than a handful.
 TEST(Judgement, FewPointsContradictNothingThatIsRight) {
   const ArticulatedModel& model = shipped("board_door_block");

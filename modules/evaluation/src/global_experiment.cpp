@@ -49,7 +49,7 @@ GlobalResult GlobalExperiment::search_scene(std::uint64_t number) {
   result.determined = determines_base(seen.bound);
   const auto began = std::chrono::steady_clock::now();
   cloud_.assign(seen.frame, options_.cloud, executor_);
-  const auto found = acquisition_.find(seen.frame, std::nullopt, true);
+  const auto found = acquisition_.find(seen.frame, std::nullopt, SearchScope::anywhere);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   if (found) {
     compare_with_truth(*found, drawn.truth, seen.bound, result);

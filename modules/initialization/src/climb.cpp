@@ -32,9 +32,11 @@ Configuration moved(const KinematicTree& tree, const Configuration& configuratio
 
 }  // namespace
 
-void climb(const KinematicTree& tree, std::span<ViewScore> scores, const Executor& executor,
-           const ClimbPlan& plan, Configuration& configuration) {
-  const int unknowns = 6 + tree.variables();
+void climb(const KinematicTree& tree, const std::vector<int>& variables,
+           std::span<ViewScore> scores, const Executor& executor, const ClimbPlan& plan,
+           Configuration& configuration) {
+  std::vector<int> unknowns{0, 1, 2, 3, 4, 5};
+  for (const int variable : variables) unknowns.push_back(6 + variable);
   const ModelLevers levers = model_levers(tree);
   double best = scores.front().fit(configuration, plan.slack);
   std::array<Configuration, 2> trials;  // to either side
@@ -43,7 +45,7 @@ void climb(const KinematicTree& tree, std::span<ViewScore> scores, const Executo
     bool is_better = true;
     for (int round = 0; round < plan.rounds && is_better; ++round) {
       is_better = false;
-      for (int unknown = 0; unknown < unknowns; ++unknown) {
+      for (const int unknown : unknowns) {
         executor.for_each(trials.size(), [&](std::size_t side) {
           const double way = side == 0 ? step : -step;
           trials[side] = moved(tree, configuration, levers, unknown, way);

@@ -16,11 +16,12 @@ struct ClimbPlan {
   double slack;               ///< metres that surfaces may be off
 };
 
-/// Moves base and joints, one unknown after the other, to where the drawn model fits the view best:
-/// by large steps at first, then by ever smaller ones. What is seen beside the model counts against
-/// a drawing, so that a wall just behind cannot pull it away, nor something that stands before it.
-/// scores: of the same view, one for each worker of the executor.
-void climb(const KinematicTree& tree, std::span<ViewScore> scores, const Executor& executor,
-           const ClimbPlan& plan, Configuration& configuration);
+/// Moves base and these joint variables, one unknown after the other, to where the drawn model fits
+/// the view best: by large steps at first, then by ever smaller ones. What is seen beside the model
+/// counts against a drawing, so that a wall just behind cannot pull it away, nor something that
+/// stands before it. scores: of the same view, one for each worker of the executor.
+void climb(const KinematicTree& tree, const std::vector<int>& variables,
+           std::span<ViewScore> scores, const Executor& executor, const ClimbPlan& plan,
+           Configuration& configuration);
 
 }  // namespace lockbox

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/initialization/initializer.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "joint_scan.hpp"
 #include "lockbox/core/error.hpp"
 #include "search_workspace.hpp"
@@ -10,6 +13,7 @@ namespace {
 
 constexpr int kColumns = 160;              // of the view that hypotheses are judged in
 constexpr int kFineColumns = 320;          // of the view that the best are compared in
+constexpr double kFinePixels = 4.0;        // of it, in one of the coarser view
 constexpr std::size_t kLeastSamples = 20;  // of a planar region
 constexpr std::size_t kMostRegions = 32;
 /// In 90 random scenes no right answer scored less than 28 (seven, of a small block, less than 36),
@@ -39,9 +43,11 @@ Initializer::~Initializer() = default;
 Initializer::Initializer(Initializer&&) noexcept = default;
 Initializer& Initializer::operator=(Initializer&&) noexcept = default;
 
-std::vector<Candidate> Initializer::find(const TiledCloud& cloud) {
+std::vector<Candidate> Initializer::find(const TiledCloud& cloud,
+                                         const std::optional<Configuration>& held) {
   check(cloud);
   Workspace& w = *workspace_;
+  w.held = held.value_or(rest_configuration(w.model.tree));
   const CoarseView view(cloud, kColumns, w.executor);
   CloudOptions unfiltered;
   unfiltered.flying_pixel_jump = 0.0;
@@ -55,7 +61,7 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud) {
   w.surroundings.set_scene(scene);
   std::vector<Candidate> candidates = w.seek_until_convinced(cloud, scene, fine_view);
   if (!candidates.empty()) {
-    w.settle(cloud, fine_view, candidates.front().configuration);
+    w.settle(cloud, fine_view, candidates.front());
   }
   return candidates;
 }
@@ -78,20 +84,24 @@ std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledC
   return candidates;
 }
 
-Configuration Initializer::find_joints(const TiledCloud& cloud, const Configuration& start,
-                                       const std::vector<int>& variables) {
+SoughtJoints Initializer::find_joints(const TiledCloud& cloud, const Configuration& start,
+                                      const std::vector<int>& variables) {
   check(cloud);
   Workspace& w = *workspace_;
+  std::vector<int> sought;
+  std::copy_if(variables.begin(), variables.end(), std::back_inserter(sought),
+               [&](int v) { return !w.options.registration.is_locked(v); });
   const CoarseView view(cloud, kColumns, w.executor);
   constexpr bool kIsKnown = true;
   w.scores.front().set_view(view, kIsKnown);
-  Configuration configuration = start;
-  scan_joints(w.model.tree, w.scores.front(), variables, 0.01, kScan, configuration);
-  const auto margins =
-      scan_joints(w.model.tree, w.scores.front(), variables, 0.006, kScan, configuration);
-  scan_by_image(w.low_relief, cloud, variables, margins, configuration);
-  w.resolve_overlap(cloud, variables, configuration);
-  return configuration;
+  SoughtJoints found{start, {}};
+  scan_joints(w.model.tree, w.scores.front(), sought, 0.01, kScan, found.configuration);
+  found.margins =
+      scan_joints(w.model.tree, w.scores.front(), sought, 0.006, kScan, found.configuration);
+  scan_by_image(w.low_relief, cloud, sought, found.margins, found.configuration);
+  w.resolve_overlap(cloud, sought, found.configuration);
+  for (double& margin : found.margins) margin *= kFinePixels;
+  return found;
 }
 
 }  // namespace lockbox

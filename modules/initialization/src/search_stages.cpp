@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "climb.hpp"
 #include "joint_scan.hpp"
@@ -54,12 +53,12 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       reliefs(make_reliefs(model.tree, executor)),
       levers(model_levers(model.tree)),
       surroundings(model.tree),
-      all_variables(static_cast<std::size_t>(model.tree.variables())),
+      held(rest_configuration(model.tree)),
+      variables(options.registration.free_variables(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1),
       fine(model, options.registration, executor),
       low_relief(model, options.registration),
       overlap(model, fine.collision()) {
-  std::iota(all_variables.begin(), all_variables.end(), 0);
   RegistrationOptions coarse_options = options.registration;
   coarse_options.refine_at_edges = false;
   coarse_options.collision = CollisionMode::off;
@@ -77,17 +76,18 @@ void Initializer::Workspace::add_matched(const ModelRelief& relief, const Relief
                                          std::vector<Hypothesis>& hypotheses) const {
   const KinematicTree& tree = model.tree;
   const auto body = static_cast<std::size_t>(relief.body);
-  Hypothesis hypothesis{rest_configuration(tree), std::vector<std::uint8_t>(tree.bodies.size(), 0)};
+  Hypothesis hypothesis{held, std::vector<std::uint8_t>(tree.bodies.size(), 0)};
   // Base and body alone: how other joints stand is not known yet.
   hypothesis.bodies[0] = 1;
   hypothesis.bodies[body] = 1;
   const int joint = tree.bodies[body].parent_joint;
   const int variable = joint < 0 ? -1 : tree.joints[static_cast<std::size_t>(joint)].variable;
+  const bool is_free = std::find(variables.begin(), variables.end(), variable) != variables.end();
   std::vector<Eigen::Isometry3d> poses;
   Configuration& configuration = hypothesis.configuration;
   for (const double position :
-       variable < 0 ? std::vector<double>{0.0} : anchor_positions(tree, variable)) {
-    if (variable >= 0) configuration.q[variable] = position;
+       is_free ? anchor_positions(tree, variable) : std::vector<double>{0.0}) {
+    if (is_free) configuration.q[variable] = position;
     configuration.T_camera_base.setIdentity();
     forward_kinematics(tree, configuration, poses);
     configuration.T_camera_base = match.T_camera_body * poses[body].inverse();
@@ -136,7 +136,7 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Br
     // Joints that stand elsewhere than assumed may have pulled the base away.
     if (refined.score > hypotheses[i].score) hypotheses[i] = std::move(refined);
     hypotheses[i].bodies = all_bodies;
-    scan_joints(model.tree, score(), all_variables, 0.02, kGlance, hypotheses[i].configuration);
+    scan_joints(model.tree, score(), variables, 0.02, kGlance, hypotheses[i].configuration);
     hypotheses[i].score = judge(hypotheses[i], 0.02, 0.5);
   });
   hypotheses = best_apart(std::move(hypotheses), breadth.placed, levers);
@@ -146,7 +146,7 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Br
 void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses) {
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
-    scan_joints(model.tree, score(), all_variables, 0.01, kScan, hypothesis.configuration);
+    scan_joints(model.tree, score(), variables, 0.01, kScan, hypothesis.configuration);
     hypothesis.score = judge_closely(hypothesis.configuration, 0.006);
     Hypothesis refined = hypothesis;
     for (int round = 0; round < kRounds; ++round) align_coarsely(0.015, 8, refined.configuration);
@@ -162,11 +162,12 @@ void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses) {
     Hypothesis& hypothesis = hypotheses[i];
     Hypothesis refined = hypothesis;
     align_coarsely(0.005, 6, refined.configuration);
-    scan_joints(model.tree, score(), all_variables, 0.004, kScan, refined.configuration);
+    scan_joints(model.tree, score(), variables, 0.004, kScan, refined.configuration);
     refined.score = judge_closely(refined.configuration, kFineSlack);
     // What stands before the object may pull a registration along it, but not a drawing.
     Hypothesis climbed = hypothesis;
-    climb(model.tree, std::span(&score(), 1), Executor(1), kClimbFar, climbed.configuration);
+    climb(model.tree, variables, std::span(&score(), 1), Executor(1), kClimbFar,
+          climbed.configuration);
     climbed.score = judge_closely(climbed.configuration, kFineSlack);
     hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
@@ -180,7 +181,7 @@ void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
                                          std::vector<Hypothesis>& hypotheses) {
   align_if_better(cloud, hypotheses);
   for (Hypothesis& hypothesis : hypotheses) {
-    climb(model.tree, halves, executor, kClimbClosely, hypothesis.configuration);
+    climb(model.tree, variables, halves, executor, kClimbClosely, hypothesis.configuration);
   }
   align_if_better(cloud, hypotheses);
 }
@@ -209,20 +210,20 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
 /// Joints of an object that is known to be there, then all of it once more: what stands before it
 /// says nothing about them.
 void Initializer::Workspace::settle(const TiledCloud& cloud, const CoarseView& fine_view,
-                                    Configuration& configuration) {
+                                    Candidate& candidate) {
   constexpr bool kIsKnown = true;
   halves.front().set_view(fine_view, kIsKnown);
-  const auto margins =
-      scan_joints(model.tree, halves.front(), all_variables, kFineSlack, kScan, configuration);
-  scan_by_image(low_relief, cloud, all_variables, margins, configuration);
-  resolve_overlap(cloud, all_variables, configuration);
+  Configuration& configuration = candidate.configuration;
+  candidate.margins =
+      scan_joints(model.tree, halves.front(), variables, kFineSlack, kScan, configuration);
+  scan_by_image(low_relief, cloud, variables, candidate.margins, configuration);
+  resolve_overlap(cloud, variables, configuration);
   align_exactly(cloud, configuration);
 }
 
-void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud,
-                                             const std::vector<int>& variables,
+void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud, const std::vector<int>& which,
                                              Configuration& configuration) {
-  for (const int v : variables) {
+  for (const int v : which) {
     if (!overlap.overlaps(configuration)) return;
     const Configuration moved = overlap.with_moved(configuration, v);
     const double before = fine.align(cloud, configuration, {0.0, 0}).agreement.conviction();

@@ -30,7 +30,8 @@ struct Initializer::Workspace {
   std::vector<ModelRelief> reliefs;
   ModelLevers levers;
   Surroundings surroundings;
-  std::vector<int> all_variables;
+  Configuration held;          ///< in which locked joints stand
+  std::vector<int> variables;  ///< of joints that are not locked
   std::vector<std::uint8_t> all_bodies;
   /// By worker.
   std::vector<ViewScore> scores;
@@ -53,10 +54,10 @@ struct Initializer::Workspace {
   std::vector<Candidate> seek_until_convinced(const TiledCloud& cloud, const PlanarScene& scene,
                                               const CoarseView& fine_view);
   /// What was found made exact, all joints sought once more.
-  void settle(const TiledCloud& cloud, const CoarseView& fine_view, Configuration& configuration);
+  void settle(const TiledCloud& cloud, const CoarseView& fine_view, Candidate& candidate);
   /// Parts within others would push away what is seen when it is registered: of these variables,
   /// those about which the view says little yield.
-  void resolve_overlap(const TiledCloud& cloud, const std::vector<int>& variables,
+  void resolve_overlap(const TiledCloud& cloud, const std::vector<int>& which,
                        Configuration& configuration);
 
  private:

@@ -14,6 +14,9 @@ namespace {
 
 constexpr int kBeyond = 3;          // pixels of the view, across an outline
 constexpr float kRounding = 1e-5F;  // metres: more than single precision errs
+/// A board on a wall stands out by less than a pixel's noise allows. But a whole side of an outline
+/// beyond which the scene is farther in the mean, by so many standard deviations, ends there.
+constexpr double kEndsBehind = 1.25;
 /// A body most of whose points lie behind it, though within the gate, is not what they lie on: of a
 /// flat part that is elsewhere they show the face that it would lie on. What recedes by less than
 /// this is the model's inexactness, and with few points, that err alike, noise: so many of its
@@ -58,10 +61,11 @@ void count(const ArticulatedModel& model, const ViewSample& sample,
 
 /// Looks across the outline, if the sample lies at one: left, right, up and down.
 void look_beyond(const VisibleSurface& surface, const Pixel& sample, const TiledCloud& cloud,
-                 const RegistrationOptions& options, OutlineAgreement& outline) {
+                 const RegistrationOptions& options, std::span<OutlineSide, 4> sides) {
   const RenderedDepth& view = surface.view();
   constexpr std::array<std::array<int, 2>, 4> kWays{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
-  for (const auto& [du, dv] : kWays) {
+  for (std::size_t way = 0; way < kWays.size(); ++way) {
+    const auto& [du, dv] = kWays[way];
     const int u = sample.u + kBeyond * du;
     const int v = sample.v + kBeyond * dv;
     if (u < 0 || v < 0 || u >= view.width || v >= view.height ||
@@ -74,13 +78,34 @@ void look_beyond(const VisibleSurface& surface, const Pixel& sample, const Tiled
     const TangentPlane plane(view, sample.u, sample.v);
     const double expected = static_cast<double>(view.depth[index(view.width, sample.u, sample.v)]) *
                             plane.relative_depth(kBeyond * du, kBeyond * dv);
-    const double gate = options.cut * options.noise.sigma_z(expected);
+    const double behind = (measured - expected) / options.noise.sigma_z(expected);
     const bool is_measured = measured > 0.0;
-    if (is_measured && measured < expected - gate) {
+    if (is_measured && behind < -options.cut) {
       continue;
     }
-    ++outline.samples;
-    outline.goes_on += is_measured && measured < expected + gate ? 1 : 0;
+    ++sides[way].pixel_by_pixel.samples;
+    if (!is_measured) continue;
+    ++sides[way].measured;
+    sides[way].behind += std::min(behind, options.cut);
+    sides[way].pixel_by_pixel.goes_on += behind < options.cut ? 1 : 0;
+  }
+}
+
+void add(std::span<const OutlineSide, 4> sides, std::span<OutlineSide, 4> sums) {
+  for (std::size_t way = 0; way < sides.size(); ++way) {
+    sums[way].pixel_by_pixel.samples += sides[way].pixel_by_pixel.samples;
+    sums[way].pixel_by_pixel.goes_on += sides[way].pixel_by_pixel.goes_on;
+    sums[way].measured += sides[way].measured;
+    sums[way].behind += sides[way].behind;
+  }
+}
+
+/// Of one body. Neighbouring pixels err alike, so that less than a side says little more than one.
+void add(std::span<const OutlineSide, 4> sides, OutlineAgreement& outline) {
+  for (const auto& [pixel_by_pixel, measured, behind] : sides) {
+    outline.samples += pixel_by_pixel.samples;
+    const bool ends = behind > kEndsBehind * measured;
+    outline.goes_on += ends ? 0 : pixel_by_pixel.goes_on;
   }
 }
 
@@ -131,6 +156,7 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
                              const Executor& executor) {
   total_ = {};
   bodies_.assign(T_camera_body.size(), {});
+  body_outlines_.assign(T_camera_body.size(), {});
   outline_ = {};
   if (!cloud.has_image()) {
     return;
@@ -142,10 +168,11 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
   const Scene scene{model, surface, samples, T_camera_body, cloud, options};
   executor.for_each(chunks, [&](std::size_t chunk) { look_at_chunk(scene, chunk); });
   for (std::size_t i = 0; i < chunks; ++i) {
-    add(chunk_counts_[i], bodies_[static_cast<std::size_t>(samples.chunks()[i].body)]);
-    outline_.samples += chunk_outlines_[i].samples;
-    outline_.goes_on += chunk_outlines_[i].goes_on;
+    const auto body = static_cast<std::size_t>(samples.chunks()[i].body);
+    add(chunk_counts_[i], bodies_[body]);
+    add(chunk_outlines_[i], body_outlines_[body]);
   }
+  for (const OutlineSides& sides : body_outlines_) add(sides, outline_);
   for (Agreement& body : bodies_) {
     contradict_by_what_recedes(options.noise_correlation, body);
     add(body, total_);

@@ -1,9 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/tracking/acquisition.hpp"
 
+#include <algorithm>
+#include <functional>
+
 #include "lockbox/cloud/segmentation.hpp"
 
 namespace lockbox {
+namespace {
+
+/// It may as well be where the rival is.
+void doubt_base(double rival_distance, RegistrationResult& registered) {
+  registered.covariance.diagonal().head<3>().array() += rival_distance * rival_distance;
+  registered.sigma.head<3>() = registered.covariance.diagonal().head<3>().cwiseSqrt();
+}
+
+}  // namespace
+
+void keep_better(const RegistrationResult& registered, RegistrationResult& best) {
+  if (registered.agreement.conviction() > best.agreement.conviction()) best = registered;
+}
+
+void keep_doubts(const RegistrationResult& answer, RegistrationResult& followed) {
+  std::transform(answer.observable.begin(), answer.observable.end(), followed.observable.begin(),
+                 followed.observable.begin(), std::logical_and<>());
+}
 
 Acquisition::Acquisition(const ArticulatedModel& model, const TrackerOptions& options,
                          const Executor& executor, ArticulatedRegistration& registration,
@@ -16,16 +37,18 @@ Acquisition::Acquisition(const ArticulatedModel& model, const TrackerOptions& op
 
 std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
                                                     const std::optional<Configuration>& guess,
-                                                    bool anywhere) {
+                                                    SearchScope scope) {
   best_.reset();
-  if (guess && find_from(frame, *guess)) {
+  if (guess && scope != SearchScope::anywhere && find_from(frame, *guess)) {
     return best_;
   }
-  if (anywhere) {
+  if (scope != SearchScope::near) {
     ++searches_;
-    for (const Candidate& candidate : initializer().find(cloud_)) {
+    for (const Candidate& candidate : initializer().find(cloud_, guess)) {
+      if (candidate.score < options_.least_score) break;
       if (ends_search(candidate)) {
-        return best_;
+        doubt_base(candidate.rival_distance, *best_);
+        break;
       }
     }
   }
@@ -37,13 +60,24 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
 /// them.
 bool Acquisition::ends_search(const Candidate& candidate) {
   const Configuration& sought = candidate.configuration;
-  if (!consider(registration_.align(cloud_, sought, narrow()))) return false;
+  RegistrationResult found = registration_.align(cloud_, sought, narrow());
+  doubt_joints(candidate.margins, found);
+  if (!consider(found)) return false;
   // An answer before it may explain more, while something contradicts that: then neither is sure.
   if (judge(*best_, options_) != TrackingStatus::tracking) return true;
-  const RegistrationResult& kept =
+  RegistrationResult kept =
       registration_.align(cloud_, sought, {0.0, options_.registration.max_iterations});
+  doubt_joints(candidate.margins, kept);
   if (judge(kept, options_) == TrackingStatus::tracking) best_ = kept;
   return true;
+}
+
+void Acquisition::doubt_joints(const JointMargins& margins, RegistrationResult& registered) const {
+  for (int v = 0; v < model_.tree.variables(); ++v) {
+    if (is_doubtful(registered, v, margins, model_.tree, options_)) {
+      registered.observable[static_cast<std::size_t>(6 + v)] = false;
+    }
+  }
 }
 
 bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess) {
@@ -57,22 +91,16 @@ bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess)
   if (consider(find_near(frame, guess))) return true;
   // Frames that did not wait for a search went by, and joints may have moved anywhere in them.
   return options_.background_search &&
-         consider(with_joints_sought(best_->at_rest, free_variables()));
+         consider(with_joints_sought(
+             best_->at_rest, options_.registration.free_variables(model_.tree.variables())));
 }
 
-const RegistrationResult& Acquisition::with_joints_sought(const Configuration& start,
-                                                          const std::vector<int>& variables) {
-  return registration_.align(cloud_, find_joints(start, variables), narrow());
-}
-
-std::vector<int> Acquisition::free_variables() const {
-  std::vector<int> variables;
-  for (int v = 0; v < model_.tree.variables(); ++v) {
-    const auto& locked = options_.registration.locked;
-    const auto index = static_cast<std::size_t>(v);
-    if (index >= locked.size() || !locked[index]) variables.push_back(v);
-  }
-  return variables;
+RegistrationResult Acquisition::with_joints_sought(const Configuration& start,
+                                                   const std::vector<int>& variables) {
+  const SoughtJoints sought = find_joints(start, variables);
+  RegistrationResult registered = registration_.align(cloud_, sought.configuration, narrow());
+  doubt_joints(sought.margins, registered);
+  return registered;
 }
 
 Annealing Acquisition::narrow() const {
@@ -81,9 +109,8 @@ Annealing Acquisition::narrow() const {
 
 /// Keeps it if it is the best so far; true if it is judged `tracking`.
 bool Acquisition::consider(const RegistrationResult& found) {
-  if (!best_ || found.agreement.conviction() > best_->agreement.conviction()) {
-    best_ = found;
-  }
+  if (!best_) best_ = found;
+  keep_better(found, *best_);
   return judge(found, options_) == TrackingStatus::tracking;
 }
 
@@ -112,8 +139,8 @@ void Acquisition::keep_object(const Configuration& start) {
   }
 }
 
-Configuration Acquisition::find_joints(const Configuration& start,
-                                       const std::vector<int>& variables) {
+SoughtJoints Acquisition::find_joints(const Configuration& start,
+                                      const std::vector<int>& variables) {
   return initializer().find_joints(cloud_, start, variables);
 }
 

@@ -4,8 +4,6 @@
 #include <cassert>
 #include <utility>
 
-#include "lockbox/tracking/acquisition.hpp"
-
 namespace lockbox {
 namespace {
 
@@ -38,22 +36,21 @@ BackgroundSearch::~BackgroundSearch() {
 }
 
 void BackgroundSearch::start(const DepthFrame& frame, const std::optional<Configuration>& guess,
-                             bool anywhere) {
+                             SearchScope scope) {
   assert(!is_busy());
   frame_ = frame;
   has_newer_ = false;
   is_cancelled_ = false;
   executor_.resume();
-  running_ =
-      std::async(std::launch::async, [this, guess, anywhere] { return find(guess, anywhere); });
+  running_ = std::async(std::launch::async, [this, guess, scope] { return find(guess, scope); });
 }
 
 BackgroundSearch::Answer BackgroundSearch::find(const std::optional<Configuration>& guess,
-                                                bool anywhere) {
+                                                SearchScope scope) {
   // Here, because it takes a while: what the camera sees meanwhile need not wait.
   if (!seeker_) seeker_ = std::make_unique<Seeker>(model_, options_, executor_);
   seeker_->cloud.assign(frame_, options_.cloud, executor_);
-  Answer answer = seeker_->acquisition.find(frame_, guess, anywhere);
+  Answer answer = seeker_->acquisition.find(frame_, guess, scope);
   if (answer) catch_up(*answer);
   return answer;
 }
@@ -67,8 +64,9 @@ void BackgroundSearch::catch_up(RegistrationResult& answer) {
   for (int round = 0; round < kMostRoundsToCatchUp && is_tracking(answer); ++round) {
     if (!take_newest()) return;
     seeker_->cloud.assign(frame_, options_.cloud, executor_);
-    const Answer followed = seeker_->acquisition.find(frame_, answer.at_rest, false);
+    Answer followed = seeker_->acquisition.find(frame_, answer.at_rest, SearchScope::near);
     if (!followed || !is_tracking(*followed)) return;
+    keep_doubts(answer, *followed);
     answer = *followed;
     if (Clock::now() - shown_at_ < kFresh) return;
   }

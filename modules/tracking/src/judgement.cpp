@@ -31,15 +31,23 @@ bool is_contradicted(const Agreement& body, const TrackerOptions& options) {
 std::vector<int> contradicted_variables(const RegistrationResult& registered,
                                         const KinematicTree& tree, const TrackerOptions& options) {
   std::vector<int> variables;
-  const std::vector<bool>& locked = options.registration.locked;
   for (std::size_t b = 0; b < registered.body_agreement.size(); ++b) {
     const int joint = tree.bodies[b].parent_joint;
     if (joint < 0 || !is_contradicted(registered.body_agreement[b], options)) continue;
     const int variable = tree.joints[static_cast<std::size_t>(joint)].variable;
-    const auto index = static_cast<std::size_t>(variable);
-    if (index >= locked.size() || !locked[index]) variables.push_back(variable);
+    if (!options.registration.is_locked(variable)) variables.push_back(variable);
   }
   return variables;
+}
+
+bool is_doubtful(const RegistrationResult& registered, int variable, const JointMargins& margins,
+                 const KinematicTree& tree, const TrackerOptions& options) {
+  const auto v = static_cast<std::size_t>(variable);
+  if (v >= margins.size()) return false;
+  const auto joint = static_cast<std::size_t>(tree.variable_joint[v]);
+  const auto body = static_cast<std::size_t>(tree.joints[joint].child_body);
+  const bool is_hidden = registered.body_agreement[body].explained < options.least_of_sought_body;
+  return is_hidden && margins[v] < options.least_margin_of_hidden;
 }
 
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options) {

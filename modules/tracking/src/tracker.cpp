@@ -4,25 +4,8 @@
 namespace lockbox {
 namespace {
 
-constexpr int kFramesToKnowMotion = 2;    // a joint that comes back into sight is sought until then
-constexpr int kLongestSearchPause = 8;    // frames
 constexpr double kSuddenlyHidden = 0.15;  // of the visible surface, from one frame to the next
-constexpr int kMostAnswersPassed = 2;  // in a row by the object; after that, the answers are wrong
-constexpr int kFramesOfDoubt = 4;      // until the object is sought anywhere
-
-/// While nothing is found, the search of the whole frame pauses for longer and longer.
-bool search_is_due(int frames_searched) {
-  if (frames_searched < kLongestSearchPause) {
-    return (frames_searched & (frames_searched - 1)) == 0;  // 0, 1, 2, 4
-  }
-  return frames_searched % kLongestSearchPause == 0;
-}
-
-void keep_better(const RegistrationResult& registered, RegistrationResult& best) {
-  if (registered.agreement.conviction() > best.agreement.conviction()) {
-    best = registered;
-  }
-}
+constexpr int kFramesOfDoubt = 4;         // until the object is sought anywhere
 
 }  // namespace
 
@@ -35,6 +18,7 @@ Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
       predictor_(model.tree) {
   result_.configuration = unknown_configuration(model.tree);
   options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
+  frames_in_sight_.resize(options_.registration.locked.size(), 0);
   if (options_.background_search) acquisition_.prepare();  // no frame waits for it then
 }
 
@@ -66,102 +50,6 @@ const TrackingResult& Tracker::process(const DepthFrame& frame) {
   return result_;
 }
 
-void Tracker::search(const DepthFrame& frame) {
-  const auto found = sought(frame, options_.search_anywhere);
-  if (!found) {
-    return;
-  }
-  const bool had_estimate = result_.status == TrackingStatus::lost || guess_;
-  if (!had_estimate && judge(*found, options_) != TrackingStatus::tracking) {
-    return;  // still initializing: the first estimate must be believable
-  }
-  report(*found);
-  if (is_known()) {
-    frames_searched_ = 0;
-    predictor_.reset(frame.stamp, found->at_rest);
-    frames_in_sight_.assign(static_cast<std::size_t>(model_.tree.variables()), kFramesToKnowMotion);
-    guess_ = found->at_rest;
-  }
-}
-
-/// What is found in this frame, if a search is due, or one in the background has ended.
-std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, bool anywhere) {
-  const bool is_due = search_is_due(frames_searched_++);
-  if (options_.background_search) {
-    return sought_in_background(frame, anywhere, is_due);
-  }
-  if (!is_due) {
-    return std::nullopt;
-  }
-  auto found = acquisition_.find(frame, guess_, anywhere);
-  result_.searches = acquisition_.searches();
-  return found;
-}
-
-/// Nothing here takes longer than it may take to follow a leap.
-std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame& frame,
-                                                                bool anywhere, bool is_due) {
-  if (!background_) {
-    background_ = std::make_unique<BackgroundSearch>(model_, options_);
-  }
-  std::optional<RegistrationResult> found;
-  background_->show(frame);
-  if (const auto answer = background_->take()) {
-    found = brought_up_to_date(*answer);
-  } else if (is_due && !is_known()) {
-    found = where_it_was();
-  }
-  result_.searches = background_->searches();
-  const bool is_found = found && judge(*found, options_) == TrackingStatus::tracking;
-  if (!is_found && !background_->is_busy()) {
-    const bool is_misled = answers_passed_ > kMostAnswersPassed;
-    background_->start(frame, is_misled ? std::nullopt : guess_, anywhere);
-    if (is_misled) answers_passed_ = 0;
-  }
-  return found;
-}
-
-/// The answer is a few frames old. If the object has gone too far since, the next search begins at
-/// the answer: that takes less time, in which it goes less far.
-std::optional<RegistrationResult> Tracker::brought_up_to_date(const RegistrationResult& answer) {
-  if (judge(answer, options_) == TrackingStatus::lost) return std::nullopt;
-  RegistrationResult here = registration_.align(
-      cloud_, answer.at_rest, {options_.start_joint_spread, options_.registration.max_iterations});
-  const auto is_tracking = [this](const RegistrationResult& registered) {
-    return judge(registered, options_) == TrackingStatus::tracking;
-  };
-  if (!is_tracking(here)) {
-    keep_better(registration_.align(cloud_, here.at_rest,
-                                    {options_.start_joint_spread, options_.further_iterations}),
-                here);
-  }
-  if (is_tracking(here) || !is_tracking(answer)) {
-    return here;
-  }
-  guess_ = answer.at_rest;
-  ++answers_passed_;
-  return std::nullopt;
-}
-
-/// What only stood between comes back into view where it was, whatever a search is busy with.
-std::optional<RegistrationResult> Tracker::where_it_was() {
-  if (!guess_) {
-    return std::nullopt;
-  }
-  const double spread = options_.start_joint_spread;
-  const RegistrationResult& at_a_glance = registration_.align(cloud_, *guess_, {spread, 0});
-  if (judge(at_a_glance, options_) == TrackingStatus::lost) return std::nullopt;
-  const RegistrationResult& here =
-      registration_.align(cloud_, *guess_, {spread, options_.registration.max_iterations});
-  if (judge(here, options_) != TrackingStatus::tracking) return std::nullopt;
-  return here;
-}
-
-void Tracker::stop_searching() {
-  if (background_) background_->cancel();
-  answers_passed_ = 0;
-}
-
 void Tracker::follow(const DepthFrame& frame) {
   const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
   const RegistrationResult& registered = registration_.align(
@@ -177,14 +65,22 @@ void Tracker::follow(const DepthFrame& frame) {
     predictor_.update(frame.stamp, found.at_rest, found.observable,
                       registration_.moves().between(prediction, found.at_rest));
   }
-  for (std::size_t v = 0; v < frames_in_sight_.size(); ++v) {
-    frames_in_sight_[v] = found.observable[6 + v] ? frames_in_sight_[v] + 1 : 0;
-    // One frame may mistake a stranger for the part that comes back; the second one tells.
-    result_.observable[6 + v] = frames_in_sight_[v] >= kFramesToKnowMotion;
-  }
+  count_frames_in_sight(found);
   if (result_.status == TrackingStatus::tracking) {
     guess_ = found.at_rest;
     frames_searched_ = 0;
+  }
+}
+
+/// One frame may mistake a stranger for the part that comes back; the second one tells.
+void Tracker::count_frames_in_sight(const RegistrationResult& found) {
+  for (int v = 0; v < model_.tree.variables(); ++v) {
+    const auto unknown = static_cast<std::size_t>(6 + v);
+    int& frames = frames_in_sight_[static_cast<std::size_t>(v)];
+    const bool is_in_sight =
+        found.observable[unknown] && !is_doubtful(found, v, hidden_margins_, model_.tree, options_);
+    frames = is_in_sight ? frames + 1 : 0;
+    result_.observable[unknown] = frames >= kFramesToKnowMotion;
   }
 }
 
@@ -267,7 +163,8 @@ void Tracker::carry_parts(const Configuration& prediction, RegistrationResult& b
 void Tracker::seek_contradicted_joints(RegistrationResult& best) {
   sought_joints_ = contradicted_variables(best, model_.tree, options_);
   if (!sought_joints_.empty()) {
-    keep_better(registration_.align(cloud_, acquisition_.find_joints(best.at_rest, sought_joints_),
+    const SoughtJoints sought = acquisition_.find_joints(best.at_rest, sought_joints_);
+    keep_better(registration_.align(cloud_, sought.configuration,
                                     {options_.start_joint_spread, options_.start_joint_iterations}),
                 best);
   }
@@ -281,7 +178,11 @@ Configuration Tracker::with_hidden_joints_sought(const Configuration& prediction
       sought_joints_.push_back(v);
     }
   }
-  return sought_joints_.empty() ? prediction : acquisition_.find_joints(prediction, sought_joints_);
+  hidden_margins_.clear();
+  if (sought_joints_.empty()) return prediction;
+  SoughtJoints sought = acquisition_.find_joints(prediction, sought_joints_);
+  hidden_margins_ = std::move(sought.margins);
+  return sought.configuration;
 }
 
 void Tracker::report(const RegistrationResult& registered) {

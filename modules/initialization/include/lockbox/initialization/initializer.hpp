@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
@@ -22,11 +23,25 @@ struct InitializerOptions {
   std::size_t most_candidates = 3;  ///< to be returned
 };
 
+/// By joint variable: by how many pixels, in a view of 320 columns, its position explains more than
+/// any other that is not beside it; infinity where nothing is seen of it, or it was not sought.
+using JointMargins = std::vector<double>;
+
 /// One answer to where the model is.
 struct Candidate {
   Configuration configuration;
+  JointMargins margins;  ///< of the first candidate; empty for others
+  /// Of the first candidate: metres to the base in another one, of another place, that is nearly as
+  /// convincing, 0 if there is none.
+  double rival_distance = 0.0;
   double score = 0.0;  ///< the larger, the more convincing; compares within one frame
   Agreement agreement;
+};
+
+/// A configuration of which only joints were sought.
+struct SoughtJoints {
+  Configuration configuration;
+  JointMargins margins;
 };
 
 /// Not thread-safe. The model must outlive it.
@@ -39,13 +54,16 @@ class Initializer {
   Initializer& operator=(Initializer&&) noexcept;
 
   /// The most convincing configurations, best first; none if nothing in view resembles the model.
-  /// The same for any number of threads. Throws InputError if the cloud has no image.
-  std::vector<Candidate> find(const TiledCloud& cloud);
+  /// Locked joints stand as in `held`, without it as at rest. The same for any number of threads.
+  /// Throws InputError if the cloud has no image.
+  std::vector<Candidate> find(const TiledCloud& cloud,
+                              const std::optional<Configuration>& held = std::nullopt);
 
   /// The joints alone, each over its whole range, the base known within a centimetre. Variables
-  /// that are not listed, or that the view says nothing about, keep their positions.
-  Configuration find_joints(const TiledCloud& cloud, const Configuration& start,
-                            const std::vector<int>& variables);
+  /// that are not listed, that are locked, or that the view says nothing about, keep their
+  /// positions.
+  SoughtJoints find_joints(const TiledCloud& cloud, const Configuration& start,
+                           const std::vector<int>& variables);
 
  private:
   struct Workspace;

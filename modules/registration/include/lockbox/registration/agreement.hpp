@@ -2,6 +2,7 @@
 // How the visible surface of a registered model compares with the image.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,6 +47,13 @@ struct OutlineAgreement {
   double continued() const { return samples > 0 ? static_cast<double>(goes_on) / samples : 0.0; }
 };
 
+/// The outline of one body to one side: left, right, above or below.
+struct OutlineSide {
+  OutlineAgreement pixel_by_pixel;  ///< it goes on where what is beyond is as near as noise allows
+  int measured = 0;     ///< of its samples
+  double behind = 0.0;  ///< the sum over these: behind the continuation, standard deviations
+};
+
 /// Of each body at these poses, and over all of them. The surface may show a slightly different
 /// configuration: its samples are carried along.
 class AgreementMeter {
@@ -70,6 +78,7 @@ class AgreementMeter {
     std::vector<std::uint32_t> number;  ///< of the sample, in its chunk
   };
   struct Scene;
+  using OutlineSides = std::array<OutlineSide, 4>;
 
   void reserve(const Executor& executor);
   void look_at_chunk(const Scene& scene, std::size_t chunk);
@@ -80,7 +89,8 @@ class AgreementMeter {
   std::vector<Agreement> bodies_;  ///< by body
   OutlineAgreement outline_;
   std::vector<Agreement> chunk_counts_;  ///< by chunk of samples
-  std::vector<OutlineAgreement> chunk_outlines_;
+  std::vector<OutlineSides> chunk_outlines_;
+  std::vector<OutlineSides> body_outlines_;  ///< by body
   SampleLandings landings_;
   std::vector<MeasuredPoints> points_;  ///< by worker
 };

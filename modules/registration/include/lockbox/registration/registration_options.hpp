@@ -62,6 +62,20 @@ struct RegistrationOptions {
 
   /// Converged when a step moves no point of the model farther than this, metres.
   double step_tolerance = 1e-6;
+
+  bool is_locked(int variable) const {
+    const auto index = static_cast<std::size_t>(variable);
+    return index < locked.size() && locked[index];
+  }
+
+  /// Of so many joint variables those that are not locked.
+  std::vector<int> free_variables(int variables) const {
+    std::vector<int> free;
+    for (int v = 0; v < variables; ++v) {
+      if (!is_locked(v)) free.push_back(v);
+    }
+    return free;
+  }
 };
 
 }  // namespace lockbox

@@ -10,17 +10,27 @@
 
 namespace lockbox {
 
+/// Where to look: around a guess, if there is one, anywhere, or there first and then anywhere.
+enum class SearchScope { near, anywhere, near_first };
+
+void keep_better(const RegistrationResult& registered, RegistrationResult& best);
+
+/// What a first answer has doubted is not known where it is followed to, either.
+void keep_doubts(const RegistrationResult& answer, RegistrationResult& followed);
+
 /// Uses the tracker's registration and cloud; they and the model must outlive it.
 class Acquisition {
  public:
   Acquisition(const ArticulatedModel& model, const TrackerOptions& options,
               const Executor& executor, ArticulatedRegistration& registration, TiledCloud& cloud);
 
-  /// Looks near the guess, if there is one, then anywhere if asked to, until an answer is judged
-  /// `tracking`. Returns the most convincing one, even if it is not; none if nothing in view
-  /// resembles the model. The cloud must hold the frame, and does so again afterwards.
+  /// Looks until an answer is judged `tracking`. Returns the most convincing one, even if it is
+  /// not; none if nothing in view resembles the model. Joints of which it is doubtful where they
+  /// are count as not observable; locked ones stand as in the guess, without it as at rest. The
+  /// cloud must hold the frame, and does so again afterwards.
   std::optional<RegistrationResult> find(const DepthFrame& frame,
-                                         const std::optional<Configuration>& guess, bool anywhere);
+                                         const std::optional<Configuration>& guess,
+                                         SearchScope scope);
 
   /// Registers the base alone within a wide gate, then everything within a narrow one.
   const RegistrationResult& find_near(const DepthFrame& frame, const Configuration& guess);
@@ -32,14 +42,14 @@ class Acquisition {
   int searches() const { return searches_; }
 
   /// Seeks single joints over their whole range, see Initializer::find_joints.
-  Configuration find_joints(const Configuration& start, const std::vector<int>& variables);
+  SoughtJoints find_joints(const Configuration& start, const std::vector<int>& variables);
 
  private:
   bool ends_search(const Candidate& candidate);
+  void doubt_joints(const JointMargins& margins, RegistrationResult& registered) const;
   bool find_from(const DepthFrame& frame, const Configuration& guess);
-  const RegistrationResult& with_joints_sought(const Configuration& start,
-                                               const std::vector<int>& variables);
-  std::vector<int> free_variables() const;
+  RegistrationResult with_joints_sought(const Configuration& start,
+                                        const std::vector<int>& variables);
   bool consider(const RegistrationResult& found);
   Annealing narrow() const;
   void keep_object(const Configuration& start);

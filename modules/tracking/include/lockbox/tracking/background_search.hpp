@@ -12,6 +12,7 @@
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/tracking/acquisition.hpp"
 #include "lockbox/tracking/tracker_options.hpp"
 
 namespace lockbox {
@@ -30,7 +31,7 @@ class BackgroundSearch {
   bool is_busy() const { return running_.valid(); }
 
   /// Begins what Acquisition::find() does, with a copy of the frame. Not while it is busy.
-  void start(const DepthFrame& frame, const std::optional<Configuration>& guess, bool anywhere);
+  void start(const DepthFrame& frame, const std::optional<Configuration>& guess, SearchScope scope);
 
   /// A newer frame than that given to start(): what is found is to be followed into it.
   void show(const DepthFrame& frame);
@@ -51,7 +52,7 @@ class BackgroundSearch {
   using Answer = std::optional<RegistrationResult>;
   using Clock = std::chrono::steady_clock;
 
-  Answer find(const std::optional<Configuration>& guess, bool anywhere);
+  Answer find(const std::optional<Configuration>& guess, SearchScope scope);
   void catch_up(RegistrationResult& answer);
   bool take_newest();
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lockbox/initialization/initializer.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/tracking/tracker_options.hpp"
 
@@ -26,6 +27,11 @@ TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions&
 
 /// Whether the camera sees through what the body should hide: much of it, or some patches.
 bool is_contradicted(const Agreement& body, const TrackerOptions& options);
+
+/// Whether a joint that was sought over its whole range may as well stand elsewhere: most of what
+/// it moves is hidden, and what stands before that may pass for it at many positions.
+bool is_doubtful(const RegistrationResult& registered, int variable, const JointMargins& margins,
+                 const KinematicTree& tree, const TrackerOptions& options);
 
 /// The joint variables, but for locked ones, that move a body which is contradicted.
 std::vector<int> contradicted_variables(const RegistrationResult& registered,

@@ -57,12 +57,15 @@ class Tracker {
   bool is_known() const;
   void search(const DepthFrame& frame);
   std::optional<RegistrationResult> sought(const DepthFrame& frame, bool anywhere);
-  std::optional<RegistrationResult> sought_in_background(const DepthFrame& frame, bool anywhere,
+  std::optional<RegistrationResult> sought_in_background(const DepthFrame& frame, SearchScope scope,
                                                          bool is_due);
   std::optional<RegistrationResult> brought_up_to_date(const RegistrationResult& answer);
   std::optional<RegistrationResult> where_it_was();
   void stop_searching();
   void follow(const DepthFrame& frame);
+  /// A joint that comes back into sight is sought until then.
+  static constexpr int kFramesToKnowMotion = 2;
+  void count_frames_in_sight(const RegistrationResult& found);
   Configuration with_hidden_joints_sought(const Configuration& prediction);
   const RegistrationResult& come_to_rest(const Configuration& prediction,
                                          const RegistrationResult& registered);
@@ -86,6 +89,7 @@ class Tracker {
   std::optional<Configuration> guess_;
   int frames_searched_ = 0;           ///< since the object was last tracked
   std::vector<int> sought_joints_;    ///< variables to be sought over their whole range
+  JointMargins hidden_margins_;       ///< of those that were sought since they were hidden
   RegistrationResult best_;           ///< of several tries at the same frame
   std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
   TrackingResult result_;

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the tracker does while it does not know where the object is.
+#include <algorithm>
+
+#include "lockbox/tracking/tracker.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr int kLongestSearchPause = 8;  // frames
+constexpr int kMostAnswersPassed = 2;   // in a row by the object; after that, the answers are wrong
+
+/// While nothing is found, the search of the whole frame pauses for longer and longer.
+bool search_is_due(int frames_searched) {
+  if (frames_searched < kLongestSearchPause) {
+    return (frames_searched & (frames_searched - 1)) == 0;  // 0, 1, 2, 4
+  }
+  return frames_searched % kLongestSearchPause == 0;
+}
+
+}  // namespace
+
+void Tracker::search(const DepthFrame& frame) {
+  const auto found = sought(frame, options_.search_anywhere);
+  if (!found) {
+    return;
+  }
+  const bool had_estimate = result_.status == TrackingStatus::lost || guess_;
+  if (!had_estimate && judge(*found, options_) != TrackingStatus::tracking) {
+    return;  // still initializing: the first estimate must be believable
+  }
+  report(*found);
+  if (is_known()) {
+    frames_searched_ = 0;
+    predictor_.reset(frame.stamp, found->at_rest);
+    std::transform(found->observable.begin() + 6, found->observable.end(), frames_in_sight_.begin(),
+                   [](bool is_known) { return is_known ? kFramesToKnowMotion : 0; });
+    guess_ = found->at_rest;
+  }
+}
+
+/// What is found in this frame, if a search is due, or one in the background has ended.
+std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, bool anywhere) {
+  const SearchScope scope = anywhere ? SearchScope::near_first : SearchScope::near;
+  const bool is_due = search_is_due(frames_searched_++);
+  if (options_.background_search) {
+    return sought_in_background(frame, scope, is_due);
+  }
+  if (!is_due) {
+    return std::nullopt;
+  }
+  auto found = acquisition_.find(frame, guess_, scope);
+  result_.searches = acquisition_.searches();
+  return found;
+}
+
+/// Nothing here takes longer than it may take to follow a leap.
+std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame& frame,
+                                                                SearchScope scope, bool is_due) {
+  if (!background_) {
+    background_ = std::make_unique<BackgroundSearch>(model_, options_);
+  }
+  std::optional<RegistrationResult> found;
+  background_->show(frame);
+  if (const auto answer = background_->take()) {
+    found = brought_up_to_date(*answer);
+  } else if (is_due && !is_known()) {
+    found = where_it_was();
+  }
+  result_.searches = background_->searches();
+  const bool is_found = found && judge(*found, options_) == TrackingStatus::tracking;
+  if (!is_found && !background_->is_busy()) {
+    const bool is_misled = answers_passed_ > kMostAnswersPassed && scope != SearchScope::near;
+    background_->start(frame, guess_, is_misled ? SearchScope::anywhere : scope);
+    if (is_misled) answers_passed_ = 0;
+  }
+  return found;
+}
+
+/// The answer is a few frames old. If the object has gone too far since, the next search begins at
+/// the answer: that takes less time, in which it goes less far.
+std::optional<RegistrationResult> Tracker::brought_up_to_date(const RegistrationResult& answer) {
+  if (judge(answer, options_) == TrackingStatus::lost) return std::nullopt;
+  RegistrationResult here = registration_.align(
+      cloud_, answer.at_rest, {options_.start_joint_spread, options_.registration.max_iterations});
+  const auto is_tracking = [this](const RegistrationResult& registered) {
+    return judge(registered, options_) == TrackingStatus::tracking;
+  };
+  if (!is_tracking(here)) {
+    keep_better(registration_.align(cloud_, here.at_rest,
+                                    {options_.start_joint_spread, options_.further_iterations}),
+                here);
+  }
+  if (is_tracking(here) || !is_tracking(answer)) {
+    keep_doubts(answer, here);
+    return here;
+  }
+  guess_ = answer.at_rest;
+  ++answers_passed_;
+  return std::nullopt;
+}
+
+/// What only stood between comes back into view where it was, whatever a search is busy with.
+std::optional<RegistrationResult> Tracker::where_it_was() {
+  if (!guess_) {
+    return std::nullopt;
+  }
+  const double spread = options_.start_joint_spread;
+  const RegistrationResult& at_a_glance = registration_.align(cloud_, *guess_, {spread, 0});
+  if (judge(at_a_glance, options_) == TrackingStatus::lost) return std::nullopt;
+  const RegistrationResult& here =
+      registration_.align(cloud_, *guess_, {spread, options_.registration.max_iterations});
+  if (judge(here, options_) != TrackingStatus::tracking) return std::nullopt;
+  return here;
+}
+
+void Tracker::stop_searching() {
+  if (background_) background_->cancel();
+  answers_passed_ = 0;
+}
+
+}  // namespace lockbox
