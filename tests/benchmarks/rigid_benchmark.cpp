@@ -30,7 +30,7 @@ constexpr float kVoxel = 0.05F;            // metres, of the normal distribution
 constexpr double kTranslationGoal = 1e-3;  // metres
 constexpr double kRotationGoal = 0.1;      // degrees
 constexpr int kMostIterations = 40;
-constexpr int kNarrowing = 8;  // iterations until the lockbox's gates are narrow
+constexpr int kNarrowing = 4;  // iterations until the lockbox's gates are narrow
 constexpr int kPatience = 4;   // iterations without getting closer
 
 struct PoseError {
@@ -73,10 +73,11 @@ void rigid_lockbox(benchmark::State& state) {
   RegistrationOptions options;
   options.locked.assign(static_cast<std::size_t>(model.tree.variables()), true);
   ArticulatedRegistration registration(model, options, Executor(static_cast<int>(state.range(0))));
-  const Annealing annealing{kReach, kMostIterations, false, kPatience,
-                            [](const Configuration& configuration, bool /*is_narrow*/) {
-                              return !error_of(configuration.T_camera_base).is_reached();
-                            }};
+  const auto is_off = [](const Configuration& configuration, bool /*is_narrow*/) {
+    return !error_of(configuration.T_camera_base).is_reached();
+  };
+  constexpr bool kAtEdges = false;  // that is for tenths of a millimetre
+  const Annealing annealing{kReach, kMostIterations, false, kNarrowing, is_off, kAtEdges};
   const Configuration from = start();
   const RegistrationResult* result = nullptr;
   for (auto _ : state) {

@@ -21,13 +21,18 @@ void PrintTo(const HardScene& scene, std::ostream* out) {
   *out << scene.what;
 }
 
-class HardScenes : public ::testing::TestWithParam<HardScene> {};
+class HardScenes : public ::testing::TestWithParam<HardScene> {
+ protected:
+  static GlobalResult search() {
+    const HardScene& scene = GetParam();
+    GlobalExperiment experiment(shipped(scene.model), kCamera, sensor_model("primesense"),
+                                scene.seed, Executor());
+    return experiment.search_scene(scene.number);
+  }
+};
 
 TEST_P(HardScenes, AreRight) {
-  const HardScene& scene = GetParam();
-  GlobalExperiment experiment(shipped(scene.model), kCamera, sensor_model("primesense"), scene.seed,
-                              Executor());
-  const GlobalResult result = experiment.search_scene(scene.number);
+  const GlobalResult result = search();
   EXPECT_TRUE(result.determined);
   EXPECT_TRUE(result.right) << "wrong: " << result.wrong;
   EXPECT_EQ(result.status, TrackingStatus::tracking);
@@ -37,10 +42,7 @@ TEST_P(HardScenes, AreRight) {
 class MisleadingScenes : public HardScenes {};
 
 TEST_P(MisleadingScenes, AreNotTrustedWrongly) {
-  const HardScene& scene = GetParam();
-  GlobalExperiment experiment(shipped(scene.model), kCamera, sensor_model("primesense"), scene.seed,
-                              Executor());
-  const GlobalResult result = experiment.search_scene(scene.number);
+  const GlobalResult result = search();
   EXPECT_TRUE(result.within || result.status != TrackingStatus::tracking) << result.wrong;
 }
 

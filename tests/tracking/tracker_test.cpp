@@ -125,6 +125,16 @@ TEST_F(TrackerTest, ABaseThatLeapsIsFoundInTheSameFrame) {
   EXPECT_EQ(leapt.searches, 0);
 }
 
+TEST_F(TrackerTest, ALockedJointIsNotSought) {
+  TrackerOptions locked = options();
+  locked.registration.locked = {false, true, false};
+  Tracker holding(model, locked);
+  const TrackingResult& found = holding.process(frame_of(with_turn(0.02)));
+  EXPECT_EQ(found.status, TrackingStatus::tracking);
+  EXPECT_EQ(found.configuration.q[1], 0.0);
+  EXPECT_NEAR(found.configuration.q[0], truth.q[0], 0.003);
+}
+
 TEST_F(TrackerTest, AnAlignmentThatIsStillOnItsWayIsUncertain) {
   RegistrationResult registered;
   registered.sigma = Eigen::VectorXd::Zero(6);

@@ -50,7 +50,7 @@ struct OutlineAgreement {
 /// The outline of one body to one side: left, right, above or below.
 struct OutlineSide {
   OutlineAgreement pixel_by_pixel;  ///< it goes on where what is beyond is as near as noise allows
-  int measured = 0;     ///< of its samples
+  int measured = 0;                 ///< of its samples
   double behind = 0.0;  ///< the sum over these: behind the continuation, standard deviations
 };
 
