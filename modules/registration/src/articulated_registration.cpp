@@ -23,6 +23,8 @@ constexpr int kMaxDampings = 5;
 constexpr std::size_t kViewSamples = 40000;  // of the visible surface, where points have no budget
 /// Points near edges, and outlines, have told before part of what edges tell.
 constexpr double kOverlap = 0.5;
+constexpr double kSurelyStandsOut = 4.0;  // standard deviations of a depth
+constexpr double kPixelsOff = 3.0;        // that points and image may disagree by
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 
@@ -172,14 +174,27 @@ double ArticulatedRegistration::surfaces_seen_to_move(const PinholeCamera& camer
   return options_.cut * options_.noise.sigma_lateral(distance, camera.fx);
 }
 
-/// Joints of low relief are where the image shows them; what points say about them is noise.
+/// Farther off than the image errs: points have pulled the joint along.
+bool ArticulatedRegistration::is_elsewhere(const PinholeCamera& camera, int variable,
+                                           const std::optional<JointSighting>& sighting) {
+  if (!sighting) return false;
+  const double off = std::abs(sighting->position - result_.configuration.q[variable]);
+  return off > kPixelsOff * low_relief_.pixel_step(camera, result_.configuration, variable) &&
+         off > options_.cut * std::sqrt(sighting->variance);
+}
+
+/// Joints of low relief are where the image shows them; what points say about them is noise. Of
+/// those that stand out a little more, points say more than the image, unless they are far off.
 void ArticulatedRegistration::sight_low_relief(const TiledCloud& cloud) {
   for (int v = 0; v < model_.tree.variables() && options_.sight_low_relief; ++v) {
-    const bool stands_out =
-        low_relief_.prominence(v, result_.configuration) > options_.free_space_dead_zone;
-    if (stands_out || held_[static_cast<std::size_t>(6 + v)]) continue;
+    const double prominence = low_relief_.prominence(v, result_.configuration);
+    if (prominence > kSurelyStandsOut || held_[static_cast<std::size_t>(6 + v)]) continue;
     auto& sighting = sightings_[static_cast<std::size_t>(v)];
     sighting = low_relief_.find_near(cloud, result_.configuration, v, start_[v]);
+    if (prominence > options_.free_space_dead_zone && !is_elsewhere(cloud.camera(), v, sighting)) {
+      sighting.reset();
+      continue;
+    }
     forget(6 + v);
     if (!sighting) continue;
     result_.configuration.q[v] = sighting->position;

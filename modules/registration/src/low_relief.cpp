@@ -58,7 +58,6 @@ double LowRelief::prominence(int variable, const Configuration& configuration) {
                  : std::numeric_limits<double>::infinity();
 }
 
-/// How far the variable moves when surfaces move by a pixel.
 double LowRelief::pixel_step(const PinholeCamera& camera, const Configuration& configuration,
                              int variable) {
   return distance(variable, configuration) / (camera.fx * levers_[variable]);

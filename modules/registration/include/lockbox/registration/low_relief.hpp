@@ -27,6 +27,9 @@ class LowRelief {
   /// How far what a joint variable moves stands out where it is, standard deviations of a depth.
   double prominence(int variable, const Configuration& configuration);
 
+  /// How far the variable moves when surfaces move by a pixel.
+  double pixel_step(const PinholeCamera& camera, const Configuration& configuration, int variable);
+
   /// Sought a few pixels around the configuration and on the way to where it was before points
   /// pulled it. Nothing where the image does not tell.
   std::optional<JointSighting> find_near(const TiledCloud& cloud,
@@ -40,7 +43,6 @@ class LowRelief {
 
  private:
   double distance(int variable, const Configuration& configuration);
-  double pixel_step(const PinholeCamera& camera, const Configuration& configuration, int variable);
   double scatter_around(std::size_t least) const;
   JointSighting settle(std::size_t least) const;
 
