@@ -42,6 +42,33 @@ std::string value_of(const CLI::Option& option) {
   return values;
 }
 
+NamedValues registration_parameters(const RegistrationOptions& registration) {
+  return {
+      {"max_iterations", text(registration.max_iterations)},
+      {"point_budget", text(registration.point_budget)},
+      {"noise_depth_floor", text(registration.noise.depth_floor)},
+      {"noise_depth_quadratic", text(registration.noise.depth_quadratic)},
+      {"noise_lateral_pixels", text(registration.noise.lateral_pixels)},
+      {"noise_own_share", text(registration.noise.own_share)},
+      {"noise_correlation_pixels", text(registration.noise.correlation_pixels)},
+      {"sight_low_relief", text(registration.sight_low_relief)},
+      {"refine_at_edges", text(registration.refine_at_edges)},
+      {"noise_correlation", text(registration.noise_correlation)},
+      {"outline_correlation", text(registration.outline_correlation)},
+      {"cut", text(registration.cut)},
+      {"visible_odds", text(registration.visible_odds)},
+      {"lambda_free", text(registration.lambda_free)},
+      {"free_space_dead_zone", text(registration.free_space_dead_zone)},
+      {"collision", collision_mode_text(registration.collision)},
+      {"lambda_collision", text(registration.lambda_collision)},
+      {"collision_sigma", text(registration.collision_sigma)},
+      {"erosion", text(registration.erosion)},
+      {"fixed_base", text(registration.fixed_base)},
+      {"locked", text(registration.locked)},
+      {"step_tolerance", text(registration.step_tolerance)},
+  };
+}
+
 }  // namespace
 
 std::string collision_mode_text(CollisionMode mode) {
@@ -66,44 +93,37 @@ NamedValues options_in_force(const CLI::App& options) {
 }
 
 NamedValues parameters_in_force(const TrackerOptions& options) {
-  const RegistrationOptions& registration = options.registration;
-  return {
-      {"max_iterations", text(registration.max_iterations)},
-      {"point_budget", text(registration.point_budget)},
-      {"noise_depth_floor", text(registration.noise.depth_floor)},
-      {"noise_depth_quadratic", text(registration.noise.depth_quadratic)},
-      {"noise_lateral_pixels", text(registration.noise.lateral_pixels)},
-      {"noise_own_share", text(registration.noise.own_share)},
-      {"noise_correlation_pixels", text(registration.noise.correlation_pixels)},
-      {"sight_low_relief", text(registration.sight_low_relief)},
-      {"refine_at_edges", text(registration.refine_at_edges)},
-      {"noise_correlation", text(registration.noise_correlation)},
-      {"outline_correlation", text(registration.outline_correlation)},
-      {"cut", text(registration.cut)},
-      {"lambda_free", text(registration.lambda_free)},
-      {"free_space_dead_zone", text(registration.free_space_dead_zone)},
-      {"collision", collision_mode_text(registration.collision)},
-      {"lambda_collision", text(registration.lambda_collision)},
-      {"collision_sigma", text(registration.collision_sigma)},
-      {"erosion", text(registration.erosion)},
-      {"fixed_base", text(registration.fixed_base)},
-      {"locked", text(registration.locked)},
-      {"step_tolerance", text(registration.step_tolerance)},
+  NamedValues values = registration_parameters(options.registration);
+  const NamedValues others = {
       {"min_depth", text(options.cloud.min_depth)},
       {"max_depth", text(options.cloud.max_depth)},
       {"flying_pixel_jump", text(options.cloud.flying_pixel_jump)},
       {"threads", text(options.threads)},
+      {"start_margin", text(options.start_margin)},
       {"start_spread", text(options.start_spread)},
       {"start_iterations", text(options.start_iterations)},
+      {"start_joint_spread", text(options.start_joint_spread)},
+      {"start_joint_iterations", text(options.start_joint_iterations)},
+      {"search_anywhere", text(options.search_anywhere)},
       {"background_search", text(options.background_search)},
       {"resting_move", text(options.resting_move)},
       {"further_iterations", text(options.further_iterations)},
       {"most_rounds", text(options.most_rounds)},
-      {"most_last_move", text(options.most_last_move)},
       {"least_explained", text(options.least_explained)},
       {"least_agreement", text(options.least_agreement)},
+      {"least_body_agreement", text(options.least_body_agreement)},
+      {"least_body_pixels", text(options.least_body_pixels)},
+      {"most_patches_behind", text(options.most_patches_behind)},
+      {"most_continued", text(options.most_continued)},
+      {"most_last_move", text(options.most_last_move)},
+      {"most_base_sigma", text(options.most_base_sigma)},
+      {"least_score", text(options.least_score)},
+      {"least_of_sought_body", text(options.least_of_sought_body)},
+      {"least_margin_of_hidden", text(options.least_margin_of_hidden)},
       {"lost_agreement", text(options.lost_agreement)},
   };
+  values.insert(values.end(), others.begin(), others.end());
+  return values;
 }
 
 }  // namespace lockbox::app
