@@ -166,7 +166,7 @@ class Occlusion : public Experiment {
   }
 
   int frames_ = 120;
-  std::string scene_ = "room_with_arm";
+  std::string scene_ = "room_with_person";
 };
 
 }  // namespace
