@@ -118,6 +118,7 @@ NamedValues parameters_in_force(const TrackerOptions& options) {
       {"most_last_move", text(options.most_last_move)},
       {"most_base_sigma", text(options.most_base_sigma)},
       {"least_score", text(options.least_score)},
+      {"convincing_score", text(options.convincing_score)},
       {"least_of_sought_body", text(options.least_of_sought_body)},
       {"least_margin_of_hidden", text(options.least_margin_of_hidden)},
       {"lost_agreement", text(options.lost_agreement)},

@@ -81,7 +81,9 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"CabinetThatSaysLittleAtFirst", "cabinet", 1, 121},
                       HardScene{"DrawerWithinTheDoorBeforeIt", "cabinet", 1, 84},
                       HardScene{"AnotherAnswerOnceTheRightOneIsPushedAway", "cabinet", 1, 70},
-                      HardScene{"TableThatPullsFromAfar", "cabinet", 1, 141}),
+                      HardScene{"TableThatPullsFromAfar", "cabinet", 1, 141},
+                      HardScene{"ConvincingAnswerThatDriftsOff", "rigid_block", 1, 18},
+                      HardScene{"ConvincingAnswerBesideAnother", "cabinet", 1, 409}),
     [](const auto& scene) { return std::string(scene.param.what); });
 
 }  // namespace

@@ -62,14 +62,16 @@ bool Acquisition::ends_search(const Candidate& candidate) {
   const Configuration& sought = candidate.configuration;
   RegistrationResult found = registration_.align(cloud_, sought, narrow());
   doubt_joints(candidate.margins, found);
-  if (!consider(found)) return false;
+  const bool stays = consider(found);
+  if (!stays && candidate.score < options_.convincing_score) return false;
   // An answer before it may explain more, while something contradicts that: then neither is sure.
-  if (judge(*best_, options_) != TrackingStatus::tracking) return true;
+  if (stays && judge(*best_, options_) != TrackingStatus::tracking) return true;
   RegistrationResult kept =
       registration_.align(cloud_, sought, {0.0, options_.registration.max_iterations});
   doubt_joints(candidate.margins, kept);
-  if (judge(kept, options_) == TrackingStatus::tracking) best_ = kept;
-  return true;
+  const bool is_kept = judge(kept, options_) == TrackingStatus::tracking;
+  if (is_kept) best_ = kept;
+  return stays || is_kept;
 }
 
 void Acquisition::doubt_joints(const JointMargins& margins, RegistrationResult& registered) const {
