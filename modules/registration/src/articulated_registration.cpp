@@ -21,10 +21,6 @@ constexpr double kStaleSelection = 0.0005;  // the same, until what is seen thro
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
 constexpr std::size_t kViewSamples = 40000;  // of the visible surface, where points have no budget
-/// Points near edges, and outlines, have told before part of what edges tell.
-constexpr double kOverlap = 0.5;
-constexpr double kSurelyStandsOut = 4.0;  // standard deviations of a depth
-constexpr double kPixelsOff = 3.0;        // that points and image may disagree by
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 
@@ -118,94 +114,6 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.residual_rms =
       totals.points > 0.0 ? std::sqrt(totals.weighted_squares / totals.points) : 0.0;
   return result_;
-}
-
-/// One more step, in which outlines weigh what their pixels are worth. From farther off, such
-/// weights would keep the estimate in wrong minima.
-void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_joints) {
-  const double outline_weight = options_.noise_correlation / options_.outline_correlation;
-  std::fill(systems_.begin(), systems_.end(), BodySystem{});
-  free_term_.add_outlines(poses_, outline_weight - options_.lambda_free, systems_);
-  for (std::size_t b = 0; b < systems_.size(); ++b) {
-    for (NormalEquations* equations : {&data_equations_, &equations_}) {
-      equations->add(systems_[b], jacobians_[b], 1.0 / options_.noise_correlation);
-    }
-  }
-  // Thinned points have tiles of their own.
-  const std::size_t first_tile = points_ == &thinned_ ? thinned_.tiles().size() : 0;
-  free_term_.append_tile_systems(poses_, first_tile, outline_weight, tile_systems_);
-  set_step_limits(hold_joints);
-  const Eigen::VectorXd& step = solver_.solve(equations_, 0.0, limits_, scale_);
-  if (moves_.of(step) > surfaces_seen_to_move(camera)) return;
-  apply_step(step, result_.configuration);
-  for (TileSystem& tile : tile_systems_) {
-    tile.gradient += tile.hessian * (jacobians_[static_cast<std::size_t>(tile.body)] * step).eval();
-  }
-}
-
-/// The last step, from all that has been found: a pixel or less. What is not known yet stays so: a
-/// smooth disk has edges, but what they tell about its angle are its facets.
-void ArticulatedRegistration::refine_at_edges(const TiledCloud& cloud, bool hold_joints) {
-  if (!options_.refine_at_edges || !cloud.has_image()) return;
-  if (!view_resolution(model_, poses_, cloud.camera(), options_.point_budget).edges) return;
-  forward_kinematics(model_.tree, result_.configuration, poses_);
-  body_jacobians(model_.tree, poses_, jacobians_);
-  edges_.linearize(cloud, poses_, jacobians_);
-  edge_equations_.information = edges_.information();
-  edge_equations_.gradient = edges_.gradient();
-  for (Index i = 0; i < scale_.unit.size(); ++i) {
-    if (!covariance_.determines(i)) edge_equations_.forget(i);
-  }
-  equations_.information = kOverlap * covariance_.information() + edge_equations_.information;
-  equations_.hessian = equations_.information;
-  equations_.gradient = edge_equations_.gradient;
-  collision_.evaluate(model_, poses_, &equations_);
-  set_step_limits(hold_joints);
-  const Eigen::VectorXd& step = solver_.solve(equations_, 0.0, limits_, scale_);
-  if (moves_.of(step) > surfaces_seen_to_move(cloud.camera())) return;
-  apply_step(step, result_.configuration);
-  edge_equations_.information *= kOverlap;
-  covariance_.add_information(edge_equations_.information);
-}
-
-/// Metres: what moves farther was not looked for at its outlines.
-double ArticulatedRegistration::surfaces_seen_to_move(const PinholeCamera& camera) const {
-  const double distance = result_.configuration.T_camera_base.translation().norm();
-  return options_.cut * options_.noise.sigma_lateral(distance, camera.fx);
-}
-
-/// Farther off than the image errs: points have pulled the joint along.
-bool ArticulatedRegistration::is_elsewhere(const PinholeCamera& camera, int variable,
-                                           const std::optional<JointSighting>& sighting) {
-  if (!sighting) return false;
-  const double off = std::abs(sighting->position - result_.configuration.q[variable]);
-  return off > kPixelsOff * low_relief_.pixel_step(camera, result_.configuration, variable) &&
-         off > options_.cut * std::sqrt(sighting->variance);
-}
-
-/// Joints of low relief are where the image shows them; what points say about them is noise. Of
-/// those that stand out a little more, points say more than the image, unless they are far off.
-void ArticulatedRegistration::sight_low_relief(const TiledCloud& cloud) {
-  for (int v = 0; v < model_.tree.variables() && options_.sight_low_relief; ++v) {
-    const double prominence = low_relief_.prominence(v, result_.configuration);
-    if (prominence > kSurelyStandsOut || held_[static_cast<std::size_t>(6 + v)]) continue;
-    auto& sighting = sightings_[static_cast<std::size_t>(v)];
-    sighting = low_relief_.find_near(cloud, result_.configuration, v, start_[v]);
-    if (prominence > options_.free_space_dead_zone && !is_elsewhere(cloud.camera(), v, sighting)) {
-      sighting.reset();
-      continue;
-    }
-    forget(6 + v);
-    if (!sighting) continue;
-    result_.configuration.q[v] = sighting->position;
-    result_.at_rest.q[v] = sighting->position;
-  }
-}
-
-/// What the data terms say about an unknown.
-void ArticulatedRegistration::forget(Index unknown) {
-  data_equations_.forget(unknown);
-  for (BodyJacobian& jacobian : jacobians_) jacobian.col(unknown).setZero();
 }
 
 /// Draws what the configuration shows, and chooses where to look. What lies farther beside that

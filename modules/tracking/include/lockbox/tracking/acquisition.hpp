@@ -13,6 +13,7 @@ namespace lockbox {
 /// Where to look: around a guess, if there is one, anywhere, or there first and then anywhere.
 enum class SearchScope { near, anywhere, near_first };
 
+/// Of two answers in one frame the one with more conviction (Agreement), the earlier one of equals.
 void keep_better(const RegistrationResult& registered, RegistrationResult& best);
 
 /// What a first answer has doubted is not known where it is followed to, either.
