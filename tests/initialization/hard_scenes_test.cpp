@@ -50,6 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
     Initializer, MisleadingScenes,
     ::testing::Values(HardScene{"SliderOfWhichAStripIsInView", "lockbox", 1, 137},
                       HardScene{"LatchThatPointsPullAlong", "lockbox", 1, 325},
+                      HardScene{"LatchThatFewPixelsTurn", "lockbox", 1, 37},
                       HardScene{"BlockThatWhatHidesItPassesFor", "lockbox", 1, 377},
                       HardScene{"DrawerThatWhatHidesItPassesFor", "cabinet", 1, 141},
                       HardScene{"KnobThatWhatHidesItPassesFor", "cabinet", 1, 434},
