@@ -46,6 +46,21 @@ TEST_P(MisleadingScenes, AreNotTrustedWrongly) {
   EXPECT_TRUE(result.within || result.status != TrackingStatus::tracking) << result.wrong;
 }
 
+/// Scenes in which the right answer wins, but says too little to be trusted beside its rivals.
+class DoubtfulScenes : public HardScenes {};
+
+TEST_P(DoubtfulScenes, AreRightAndUncertain) {
+  const GlobalResult result = search();
+  EXPECT_TRUE(result.right) << "wrong: " << result.wrong;
+  EXPECT_EQ(result.status, TrackingStatus::uncertain);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Initializer, DoubtfulScenes,
+    ::testing::Values(HardScene{"BoxThatGoesOnBeyondABend", "rigid_block", 33, 5},
+                      HardScene{"LargerBoxesThatExplainMore", "rigid_block", 1, 442}),
+    [](const auto& scene) { return std::string(scene.param.what); });
+
 INSTANTIATE_TEST_SUITE_P(
     Initializer, MisleadingScenes,
     ::testing::Values(HardScene{"SliderOfWhichAStripIsInView", "lockbox", 1, 137},
@@ -55,6 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"DrawerThatWhatHidesItPassesFor", "cabinet", 1, 141},
                       HardScene{"KnobThatWhatHidesItPassesFor", "cabinet", 1, 434},
                       HardScene{"TwoPlacesThatExplainTheSame", "cabinet", 1, 155},
+                      HardScene{"BoxThatLooksLikeTheHiddenBlock", "rigid_block", 1, 228},
                       HardScene{"ViewThatSaysNearlyNothing", "cabinet", 1, 468}),
     [](const auto& scene) { return std::string(scene.param.what); });
 
@@ -64,7 +80,6 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"OpenDoorThatShowsWhatLiesDeep", "cabinet", 11, 22},
                       HardScene{"NearFlatBoxOfWhichASideIsInView", "rigid_block", 11, 17},
                       HardScene{"FlushOnAWallBesideANearBox", "rigid_block", 7, 23},
-                      HardScene{"BoxThatGoesOnBeyondABend", "rigid_block", 33, 5},
                       HardScene{"BoxThatPullsTheBoardAway", "lockbox", 11, 28},
                       HardScene{"TableThatPullsTheCabinetAway", "cabinet", 5, 8},
                       HardScene{"SliderLostInTheNoise", "lockbox", 1, 241},
@@ -83,6 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"DrawerWithinTheDoorBeforeIt", "cabinet", 1, 84},
                       HardScene{"AnotherAnswerOnceTheRightOneIsPushedAway", "cabinet", 1, 70},
                       HardScene{"TableThatPullsFromAfar", "cabinet", 1, 141},
+                      HardScene{"BlockCutOffBesideLargerBoxes", "rigid_block", 1, 112},
                       HardScene{"ConvincingAnswerThatDriftsOff", "rigid_block", 1, 18},
                       HardScene{"ConvincingAnswerBesideAnother", "cabinet", 1, 409}),
     [](const auto& scene) { return std::string(scene.param.what); });

@@ -13,7 +13,10 @@ constexpr double kSamePlace = 1.0;  // radii: most of the pixels are the same
 /// Of 250 right answers none had a rival elsewhere that scored more than 0.975 times as much, and
 /// of two places that explain a view alike the wrong one won by a hundredth.
 constexpr double kNearlyAsConvincing = 0.98;
-constexpr Selection kRanked{0.0, 12, kSamePlace, 2};
+/// Where the best one says no more than wrong ones may: of 28 right answers that score less than
+/// kPossible five have a rival with 0.75 of it, of three wrong ones all.
+constexpr double kNotMuchLess = 0.75;
+constexpr Selection kRanked{0.0, 32, kSamePlace, 2};
 constexpr double kEnoughPixels = 80.0;
 /// Of 2024 right answers in random scenes 99.9 % are contradicted by less than 0.83 % of the pixels
 /// that speak, of 29 wrong ones only nine.
@@ -57,13 +60,19 @@ std::vector<Candidate> compared_by_place(std::vector<Answer> answers, const Mode
   return candidates;
 }
 
+double least_score_of_rivals(double best) {
+  return (best < kPossible ? kNotMuchLess : kNearlyAsConvincing) * best;
+}
+
 /// See Candidate::rival_distance.
 double rival_distance(const std::vector<Candidate>& candidates, const ModelLevers& levers) {
   const Candidate& best = candidates.front();
   const auto rival = std::find_if(candidates.begin() + 1, candidates.end(), [&](const auto& other) {
     return place_distance(levers, best.configuration, other.configuration) >= kSamePlace;
   });
-  if (rival == candidates.end() || rival->score < kNearlyAsConvincing * best.score) return 0.0;
+  if (rival == candidates.end() || rival->score < least_score_of_rivals(best.score)) {
+    return 0.0;
+  }
   return (best.configuration.T_camera_base.translation() -
           rival->configuration.T_camera_base.translation())
       .norm();

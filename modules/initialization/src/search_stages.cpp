@@ -27,8 +27,6 @@ const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 const Annealing kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
 const Annealing kExactly{.spread = 0.005, .iterations = 8};
 
-constexpr Selection kPosed{0.15, 8, 0.5, 2};  // what the last stages keep
-
 /// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
 std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
   const VariableLimits limits = variable_limits(tree, variable);
@@ -100,9 +98,9 @@ std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
                                                      const Breadth& breadth) {
   std::vector<Hypothesis> hypotheses = match(scene, breadth);
   place(hypotheses, breadth);
-  pose(hypotheses);
-  fit(hypotheses);
-  fit_closely(cloud, hypotheses);
+  pose(hypotheses, breadth);
+  fit(hypotheses, breadth);
+  fit_closely(cloud, hypotheses, breadth);
   return hypotheses;
 }
 
@@ -143,7 +141,7 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Br
 }
 
 /// All joints sought over their ranges, then moved together with the base.
-void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses) {
+void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses, const Breadth& breadth) {
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
     scan_joints(model.tree, score(), variables, 0.01, kScan, hypothesis.configuration);
@@ -153,11 +151,11 @@ void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses) {
     refined.score = judge_closely(refined.configuration, 0.006);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
   });
-  hypotheses = best_apart(std::move(hypotheses), kPosed, levers);
+  hypotheses = best_apart(std::move(hypotheses), breadth.posed, levers);
 }
 
 /// Base and joints together, in the coarse view.
-void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses) {
+void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses, const Breadth& breadth) {
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
     Hypothesis refined = hypothesis;
@@ -173,21 +171,23 @@ void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses) {
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
     if (climbed.score > hypothesis.score) hypothesis = std::move(climbed);
   });
-  hypotheses = best_apart(std::move(hypotheses), kPosed, levers);
+  hypotheses = best_apart(std::move(hypotheses), breadth.posed, levers);
 }
 
 /// The same at full resolution.
 void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
-                                         std::vector<Hypothesis>& hypotheses) {
-  align_if_better(cloud, hypotheses);
+                                         std::vector<Hypothesis>& hypotheses,
+                                         const Breadth& breadth) {
+  align_if_better(cloud, hypotheses, breadth);
   for (Hypothesis& hypothesis : hypotheses) {
     climb(model.tree, variables, halves, executor, kClimbClosely, hypothesis.configuration);
   }
-  align_if_better(cloud, hypotheses);
+  align_if_better(cloud, hypotheses, breadth);
 }
 
 void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
-                                             std::vector<Hypothesis>& hypotheses) {
+                                             std::vector<Hypothesis>& hypotheses,
+                                             const Breadth& breadth) {
   std::vector<Configuration> aligned;
   aligned.reserve(hypotheses.size());
   for (const Hypothesis& hypothesis : hypotheses) {
@@ -204,7 +204,7 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
       hypothesis.score = score;
     }
   });
-  hypotheses = best_apart(std::move(hypotheses), kPosed, levers);  // some have met
+  hypotheses = best_apart(std::move(hypotheses), breadth.posed, levers);  // some have met
 }
 
 /// Joints of an object that is known to be there, then all of it once more: what stands before it
