@@ -15,6 +15,7 @@ using Index = Eigen::Index;
 constexpr double kOverlap = 0.5;
 constexpr double kSurelyStandsOut = 4.0;  // standard deviations of a depth
 constexpr double kPixelsOff = 3.0;        // that points and image may disagree by
+constexpr double kMostObjection = 4.5;    // of cost: three standard deviations
 
 }  // namespace
 
@@ -72,13 +73,20 @@ double ArticulatedRegistration::surfaces_seen_to_move(const PinholeCamera& camer
   return options_.cut * options_.noise.sigma_lateral(distance, camera.fx);
 }
 
-/// Farther off than the image errs: points have pulled the joint along.
-bool ArticulatedRegistration::is_elsewhere(const PinholeCamera& camera, int variable,
+/// Farther off than the image errs, and the other terms do not mind: points have pulled the joint
+/// along. Where they do mind, what stands out far at places misleads the image, which takes a pixel
+/// at an edge for the mean of both sides.
+bool ArticulatedRegistration::is_elsewhere(const TiledCloud& cloud, int variable,
                                            const std::optional<JointSighting>& sighting) {
   if (!sighting) return false;
   const double off = std::abs(sighting->position - result_.configuration.q[variable]);
-  return off > kPixelsOff * low_relief_.pixel_step(camera, result_.configuration, variable) &&
-         off > options_.cut * std::sqrt(sighting->variance);
+  const double pixel = low_relief_.pixel_step(cloud.camera(), result_.configuration, variable);
+  if (off < kPixelsOff * pixel || off < options_.cut * std::sqrt(sighting->variance)) return false;
+  candidate_ = result_.configuration;
+  candidate_.q[variable] = sighting->position;
+  const double objection = cost_at(cloud, candidate_, std::nullopt) -
+                           cost_at(cloud, result_.configuration, std::nullopt);
+  return objection < kMostObjection;
 }
 
 /// Joints of low relief are where the image shows them; what points say about them is noise. Of
@@ -89,7 +97,7 @@ void ArticulatedRegistration::sight_low_relief(const TiledCloud& cloud) {
     if (prominence > kSurelyStandsOut || held_[static_cast<std::size_t>(6 + v)]) continue;
     auto& sighting = sightings_[static_cast<std::size_t>(v)];
     sighting = low_relief_.find_near(cloud, result_.configuration, v, start_[v]);
-    if (prominence > options_.free_space_dead_zone && !is_elsewhere(cloud.camera(), v, sighting)) {
+    if (prominence > options_.free_space_dead_zone && !is_elsewhere(cloud, v, sighting)) {
       sighting.reset();
       continue;
     }

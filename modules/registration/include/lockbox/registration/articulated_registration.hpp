@@ -91,7 +91,7 @@ class ArticulatedRegistration {
   void refine(const PinholeCamera& camera, bool hold_joints);
   void refine_at_edges(const TiledCloud& cloud, bool hold_joints);
   double surfaces_seen_to_move(const PinholeCamera& camera) const;
-  bool is_elsewhere(const PinholeCamera& camera, int variable,
+  bool is_elsewhere(const TiledCloud& cloud, int variable,
                     const std::optional<JointSighting>& sighting);
   void sight_low_relief(const TiledCloud& cloud);
   void forget(Eigen::Index unknown);

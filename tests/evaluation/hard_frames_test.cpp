@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random scenes of `lockbox experiment accuracy` that were once aligned wrongly.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "initialization/seen_model.hpp"
+#include "lockbox/evaluation/accuracy_experiment.hpp"
+
+namespace lockbox {
+namespace {
+
+/// The latch stands out by nine standard deviations at its handle, which the image takes for less.
+TEST(HardFrames, LatchThatTheImageWouldTurn) {
+  const ArticulatedModel& model = shipped("lockbox");
+  const int joint = joint_index(model.tree, "latch");
+  const int variable = model.tree.joints[static_cast<std::size_t>(joint)].variable;
+  AccuracyExperiment experiment(model, {640, 480, 575.8, 575.8, 319.5, 239.5},
+                                sensor_model("primesense"), 1, {}, Executor());
+  const UnknownError latch = experiment.align_frame(83)[static_cast<std::size_t>(6 + variable)];
+  EXPECT_TRUE(latch.observable);
+  EXPECT_LT(std::abs(latch.error), 4.0 * latch.sigma);
+}
+
+}  // namespace
+}  // namespace lockbox
