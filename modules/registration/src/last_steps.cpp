@@ -14,7 +14,7 @@ using Index = Eigen::Index;
 /// Points near edges, and outlines, have told before part of what edges tell.
 constexpr double kOverlap = 0.5;
 constexpr double kSurelyStandsOut = 4.0;  // standard deviations of a depth
-constexpr double kPixelsOff = 3.0;        // that points and image may disagree by
+constexpr double kPixelsOff = 2.0;        // that points and image may disagree by
 constexpr double kMostObjection = 4.5;    // of cost: three standard deviations
 
 }  // namespace
