@@ -28,6 +28,7 @@ RenderedDepth plates() {
   RenderedDepth view;
   view.width = kWidth;
   view.height = kHeight;
+  view.drawn = {0, 0, kWidth, kHeight};
   view.depth.assign(static_cast<std::size_t>(kWidth * kHeight),
                     std::numeric_limits<float>::infinity());
   view.id.assign(view.depth.size(), kNothing);

@@ -86,6 +86,55 @@ TEST(DepthRenderer, WindowsShowTheSameAsTheWholeImage) {
   }
 }
 
+/// The columns and rows of what an image shows.
+ImageWindow shown(const RenderedDepth& image) {
+  ImageWindow window{image.width, image.height, 0, 0};
+  int right = 0;
+  int bottom = 0;
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      if (image.id[image.index(u, v)] == kNothing) continue;
+      window.left = std::min(window.left, u);
+      window.top = std::min(window.top, v);
+      right = std::max(right, u + 1);
+      bottom = std::max(bottom, v + 1);
+    }
+  }
+  window.width = right - window.left;
+  window.height = bottom - window.top;
+  return window;
+}
+
+TEST(DepthRenderer, TellsWhereSomethingIsDrawn) {
+  const TriangleMesh left = ball(0.1, 60);
+  const TriangleMesh right = ball(0.05, 60);
+  const std::vector<RenderItem> items{{&left, placed({-0.3, 0.1, 1.0}), 3},
+                                      {&right, placed({0.1, -0.2, 1.2}), 5}};
+  const RenderedDepth image = rendered(vga_camera(), items);
+  const ImageWindow expected = shown(image);
+  // Triangles may end between the centres of pixels.
+  EXPECT_NEAR(image.drawn.left, expected.left, 1);
+  EXPECT_NEAR(image.drawn.top, expected.top, 1);
+  EXPECT_NEAR(image.drawn.right(), expected.right(), 1);
+  EXPECT_NEAR(image.drawn.bottom(), expected.bottom(), 1);
+  EXPECT_LE(image.drawn.left, expected.left);
+  EXPECT_LE(image.drawn.top, expected.top);
+  EXPECT_GE(image.drawn.right(), expected.right());
+  EXPECT_GE(image.drawn.bottom(), expected.bottom());
+}
+
+TEST(DepthRenderer, DrawnIsOnlyWhatTheImageHolds) {
+  const TriangleMesh wall = rectangle(40.0, 30.0);
+  const RenderedDepth image = rendered(vga_camera(), {{&wall, placed({0.0, 0.0, 1.5}), 5}});
+  EXPECT_EQ(image.drawn.left, 0);
+  EXPECT_EQ(image.drawn.top, 0);
+  EXPECT_EQ(image.drawn.width, 640);
+  EXPECT_EQ(image.drawn.height, 480);
+  const RenderedDepth beside = rendered(vga_camera(), {{&wall, placed({60.0, 0.0, 1.5}), 5}});
+  EXPECT_EQ(beside.drawn.width, 0);
+  EXPECT_EQ(rendered(vga_camera(), {}).drawn.width, 0);
+}
+
 TEST(DepthRenderer, NothingIsInfinitelyFarAway) {
   const RenderedDepth image = rendered(vga_camera(), {});
   EXPECT_EQ(image.depth.size(), 640U * 480U);

@@ -42,8 +42,8 @@ OutlineFinder::OutlineFinder(const ArticulatedModel& model, const VisibleSurface
 
 /// Without branches, so that it is done for many pixels at once.
 void OutlineFinder::mark_jumps(int v, std::vector<std::uint8_t>& is_at_jump) const {
-  const auto width = static_cast<std::size_t>(view_.width);
-  is_at_jump.assign(width, 0);
+  const auto left = static_cast<std::size_t>(view_.drawn.left);
+  is_at_jump.assign(static_cast<std::size_t>(view_.drawn.width), 0);
   const auto dead_zone = static_cast<float>(options_.free_space_dead_zone);
   const float floor = dead_zone * static_cast<float>(options_.noise.depth_floor);
   const float quadratic = dead_zone * static_cast<float>(options_.noise.depth_quadratic);
@@ -51,9 +51,10 @@ void OutlineFinder::mark_jumps(int v, std::vector<std::uint8_t>& is_at_jump) con
   const float* above = view_.depth.data() + view_.index(0, v - 1);
   const float* below = view_.depth.data() + view_.index(0, v + 1);
   std::uint8_t* __restrict mark = is_at_jump.data();
-  for (std::size_t u = 1; u + 1 < width; ++u) {
+  const auto end = static_cast<std::size_t>(std::min(view_.drawn.right(), view_.width - 1));
+  for (std::size_t u = std::max<std::size_t>(left, 1); u < end; ++u) {
     const float farthest = std::max(std::max(z[u - 1], z[u + 1]), std::max(above[u], below[u]));
-    mark[u] = static_cast<std::uint8_t>(farthest > z[u] + floor + quadratic * z[u] * z[u]);
+    mark[u - left] = static_cast<std::uint8_t>(farthest > z[u] + floor + quadratic * z[u] * z[u]);
   }
 }
 

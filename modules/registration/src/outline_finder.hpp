@@ -31,7 +31,8 @@ class OutlineFinder {
   OutlineFinder(const ArticulatedModel& model, const VisibleSurface& surface, int spacing,
                 const RegistrationOptions& options);
 
-  /// Marks the pixels of row v that have a neighbour which lies farther away by more than noise.
+  /// Of row v, marks the pixels of the drawn columns that have a neighbour which lies farther away
+  /// by more than noise.
   void mark_jumps(int v, std::vector<std::uint8_t>& is_at_jump) const;
 
   /// What lies beside a pixel that shows a body, if that is an outline.

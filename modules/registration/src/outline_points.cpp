@@ -74,14 +74,14 @@ class Band {
  public:
   const std::vector<OutlinePoint>& points() const { return points_; }
 
-  /// Pixels beside which outlines pass, body by body.
-  void find_pixels(const OutlineFinder& finder, int first_row, int last_row) {
+  /// Pixels beside which outlines pass, body by body, in a part of the view.
+  void find_pixels(const OutlineFinder& finder, const ImageWindow& rows) {
     pixels_.clear();
-    for (int v = first_row; v < last_row; ++v) {
+    for (int v = rows.top; v < rows.bottom(); ++v) {
       finder.mark_jumps(v, is_at_jump_);
-      for (std::size_t u = 0; u < is_at_jump_.size(); ++u) {
-        if (is_at_jump_[u] == 0) continue;
-        if (const auto pixel = finder.look_beside(static_cast<int>(u), v)) {
+      for (std::size_t i = 0; i < is_at_jump_.size(); ++i) {
+        if (is_at_jump_[i] == 0) continue;
+        if (const auto pixel = finder.look_beside(rows.left + static_cast<int>(i), v)) {
           pixels_.push_back(*pixel);
         }
       }
@@ -128,7 +128,7 @@ class Band {
     }
   }
 
-  std::vector<std::uint8_t> is_at_jump_;  ///< by column, of the row that is looked at
+  std::vector<std::uint8_t> is_at_jump_;  ///< by drawn column, of the row that is looked at
   std::vector<OutlinePixel> pixels_;
   std::vector<Eigen::Vector3d> normals_;  ///< of the outline beside the pixels_ of one body
   TouchingRays rays_;
@@ -149,13 +149,16 @@ OutlinePoints& OutlinePoints::operator=(OutlinePoints&&) noexcept = default;
 void OutlinePoints::collect(const ArticulatedModel& model, const VisibleSurface& surface,
                             int spacing, const RegistrationOptions& options,
                             const Executor& executor) {
-  const int height = surface.view().height;
+  const RenderedDepth& view = surface.view();
   const OutlineFinder finder(model, surface, spacing, options);
   std::vector<Band>& bands = workspace_->bands;
-  bands.resize(static_cast<std::size_t>((height + kRowsInBand - 1) / kRowsInBand));
+  bands.resize(static_cast<std::size_t>((view.height + kRowsInBand - 1) / kRowsInBand));
   executor.for_each(bands.size(), [&](std::size_t i) {
-    const int first = static_cast<int>(i) * kRowsInBand;
-    bands[i].find_pixels(finder, std::max(first, 1), std::min(first + kRowsInBand, height - 1));
+    const int band = static_cast<int>(i) * kRowsInBand;
+    ImageWindow rows = view.drawn;
+    rows.top = std::max({band, 1, view.drawn.top});
+    rows.height = std::min({band + kRowsInBand, view.height - 1, view.drawn.bottom()}) - rows.top;
+    bands[i].find_pixels(finder, rows);
     bands[i].find_points(finder, model, surface.T_body_camera());
   });
 }

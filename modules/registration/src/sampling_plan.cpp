@@ -65,7 +65,6 @@ void SamplingPlan::plan(const RenderedDepth& view, int scale, double fx, double 
 /// Of row v of the view: where bodies end, and where their depth bends. Without branches, so that
 /// it is done for many pixels at once. An edge at the border of the image is seen from within.
 void SamplingPlan::mark_edges(const RenderedDepth& view, int v, Band& band) {
-  const auto width = static_cast<std::size_t>(view.width);
   const std::int16_t* id = view.id.data() + view.index(0, v);
   const std::int16_t* id_above = view.id.data() + view.index(0, std::max(v - 1, 0));
   const std::int16_t* id_below = view.id.data() + view.index(0, std::min(v + 1, view.height - 1));
@@ -74,29 +73,36 @@ void SamplingPlan::mark_edges(const RenderedDepth& view, int v, Band& band) {
   const float* z_below = view.depth.data() + view.index(0, std::min(v + 1, view.height - 1));
   std::int16_t* __restrict ends = band.ends.data();
   int* __restrict bends = band.bends.data();
-  for (std::size_t u = 1; u + 1 < width; ++u) {
+  for (std::size_t u = band.first_column; u < band.end_column; ++u) {
     ends[u] = static_cast<std::int16_t>((id[u] ^ id[u - 1]) | (id[u] ^ id[u + 1]) |
                                         (id[u] ^ id_above[u]) | (id[u] ^ id_below[u]));
   }
-  for (std::size_t u = 1; u + 1 < width; ++u) {
+  for (std::size_t u = band.first_column; u < band.end_column; ++u) {
     bends[u] = has_relief(z[u - 1], z[u], z[u + 1]) | has_relief(z_above[u], z[u], z_below[u]);
   }
 }
 
+/// They lie where the view is drawn, or right beside.
 void SamplingPlan::find_edges(const RenderedDepth& view, std::size_t row_of_cells) {
   Band& band = bands_[row_of_cells];
   band.edges.clear();
   band.nearest = std::numeric_limits<float>::infinity();
-  const auto width = static_cast<std::size_t>(view.width);
+  const ImageWindow& drawn = view.drawn;
+  const int first = static_cast<int>(row_of_cells) * kCell;
+  const int first_row = std::max(first, drawn.top - 1);
+  const int end_row = std::min({first + kCell, drawn.bottom() + 1, view.height});
+  if (drawn.width == 0 || first_row >= end_row) return;
+  band.first_column = static_cast<std::size_t>(std::max(drawn.left - 1, 1));
+  band.end_column = static_cast<std::size_t>(std::min(drawn.right() + 1, view.width - 1));
   const std::size_t padded_width = static_cast<std::size_t>(density_.columns) * kCell;
   band.ends.assign(padded_width, 0);
   band.bends.assign(padded_width, 0);
   const std::size_t first_cell = row_of_cells * static_cast<std::size_t>(density_.columns);
-  const int first = static_cast<int>(row_of_cells) * kCell;
-  for (int v = first; v < std::min(first + kCell, view.height); ++v) {
+  const std::size_t first_begin = (band.first_column - 1) / kCell * kCell;
+  for (int v = first_row; v < end_row; ++v) {
     mark_edges(view, v, band);
     const std::int16_t* id = view.id.data() + view.index(0, v);
-    for (std::size_t begin = 0; begin < width; begin += kCell) {
+    for (std::size_t begin = first_begin; begin < band.end_column + 1; begin += kCell) {
       const std::size_t cell = first_cell + begin / kCell;
       int any = 0;
       for (std::size_t u = begin; u < begin + kCell; ++u) any |= band.ends[u] | band.bends[u];

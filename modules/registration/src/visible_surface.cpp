@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/rendering/body_item.hpp"
@@ -85,25 +86,40 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
 
 /// City-block distances, which are separable: along rows, then along columns.
 void VisibleSurface::measure_outline_distance(const Executor& executor) {
+  const ImageWindow& drawn = image_.drawn;
+  outline_distance_.resize(image_.id.size());
   const auto width = static_cast<std::size_t>(image_.width);
-  const auto height = static_cast<std::size_t>(image_.height);
-  outline_distance_.resize(width * height);
-  executor.for_each_chunk(height, kRowsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
-    for (std::size_t v = begin; v < end; ++v) {
-      measure_row_distance(image_.id.data() + v * width, width,
-                           outline_distance_.data() + v * width);
+  const auto row_at = [&](std::size_t row) {
+    return outline_distance_.data() + image_.index(drawn.left, drawn.top) + row * width;
+  };
+  const auto rows = static_cast<std::size_t>(drawn.height);
+  const auto columns = static_cast<std::size_t>(drawn.width);
+  executor.for_each_chunk(rows, kRowsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const std::size_t first = image_.index(drawn.left, drawn.top) + row * width;
+      measure_row_distance(image_.id.data() + first, columns, row_at(row));
     }
   });
-  executor.for_each_chunk(width, kColumnsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
-    for (std::size_t v = 1; v < height; ++v) {
-      std::uint8_t* const row = outline_distance_.data() + v * width;
-      for (std::size_t u = begin; u < end; ++u) relax(row[u - width], row[u]);
+  executor.for_each_chunk(columns, kColumnsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
+    for (std::size_t row = 1; row < rows; ++row) {
+      for (std::size_t u = begin; u < end; ++u) relax(row_at(row - 1)[u], row_at(row)[u]);
     }
-    for (std::size_t v = height - 1; v > 0; --v) {
-      std::uint8_t* const row = outline_distance_.data() + (v - 1) * width;
-      for (std::size_t u = begin; u < end; ++u) relax(row[u + width], row[u]);
+    for (std::size_t row = rows - 1; row > 0; --row) {
+      for (std::size_t u = begin; u < end; ++u) relax(row_at(row)[u], row_at(row - 1)[u]);
     }
   });
+}
+
+/// From where nothing is drawn, the way to the nearest pixel leads through the nearest one that is.
+int VisibleSurface::pixels_to_outline(std::size_t pixel) const {
+  const ImageWindow& drawn = image_.drawn;
+  if (drawn.width == 0) return kFarthest;
+  const int u = static_cast<int>(pixel) % image_.width;
+  const int v = static_cast<int>(pixel) / image_.width;
+  const int nearest_u = std::clamp(u, drawn.left, drawn.right() - 1);
+  const int nearest_v = std::clamp(v, drawn.top, drawn.bottom() - 1);
+  const int from_there = outline_distance_[image_.index(nearest_u, nearest_v)];
+  return std::min<int>(kFarthest, std::abs(u - nearest_u) + std::abs(v - nearest_v) + from_there);
 }
 
 void VisibleSurface::predict(const PointTiles& points, const Executor& executor,
@@ -125,10 +141,11 @@ void VisibleSurface::predict(const PointTiles& points, const Executor& executor,
   const auto predict_one = [&](std::size_t i) {
     const std::size_t at = view_pixel(points.pixel()[i]);
     const bool shows_body = image_.id[at] != kNothing;
-    const auto pixels_beside = static_cast<float>(outline_distance_[at]);
-    prediction.body[i] = shows_body
-                             ? static_cast<float>(image_.id[at])
-                             : kernels::label_beside(pixels_beside * pixel_size * points.z()[i]);
+    const auto beside = [&] {
+      return static_cast<float>(pixels_to_outline(at)) * pixel_size * points.z()[i];
+    };
+    prediction.body[i] =
+        shows_body ? static_cast<float>(image_.id[at]) : kernels::label_beside(beside());
     prediction.depth[i] = shows_body ? image_.depth[at] : 0.0F;
   };
   executor.for_each_chunk(points.tiles().size(), kTilesPerChunk,

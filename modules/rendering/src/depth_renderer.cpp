@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "screen_triangle.hpp"
@@ -39,7 +41,7 @@ struct TriangleChunk {
 template <class Shape>
 bool touches(const Shape& shape, const ImageWindow& window, int first_row, int end_row) {
   return shape.first_row < end_row && shape.end_row > first_row &&
-         shape.first_column < window.left + window.width && shape.end_column > window.left;
+         shape.first_column < window.right() && shape.end_column > window.left;
 }
 
 void resize(const ImageWindow& window, RenderedDepth& image) {
@@ -74,6 +76,7 @@ struct DepthRenderer::Workspace {
   void project(std::size_t vertex_range);
   void find_visible_backs(std::span<const RenderItem> items);
   void prepare(const Range& range, TriangleChunk& chunk) const;
+  ImageWindow drawn_part(const ImageWindow& window) const;
   void draw_band(const ImageWindow& window, int first_row, int end_row, RenderedDepth& image) const;
 };
 
@@ -139,15 +142,45 @@ void DepthRenderer::Workspace::prepare(const Range& range, TriangleChunk& chunk)
   }
 }
 
+/// The part of a window that triangles may touch, in its own pixels.
+ImageWindow DepthRenderer::Workspace::drawn_part(const ImageWindow& window) const {
+  int left = window.right();
+  int top = window.bottom();
+  int right = window.left;
+  int bottom = window.top;
+  for (std::size_t i = 0; i < triangle_ranges.size(); ++i) {
+    if (chunks[i].triangles.empty()) continue;
+    left = std::min(left, chunks[i].first_column);
+    top = std::min(top, chunks[i].first_row);
+    right = std::max(right, chunks[i].end_column);
+    bottom = std::max(bottom, chunks[i].end_row);
+  }
+  left = std::max(left, window.left);
+  top = std::max(top, window.top);
+  right = std::min(right, window.right());
+  bottom = std::min(bottom, window.bottom());
+  if (left >= right || top >= bottom) return {};
+  return {left - window.left, top - window.top, right - left, bottom - top};
+}
+
 /// Rows of the camera's image, at most kBandRows of them.
 void DepthRenderer::Workspace::draw_band(const ImageWindow& window, int first_row, int end_row,
                                          RenderedDepth& image) const {
-  const auto width = static_cast<std::ptrdiff_t>(image.width);
-  const auto begin = (first_row - window.top) * width;
-  const auto end = (end_row - window.top) * width;
+  const auto pixels_before = [&](int row) {
+    return static_cast<std::ptrdiff_t>(image.index(0, row - window.top));
+  };
+  std::fill(image.depth.begin() + pixels_before(first_row),
+            image.depth.begin() + pixels_before(end_row), std::numeric_limits<float>::infinity());
+  std::fill(image.id.begin() + pixels_before(first_row), image.id.begin() + pixels_before(end_row),
+            kNothing);
+  const int first_drawn = std::max(first_row, window.top + image.drawn.top);
+  const int end_drawn = std::min(end_row, window.top + image.drawn.bottom());
+  const auto drawn_depths = [&](int row) {
+    return std::span(&image.depth[image.index(image.drawn.left, row - window.top)],
+                     static_cast<std::size_t>(image.drawn.width));
+  };
   // Until the band is complete, its depths hold 1/z: 0 is infinitely far.
-  std::fill(image.depth.begin() + begin, image.depth.begin() + end, 0.0F);
-  std::fill(image.id.begin() + begin, image.id.begin() + end, kNothing);
+  for (int row = first_drawn; row < end_drawn; ++row) std::ranges::fill(drawn_depths(row), 0.0F);
   for (std::size_t i = 0; i < triangle_ranges.size(); ++i) {
     if (!touches(chunks[i], window, first_row, end_row)) continue;
     for (const ScreenTriangle& t : chunks[i].triangles) {
@@ -156,8 +189,11 @@ void DepthRenderer::Workspace::draw_band(const ImageWindow& window, int first_ro
       }
     }
   }
-  std::transform(image.depth.begin() + begin, image.depth.begin() + end,
-                 image.depth.begin() + begin, [](float inverse_z) { return 1.0F / inverse_z; });
+  for (int row = first_drawn; row < end_drawn; ++row) {
+    const auto depths = drawn_depths(row);
+    std::ranges::transform(depths, depths.begin(),
+                           [](float inverse_z) { return 1.0F / inverse_z; });
+  }
 }
 
 DepthRenderer::DepthRenderer(const PinholeCamera& camera, const Executor& executor)
@@ -180,6 +216,7 @@ void DepthRenderer::render(std::span<const RenderItem> items, RenderedDepth& ima
   const Workspace& w = *workspace_;
   const ImageWindow whole{0, 0, w.camera.width, w.camera.height};
   resize(whole, image);
+  image.drawn = w.drawn_part(whole);
   w.executor.for_each_chunk(static_cast<std::size_t>(image.height), kBandRows,
                             [&](std::size_t begin, std::size_t end, std::size_t) {
                               w.draw_band(whole, static_cast<int>(begin), static_cast<int>(end),
@@ -198,7 +235,8 @@ void DepthRenderer::prepare(std::span<const RenderItem> items) {
 
 void DepthRenderer::draw(const ImageWindow& window, RenderedDepth& image) const {
   resize(window, image);
-  const int end = window.top + window.height;
+  image.drawn = workspace_->drawn_part(window);
+  const int end = window.bottom();
   for (int row = window.top; row < end; row += kBandRows) {
     workspace_->draw_band(window, row, std::min(row + kBandRows, end), image);
   }

@@ -34,6 +34,8 @@ class SamplingPlan {
   /// A row of cells.
   struct Band {
     std::vector<Edge> edges;
+    std::size_t first_column = 0;  ///< of those that may be edges
+    std::size_t end_column = 0;
     std::vector<std::int16_t> ends;  ///< by column of the row of pixels in hand: not 0 at an end
     std::vector<int> bends;
     float nearest = 0.0F;  ///< metres, of its edges

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -41,6 +42,7 @@ class VisibleSurface {
 
  private:
   void measure_outline_distance(const Executor& executor);
+  int pixels_to_outline(std::size_t pixel) const;
 
   PinholeCamera full_camera_;
   std::vector<std::unique_ptr<DepthRenderer>> renderers_;  ///< by reduction
@@ -48,7 +50,8 @@ class VisibleSurface {
   std::vector<RenderItem> items_;
   RenderedDepth image_;
   BodyPoses T_body_camera_;
-  std::vector<std::uint8_t> outline_distance_;  ///< pixels of the view, up to 255; 0 on the model
+  /// Pixels of the view, up to 255; 0 on the model. Only where the view is drawn.
+  std::vector<std::uint8_t> outline_distance_;
   int reduction_ = 1;
 };
 

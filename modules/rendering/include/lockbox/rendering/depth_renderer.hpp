@@ -32,26 +32,30 @@ struct RenderItem {
 
 inline constexpr std::int16_t kNothing = -1;
 
+/// A part of an image, pixels.
+struct ImageWindow {
+  int left = 0;
+  int top = 0;
+  int width = 0;
+  int height = 0;
+
+  int right() const { return left + width; }
+  int bottom() const { return top + height; }
+};
+
 /// Row by row, width * height values each.
 struct RenderedDepth {
   int width = 0;
   int height = 0;
   std::vector<float> depth;      ///< along the optical axis, metres; +infinity where nothing is
   std::vector<std::int16_t> id;  ///< of the nearest item; kNothing where nothing is
+  ImageWindow drawn;             ///< outside it nothing is
 
   /// Of column u in row v, in these arrays.
   std::size_t index(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(u);
   }
-};
-
-/// A part of the camera's image, pixels.
-struct ImageWindow {
-  int left = 0;
-  int top = 0;
-  int width = 0;
-  int height = 0;
 };
 
 /// Reusable: after the first frame, frames of the same scene allocate nothing.
