@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
 #include "edge_worker.hpp"
 #include "lockbox/rendering/body_item.hpp"
@@ -192,12 +193,12 @@ void EdgeTerm::select(const TiledCloud& cloud, int left, int top, EdgePixels& pi
   }
 }
 
-/// Of the tile in hand, fills columns with the pixels that agree with the model at all.
+/// Of the tile in hand, adds the pixels that agree with the model at all.
 void EdgeTerm::compare(const TiledCloud& cloud, int left, int top, const EdgePixels& pixels,
                        Worker& worker) const {
   const PinholeCamera& camera = cloud.camera();
   worker.find_variables(variables_);
-  worker.noise.clear();
+  worker.noise.clear(static_cast<std::size_t>(worker.residual_column() + 1));
   int last_row = -1;
   for (std::size_t i = 0; i < pixels.count; ++i) {
     const int column = pixels.cells[i] % kSide;
@@ -212,9 +213,9 @@ void EdgeTerm::compare(const TiledCloud& cloud, int left, int top, const EdgePix
     const float own = worker.noise.own_variance(mean) + worker.tile.variance();
     const auto cut = static_cast<float>(options_.cut * options_.cut);
     if (residual * residual > cut * (own + worker.noise.shared_variance())) continue;
-    worker.differentiate(pixel, camera, screws_);
-    worker.columns(worker.noise.count(), worker.residual_column()) = residual;
-    worker.noise.add(column, row, own);
+    const std::span<float> values = worker.noise.add(column, row, own);
+    worker.differentiate(pixel, camera, screws_, values);
+    values.back() = residual;
   }
 }
 
@@ -245,7 +246,7 @@ void EdgeTerm::sum_tiles(const TiledCloud& cloud, int first, int end, int top, W
   for (int tile = first; tile < end; ++tile) {
     if (!worker.tile.read(worker.samples, kSamples * kSide * (tile - first), 0)) continue;
     compare(cloud, kMargin + kSide * tile, top, worker.row[static_cast<std::size_t>(tile)], worker);
-    if (worker.noise.count() < static_cast<Index>(kLeastPixels)) continue;
+    if (worker.noise.count() < kLeastPixels) continue;
     worker.add_whitened(sums.products);
     sums.pixels += static_cast<double>(worker.noise.count());
   }

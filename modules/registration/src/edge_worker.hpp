@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lockbox/registration/edge_term.hpp"
@@ -29,15 +30,12 @@ struct EdgeTerm::Worker {
   static constexpr double kFit = 2.0;
 
   Worker(const SensorNoise& sensor, Index unknowns)
-      : row(),
-        samples(),
-        tile(sensor.lateral_pixels),
-        noise(sensor, kSide),
-        columns(kSide * kSide, unknowns + 1),
-        products(unknowns + 1, unknowns + 1) {
+      : row(), samples(), tile(sensor.lateral_pixels), noise(sensor, kSide) {
     variables.reserve(static_cast<std::size_t>(unknowns));
   }
 
+  /// Of a pixel's values: the derivative of its mean by the base's twist in the camera's frame and
+  /// by the variables, then the residual.
   Index residual_column() const { return 6 + static_cast<Index>(variables.size()); }
 
   void find_variables(const std::vector<std::vector<int>>& by_body) {
@@ -51,12 +49,11 @@ struct EdgeTerm::Worker {
     }
   }
 
-  /// Of the pixel that was looked at last, as one more.
+  /// Of the pixel that was looked at last. values: zero at first.
   void differentiate(const Pixel& pixel, const PinholeCamera& camera,
-                     const std::vector<BodyJacobian>& screws) {
+                     const std::vector<BodyJacobian>& screws, std::span<float> values) const {
     const Eigen::Vector3f ray = camera.back_project(pixel.u, pixel.v, 1.0).cast<float>();
-    auto derivative = columns.row(noise.count()).head(residual_column());
-    derivative.setZero();
+    Eigen::Map<Eigen::VectorXf> derivative(values.data(), residual_column());
     for (std::size_t b = 0; b < tile.bodies().size(); ++b) {
       const BodyJacobian& screw = screws[static_cast<std::size_t>(tile.bodies()[b])];
       const Eigen::Matrix<float, 6, 1> by_twist = tile.derivative(b, ray.x(), ray.y(), camera);
@@ -68,17 +65,20 @@ struct EdgeTerm::Worker {
     }
   }
 
-  /// Adds the products of the columns, whitened, to those of all unknowns and the residual.
+  /// Adds the products of the values, whitened, to those of all unknowns and the residual.
   void add_whitened(Eigen::MatrixXd& sums) {
-    auto used = columns.topLeftCorner(noise.count(), residual_column() + 1);
-    noise.whiten(used);
+    noise.whiten();
+    kernels::PaddedRows& products = noise.products();
     const Index size = residual_column() + 1;
-    products.topLeftCorner(size, size).noalias() = used.transpose() * used;
-    const double chi_squared = static_cast<double>(products(size - 1, size - 1));
+    const auto product = [&](Index i, Index j) {
+      return static_cast<double>(
+          products.row(static_cast<std::size_t>(i))[static_cast<std::size_t>(j)]);
+    };
+    const double chi_squared = product(size - 1, size - 1);
     const double weight = std::min(1.0, kFit * static_cast<double>(noise.count()) / chi_squared);
     for (Index j = 0; j < size; ++j) {
       for (Index i = 0; i < size; ++i) {
-        sums(unknown(i, sums), unknown(j, sums)) += weight * static_cast<double>(products(i, j));
+        sums(unknown(i, sums), unknown(j, sums)) += weight * product(j, i);
       }
     }
   }
@@ -95,10 +95,6 @@ struct EdgeTerm::Worker {
   EdgeTile tile;
   TileNoise noise;
   std::vector<int> variables;  ///< that move anything in the tile
-  /// By compared pixel: derivative of the mean by the base's twist in the camera's frame and by
-  /// the variables, then the residual.
-  Eigen::MatrixXf columns;
-  Eigen::MatrixXf products;
 };
 
 }  // namespace lockbox

@@ -71,7 +71,6 @@ std::span<const double> PatchLikelihood::compare(const TiledCloud& cloud,
   draw(cloud.camera(), configuration, variable);
   read_measured(cloud);
   chi_squared_.assign(positions_.size(), 0.0);
-  residuals_.resize(kTile * kTile, static_cast<Eigen::Index>(positions_.size()));
   for (int top = 0; top < frame_.height; top += kTile) {
     for (int left = 0; left < frame_.width; left += kTile) {
       if (differs_in_tile(left, top)) compare_tile(left, top);
@@ -242,7 +241,7 @@ bool PatchLikelihood::differs_in_tile(int left, int top) {
 /// By the pixels that some position explains, by themselves and given their neighbours: beside some
 /// that err alike, one that is off by four standard deviations is off by fifteen of its own.
 void PatchLikelihood::compare_tile(int left, int top) {
-  noise_.clear();
+  noise_.clear(positions_.size());
   for (int cell = 0; cell < kTile * kTile; ++cell) {
     const int column = cell % kTile;
     const int row = cell / kTile;
@@ -252,19 +251,22 @@ void PatchLikelihood::compare_tile(int left, int top) {
     const float least = least_residual(pixel);
     const float variance = own + noise_.shared_variance();
     if (least * least > static_cast<float>(square(cut_)) * variance) continue;
+    const std::span<float> residuals = noise_.add(column, row, own);
     for (std::size_t k = 0; k < positions_.size(); ++k) {
-      residuals_(noise_.count(), static_cast<Eigen::Index>(k)) = measured_[pixel] - means(k)[pixel];
+      residuals[k] = measured_[pixel] - means(k)[pixel];
     }
-    noise_.add(column, row, own);
   }
   if (noise_.count() == 0) return;
-  auto residuals = residuals_.topRows(noise_.count());
-  noise_.whiten(residuals);
-  for (Eigen::Index i = 0; i < residuals.rows(); ++i) {
-    const auto squares = residuals.row(i).array().square();
-    if (squares.minCoeff() > static_cast<float>(square(cut_))) continue;
+  noise_.whiten();
+  const auto limit = static_cast<float>(cut_);
+  for (std::size_t i = 0; i < noise_.count(); ++i) {
+    const std::span<const float> residuals = noise_.values(i);
+    const bool explains = std::any_of(residuals.begin(), residuals.end(), [limit](float residual) {
+      return std::abs(residual) <= limit;
+    });
+    if (!explains) continue;
     for (std::size_t k = 0; k < positions_.size(); ++k) {
-      chi_squared_[k] += static_cast<double>(squares(static_cast<Eigen::Index>(k)));
+      chi_squared_[k] += square(static_cast<double>(residuals[k]));
     }
   }
   compared_ += static_cast<int>(noise_.count());

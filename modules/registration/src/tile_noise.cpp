@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/registration/tile_noise.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+
+#include "lockbox/kernels/whitening.hpp"
 
 namespace lockbox {
 namespace {
@@ -18,16 +18,18 @@ double square(double x) {
 }  // namespace
 
 TileNoise::TileNoise(const SensorNoise& noise, int side)
-    : own_(static_cast<float>(noise.own_share * noise.depth_quadratic)),
-      rounding_(static_cast<float>(noise.depth_floor)),
-      pixels_(static_cast<std::size_t>(side * side)),
-      factor_(side * side, side * side) {
+    : side_(static_cast<std::size_t>(side)),
+      own_(static_cast<float>(noise.own_share * noise.depth_quadratic)),
+      rounding_(static_cast<float>(noise.depth_floor)) {
+  pixels_.reserve(side_ * side_);
   const double length = std::max(noise.correlation_pixels, kLeastLength);
   const double variance = square(noise.depth_quadratic) * (1.0 - square(noise.own_share));
-  for (int d = 0; d < side; ++d) {
-    const double fall = std::exp(-0.5 * square(d / length));
-    fall_.push_back(static_cast<float>(fall));
-    shared_.push_back(static_cast<float>(variance * fall));
+  shared_variance_ = static_cast<float>(variance);
+  for (int dv = 1 - side; dv < side; ++dv) {
+    for (int du = 1 - side; du < side; ++du) {
+      const double fall = std::exp(-0.5 * (square(du / length) + square(dv / length)));
+      shared_.push_back(static_cast<float>(variance * (fall + 1.0)));
+    }
   }
 }
 
@@ -36,22 +38,34 @@ float TileNoise::own_variance(float inverse_depth) const {
   return own_ * own_ + rounding * rounding;
 }
 
-void TileNoise::add(int column, int row, float own) {
-  for (Eigen::Index j = 0; j < count_; ++j) {
-    const Pixel& other = pixels_[static_cast<std::size_t>(j)];
-    factor_(count_, j) = shared_[static_cast<std::size_t>(std::abs(column - other.u))] *
-                             fall_[static_cast<std::size_t>(std::abs(row - other.v))] +
-                         shared_[0];
-  }
-  factor_(count_, count_) = own + 2.0F * shared_[0];
-  pixels_[static_cast<std::size_t>(count_++)] = {column, row};
+void TileNoise::clear(std::size_t values) {
+  pixels_.clear();
+  values_.resize(side_ * side_, values);
 }
 
-// A Ref is a reference itself. NOLINTNEXTLINE(performance-unnecessary-value-param)
-void TileNoise::whiten(Eigen::Ref<Eigen::MatrixXf> columns) {
-  Eigen::Ref<Eigen::MatrixXf> pixels(factor_.topLeftCorner(count_, count_));
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXf>> factors(pixels);
-  factors.matrixL().solveInPlace(columns);
+std::span<float> TileNoise::add(int column, int row, float own) {
+  const std::size_t cells_of_row = 2 * side_ - 1;  // as in shared_
+  pixels_.push_back(
+      {static_cast<std::size_t>(row) * cells_of_row + static_cast<std::size_t>(column), own});
+  return values_.row(pixels_.size() - 1);
+}
+
+void TileNoise::whiten() {
+  covariance_.resize(count(), count());
+  const std::size_t here = shared_.size() / 2;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const std::span<float> row = covariance_.row(i);
+    for (std::size_t j = i; j < count(); ++j) {
+      row[j] = shared_[here + pixels_[j].cell - pixels_[i].cell];
+    }
+    row[i] += pixels_[i].own;
+  }
+  kernels::whiten(covariance_, values_);
+}
+
+kernels::PaddedRows& TileNoise::products() {
+  kernels::multiply_columns(count(), values_, products_);
+  return products_;
 }
 
 }  // namespace lockbox

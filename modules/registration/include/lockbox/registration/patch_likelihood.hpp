@@ -87,7 +87,6 @@ class PatchLikelihood {
   std::vector<float> edge_variances_;     ///< by pixel
   std::vector<float> measured_;           ///< inverse depth by pixel; 0: nothing
   std::vector<float> means_;              ///< by position, then by pixel
-  Eigen::MatrixXf residuals_;             ///< of a tile: by pixel and position
   std::vector<double> chi_squared_;       ///< by position
   std::vector<std::uint8_t> has_ground_;  ///< by pixel: whether it shows what rests, or would
 };

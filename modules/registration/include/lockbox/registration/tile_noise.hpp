@@ -12,10 +12,11 @@
 // for independent they would make far too much of it.
 #pragma once
 
-#include <Eigen/Core>
+#include <cstddef>
+#include <span>
 #include <vector>
 
-#include "lockbox/core/pinhole_camera.hpp"
+#include "lockbox/kernels/padded_rows.hpp"
 #include "lockbox/registration/registration_options.hpp"
 
 namespace lockbox {
@@ -28,27 +29,38 @@ class TileNoise {
 
   /// Variance of what neighbouring pixels share, and of what a pixel that measures this inverse
   /// depth errs by itself: rounding of disparities and of depths.
-  float shared_variance() const { return shared_[0]; }
+  float shared_variance() const { return shared_variance_; }
   float own_variance(float inverse_depth) const;
 
-  /// Leaves no pixels.
-  void clear() { count_ = 0; }
-  /// own: the variance of what it errs by itself.
-  void add(int column, int row, float own);
+  /// Leaves no pixels. The next ones have so many values each.
+  void clear(std::size_t values);
+  /// own: the variance of what it errs by itself. Returns its values, zero at first.
+  std::span<float> add(int column, int row, float own);
   /// Pixels of the tile that were added.
-  Eigen::Index count() const { return count_; }
+  std::size_t count() const { return pixels_.size(); }
 
-  /// columns <- F^-1 columns, a row a pixel, as they were added.
-  void whiten(Eigen::Ref<Eigen::MatrixXf> columns);
+  /// Values r, a row a pixel in the order of add(), become F^-1 r.
+  void whiten();
+  std::span<const float> values(std::size_t pixel) { return values_.row(pixel); }
+  /// Of each two values the sum of their products over all pixels.
+  kernels::PaddedRows& products();
 
  private:
-  std::vector<float> shared_;  ///< sigma^2 exp(-d^2 / (2 L^2)), by d along one axis
-  std::vector<float> fall_;    ///< exp(-d^2 / (2 L^2))
+  struct Pixel {
+    std::size_t cell;
+    float own;
+  };
+  std::size_t side_;
+  float shared_variance_;
   float own_;
   float rounding_;
-  Eigen::Index count_ = 0;
-  std::vector<Pixel> pixels_;  ///< in the tile; the first `count_`
-  Eigen::MatrixXf factor_;     ///< C, then F; its first rows and columns
+  /// What two pixels share, by how much farther the one is in the tile: rows, then columns, from
+  /// 1 - side to side - 1.
+  std::vector<float> shared_;
+  std::vector<Pixel> pixels_;
+  kernels::PaddedRows covariance_;
+  kernels::PaddedRows values_;
+  kernels::PaddedRows products_;
 };
 
 }  // namespace lockbox
