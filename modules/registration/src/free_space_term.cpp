@@ -55,6 +55,9 @@ class PullFinder {
     if (!observed_.sees_through(*pixel, p.z(), plane.steepness() / surface_.reduction())) {
       return std::nullopt;
     }
+    if (observed_.shows_object(*pixel, sample.body)) {
+      return std::nullopt;  // the tail of the noise: this point has its say in the model term
+    }
     if (is_beside_outline(sample, plane)) {
       return std::nullopt;
     }
@@ -76,10 +79,7 @@ class PullFinder {
   /// To the nearest observed point of the object.
   std::optional<FreeSpacePull> aim(FreeSpacePull pull, const Pixel& pixel) const {
     const Eigen::Vector3d p = pull.target;
-    if (observed_.shows_object(pixel, pull.body)) {
-      return std::nullopt;  // the tail of the noise: this point has its say in the model term
-    }
-    const auto nearest = observed_.nearest(p, pixel, pull.body);
+    const auto nearest = observed_.nearest(p, pixel, pull.body, farthest(p));
     if (!nearest) {
       return std::nullopt;
     }
@@ -98,6 +98,14 @@ class PullFinder {
     pull.direction_variance =
         std::clamp(pull.variance / (way * way), kNormalVariance, kAnyDirection);
     return pull;
+  }
+
+  /// Metres from p to what would still weigh more than kLeastWeight.
+  double farthest(const Eigen::Vector3d& p) const {
+    const double along = p.norm() / p.z() * observed_.sigma_z(p.z());
+    const double across = observed_.sigma_lateral(p.z());
+    const double variance = along * along + across * across + spread_ * spread_;
+    return std::sqrt(variance * (options_.cut * options_.cut - 2.0 * std::log(kLeastWeight)));
   }
 
   /// Of a point at p along a direction, by the sensor's noise.

@@ -20,6 +20,7 @@ class Walk {
         p_(T_camera_body * point.p_body),
         normal_(T_camera_body.linear() * point.normal_body),
         start_(cloud.camera().project(p_)),
+        corner_(start_ + Eigen::Vector2d(0.5, 0.5)),
         direction_(
             Eigen::Vector2d(cloud.camera().fx * (normal_.x() - normal_.z() * p_.x() / p_.z()),
                             cloud.camera().fy * (normal_.y() - normal_.z() * p_.y() / p_.z())) /
@@ -35,11 +36,12 @@ class Walk {
   /// How far behind the surface, were it to go on there, the measurement in a pixel lies (metres):
   /// kUnknown where nothing was measured, nothing beyond the image.
   std::optional<double> behind(int k) const {
-    const Eigen::Vector2i pixel = pixel_at(k);
+    const Eigen::Vector2d at = corner_ + k * direction_;
     const PinholeCamera& camera = cloud_.camera();
-    if (pixel.x() < 0 || pixel.y() < 0 || pixel.x() >= camera.width || pixel.y() >= camera.height) {
+    if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() < camera.width && at.y() < camera.height)) {
       return std::nullopt;
     }
+    const Eigen::Vector2i pixel = at.cast<int>();
     const auto index =
         static_cast<std::size_t>(pixel.y()) * static_cast<std::size_t>(camera.width) +
         static_cast<std::size_t>(pixel.x());
@@ -48,9 +50,10 @@ class Walk {
     return measured > 0.0 ? measured - expected : kUnknown;
   }
 
-  /// Of a pixel's centre, metres outwards from the model's outline.
+  /// Of the centre of a pixel in the image, metres outwards from the model's outline.
   double position(int k) const {
-    return (pixel_at(k).cast<double>() - start_).dot(direction_) * pixel_size_;
+    const Eigen::Vector2i pixel = (corner_ + k * direction_).cast<int>();
+    return (pixel.cast<double>() - start_).dot(direction_) * pixel_size_;
   }
 
   static constexpr double kUnknown = -1e9;
@@ -58,16 +61,12 @@ class Walk {
  private:
   static constexpr double kHorizon = 0.1;
 
-  Eigen::Vector2i pixel_at(int k) const {
-    const Eigen::Vector2d at = start_ + k * direction_;
-    return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
-  }
-
   const TiledCloud& cloud_;
   double slope_;
   Eigen::Vector3d p_;
   Eigen::Vector3d normal_;
-  Eigen::Vector2d start_;
+  Eigen::Vector2d start_;   ///< where the outline passes
+  Eigen::Vector2d corner_;  ///< the same from the image's corner: whole numbers are pixels
   Eigen::Vector2d direction_;
   double pixel_size_;
 };

@@ -36,8 +36,9 @@ int ObservedSurface::drawn_body(const Pixel& pixel) const {
 bool ObservedSurface::belongs_to(int body, const Eigen::Vector3d& p_camera) const {
   const auto b = static_cast<std::size_t>(body);
   const DistanceSample at = model_.fields[b]->sample((T_body_camera_[b] * p_camera).cast<float>());
-  return std::abs(static_cast<double>(at.distance)) <
-         options_.cut * std::hypot(sigma_z(p_camera.z()), spread_);
+  const auto distance = static_cast<double>(at.distance);
+  const double sigma = sigma_z(p_camera.z());
+  return distance * distance < options_.cut * options_.cut * (sigma * sigma + spread_ * spread_);
 }
 
 bool ObservedSurface::shows_object(const Pixel& pixel, int body) const {
@@ -51,19 +52,22 @@ bool ObservedSurface::shows_object(const Pixel& pixel, int body) const {
 }
 
 std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p_camera,
-                                                        const Pixel& pixel, int body) const {
+                                                        const Pixel& pixel, int body,
+                                                        double farthest) const {
   double least = std::numeric_limits<double>::infinity();
   Eigen::Vector3d best;
   const double inverse_lateral2 = 1.0 / std::pow(sigma_lateral(p_camera.z()), 2);
   const double inverse_depth2 = 1.0 / std::pow(sigma_z(p_camera.z()), 2);
   const double pixel_size = p_camera.z() / cloud_.camera().fx;
   const Eigen::Vector3d ray = p_camera / p_camera.z();
+  const double slant = ray.norm();
   const auto probe = [&](int pu, int pv) {
     if (!inside(pu, pv)) {
       return;
     }
     const double depth = measured({pu, pv});
     const Eigen::Vector3d q = cloud_.camera().back_project(pu, pv, depth);
+    if (!((q - p_camera).squaredNorm() < farthest * farthest)) return;
     const double along = q.z() - p_camera.z();
     const double across2 = (q - p_camera - along * ray).squaredNorm();
     const double distance2 = along * along * inverse_depth2 + across2 * inverse_lateral2;
@@ -74,9 +78,9 @@ std::optional<Eigen::Vector3d> ObservedSurface::nearest(const Eigen::Vector3d& p
   };
   probe(pixel.u, pixel.v);
   for (const int radius : kProbeRadii) {
-    if (std::pow(radius * pixel_size, 2) * inverse_lateral2 > least) {
-      break;  // whatever lies farther out in the image is farther away
-    }
+    // Whatever lies farther out in the image is farther away.
+    if (radius * pixel_size > slant * farthest) break;
+    if (std::pow(radius * pixel_size, 2) * inverse_lateral2 > least) break;
     for (const auto& direction : kProbeDirections) {
       probe(pixel.u + radius * direction[0], pixel.v + radius * direction[1]);
     }

@@ -40,10 +40,10 @@ class ObservedSurface {
   /// there.
   bool shows_object(const Pixel& pixel, int body) const;
 
-  /// The object's observed point nearest to p_camera, in units of the noise, around its pixel.
-  /// body: whose point p_camera is.
+  /// The object's observed point nearest to p_camera, in units of the noise, around its pixel, and
+  /// less than `farthest` metres away. body: whose point p_camera is.
   std::optional<Eigen::Vector3d> nearest(const Eigen::Vector3d& p_camera, const Pixel& pixel,
-                                         int body) const;
+                                         int body, double farthest) const;
 
  private:
   bool inside(int u, int v) const {
