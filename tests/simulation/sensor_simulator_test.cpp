@@ -21,7 +21,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 RenderedDepth clean_depth(const SensorSimulator& simulator,
                           const std::function<double(double, double)>& z) {
   const PinholeCamera& camera = simulator.sample_camera();
-  RenderedDepth image{camera.width, camera.height, {}, {}};
+  RenderedDepth image{camera.width, camera.height, {}, {}, {0, 0, camera.width, camera.height}};
   const double step = kCamera.fx / camera.fx;
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
