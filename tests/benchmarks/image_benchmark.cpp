@@ -26,7 +26,7 @@ void low_relief(benchmark::State& state) {
   const View& view = scene.views.front();
   const int joint = joint_index(scene.model.tree, "slider");
   const int slider = scene.model.tree.joints[static_cast<std::size_t>(joint)].variable;
-  LowRelief finder(scene.model, {});
+  LowRelief finder(scene.model, {}, Executor(1));
   for (auto _ : state) {
     benchmark::DoNotOptimize(
         finder.find_near(view.cloud, view.truth, slider, view.truth.q[slider]));

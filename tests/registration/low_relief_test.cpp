@@ -54,7 +54,7 @@ TEST_F(FarSlider, StandsOutByItsHeight) {
   EXPECT_NEAR(prominences[variable_], 0.012, 0.0005);
   EXPECT_GT((prominences.array() > 0.03).count(), 6) << prominences.transpose();
   const RegistrationOptions options;
-  EXPECT_NEAR(LowRelief(model_, options).prominence(variable_, truth_),
+  EXPECT_NEAR(LowRelief(model_, options, Executor(1)).prominence(variable_, truth_),
               0.012 / options.noise.sigma_z(kDistance), 0.1);
 }
 
@@ -90,7 +90,7 @@ TEST_F(FarSlider, IsLostInTheNoiseOfPoints) {
 }
 
 TEST_F(FarSlider, IsFoundAnywhereInItsRange) {
-  LowRelief low_relief(model_, {});
+  LowRelief low_relief(model_, {}, Executor(2));
   const TiledCloud cloud = seen(1);
   for (const double off : {-0.09, 0.08, 0.12}) {
     const auto found = low_relief.find_anywhere(cloud, off_by(off), variable_);
@@ -100,7 +100,7 @@ TEST_F(FarSlider, IsFoundAnywhereInItsRange) {
 }
 
 TEST_F(FarSlider, IsNotMovedForNoise) {
-  LowRelief low_relief(model_, {});
+  LowRelief low_relief(model_, {}, Executor(2));
   for (std::uint64_t number = 0; number < 3; ++number) {
     EXPECT_FALSE(low_relief.find_anywhere(seen(number), truth_, variable_));
   }
@@ -111,7 +111,7 @@ TEST_F(FarSlider, IsUnknownWhereNothingWasMeasured) {
   std::fill(frame.depth.begin(), frame.depth.end(), std::uint16_t{0});
   TiledCloud cloud;
   cloud.assign(frame, {}, Executor());
-  EXPECT_FALSE(LowRelief(model_, {}).find_near(cloud, truth_, variable_, 0.0));
+  EXPECT_FALSE(LowRelief(model_, {}, Executor(1)).find_near(cloud, truth_, variable_, 0.0));
   EXPECT_FALSE(LowRelief(model_, {}).find_anywhere(cloud, truth_, variable_));
 }
 
@@ -119,13 +119,13 @@ TEST_F(FarSlider, IsUnknownBehindTheCamera) {
   const TiledCloud cloud = seen(0);
   Configuration behind = truth_;
   behind.T_camera_base.translation().z() = -1.0;
-  LowRelief low_relief(model_, {});
+  LowRelief low_relief(model_, {}, Executor(2));
   EXPECT_TRUE(std::isinf(low_relief.prominence(variable_, behind)));
   EXPECT_FALSE(low_relief.find_near(cloud, behind, variable_, 0.1));
 }
 
 TEST_F(FarSlider, FitsAsWellAsItsNoiseLets) {
-  PatchLikelihood patch(model_.tree, {}, 4.0);
+  PatchLikelihood patch(model_.tree, {}, 4.0, Executor(2));
   const double q = truth_.q[variable_];
   const auto chi_squared =
       patch.compare(seen(3), truth_, variable_, std::vector<double>{q, q + 0.02});

@@ -55,7 +55,7 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       variables(options.registration.free_variables(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1),
       fine(model, options.registration, executor),
-      low_relief(model, options.registration),
+      low_relief(model, options.registration, executor),
       overlap(model, fine.collision()) {
   RegistrationOptions coarse_options = options.registration;
   coarse_options.refine_at_edges = false;

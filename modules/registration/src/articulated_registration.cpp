@@ -42,7 +42,7 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
       options_(options),
       executor_(executor),
       collision_(model, options, executor),
-      low_relief_(model, options),
+      low_relief_(model, options, executor),
       edges_(model.tree, options, executor),
       scale_(step_scale(model.tree)),
       moves_(model.tree) {

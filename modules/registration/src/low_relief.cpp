@@ -36,12 +36,13 @@ double excess(double chi_squared, int pixels) {
 
 }  // namespace
 
-LowRelief::LowRelief(const ArticulatedModel& model, const RegistrationOptions& options)
+LowRelief::LowRelief(const ArticulatedModel& model, const RegistrationOptions& options,
+                     const Executor& executor)
     : model_(model),
       noise_(options.noise),
       prominences_(joint_prominences(model)),
       levers_(surface_levers(model.tree).tail(model.tree.variables())),
-      patch_(model.tree, options.noise, options.cut) {}
+      patch_(model.tree, options.noise, options.cut, executor) {}
 
 /// Along the optical axis, of what the joint moves first.
 double LowRelief::distance(int variable, const Configuration& configuration) {

@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/moved_bodies.hpp"
-#include "lockbox/rendering/body_item.hpp"
+#include "patch_worker.hpp"
 
 namespace lockbox {
 namespace {
@@ -52,15 +53,18 @@ PinholeCamera cropped(const PinholeCamera& camera, int left, int top, int width,
 
 }  // namespace
 
-PatchLikelihood::PatchLikelihood(const KinematicTree& tree, const SensorNoise& noise, double cut)
-    : tree_(tree),
-      lateral_pixels_(noise.lateral_pixels),
-      cut_(cut),
-      noise_(noise, kTile),
-      renderer_(std::make_unique<DepthRenderer>(PinholeCamera{}, Executor(1))) {
+PatchLikelihood::PatchLikelihood(const KinematicTree& tree, const SensorNoise& noise, double cut,
+                                 const Executor& executor)
+    : tree_(tree), lateral_pixels_(noise.lateral_pixels), cut_(cut), executor_(executor) {
   for (const Body& body : tree.bodies) boxes_.push_back(bounds(body.mesh));
   for (int v = 0; v < tree.variables(); ++v) moved_.push_back(moved_bodies(tree, v));
+  for (int i = 0; i < executor.threads(); ++i) {
+    workers_.push_back(std::make_unique<Worker>(noise, kTile));
+  }
 }
+
+PatchLikelihood::~PatchLikelihood() = default;
+PatchLikelihood::PatchLikelihood(PatchLikelihood&&) noexcept = default;
 
 std::span<const double> PatchLikelihood::compare(const TiledCloud& cloud,
                                                  const Configuration& configuration, int variable,
@@ -70,32 +74,33 @@ std::span<const double> PatchLikelihood::compare(const TiledCloud& cloud,
   if (!frame_motion(cloud.camera(), configuration, variable)) return {};
   draw(cloud.camera(), configuration, variable);
   read_measured(cloud);
-  chi_squared_.assign(positions_.size(), 0.0);
-  for (int top = 0; top < frame_.height; top += kTile) {
-    for (int left = 0; left < frame_.width; left += kTile) {
-      if (differs_in_tile(left, top)) compare_tile(left, top);
-    }
-  }
+  const auto tiles = static_cast<std::size_t>(frame_.width / kTile * (frame_.height / kTile));
+  pixels_of_tile_.assign(tiles, 0);
+  sums_of_tile_.assign(tiles * positions_.size(), 0.0);
+  executor_.for_each(tiles, [&](std::size_t tile) { compare_tile(tile); });
+  sum_up();
   return compared_ > 0 ? std::span<const double>(chi_squared_) : std::span<const double>();
 }
 
 void PatchLikelihood::draw(const PinholeCamera& camera, const Configuration& configuration,
                            int variable) {
-  renderer_->set_camera(
-      refined(cropped(camera, frame_.left, frame_.top, frame_.width, frame_.height), kSamples));
+  const PinholeCamera samples =
+      refined(cropped(camera, frame_.left, frame_.top, frame_.width, frame_.height), kSamples);
+  for (const auto& each : workers_) each->renderer.set_camera(samples);
   const auto& moved = moved_[static_cast<std::size_t>(variable)];
   means_.resize(positions_.size() * frame_.pixels());
   has_ground_.assign(frame_.pixels(), 1);
-  render(configuration, moved, false, rest_);
+  workers_.front()->render(tree_, configuration, moved, false, rest_);
   leave_out_what_shows_nothing();
-  measure_edges_at_rest();
-  trial_ = configuration;
-  for (std::size_t k = 0; k < positions_.size(); ++k) {
-    trial_.q[variable] = positions_[k];
-    render(trial_, moved, true, moving_);
-    merge_with_rest();
-    blur(means(k));
-  }
+  measure_edges_at_rest(*workers_.front());
+  executor_.for_each(positions_.size(), [&](std::size_t k) {
+    Worker& own = worker();
+    own.trial = configuration;
+    own.trial.q[variable] = positions_[k];
+    own.render(tree_, own.trial, moved, true, own.moving);
+    own.merge_with(rest_);
+    blur(own, means(k));
+  });
 }
 
 /// The rectangle that holds what the variable moves, wherever it stands.
@@ -128,42 +133,22 @@ bool PatchLikelihood::frame_motion(const PinholeCamera& camera, const Configurat
   return frame_.width > 0 && frame_.height > 0 && frame_.pixels() <= kMostPixels;
 }
 
-void PatchLikelihood::render(const Configuration& configuration,
-                             const std::vector<std::uint8_t>& moved, bool of_moved,
-                             RenderedDepth& image) {
-  forward_kinematics(tree_, configuration, poses_);
-  items_.clear();
-  for (std::size_t b = 0; b < poses_.size(); ++b) {
-    if ((moved[b] != 0) == of_moved) {
-      items_.push_back(body_item(tree_, b, poses_[b]));
-    }
-  }
-  renderer_->render(items_, image);
-}
-
-void PatchLikelihood::merge_with_rest() {
-  samples_.resize(rest_.depth.size());
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    samples_[i] = 1.0F / std::min(rest_.depth[i], moving_.depth[i]);  // 1 / infinity = 0
-  }
-}
-
-/// The mean of the samples around each pixel by the jitter's density.
-void PatchLikelihood::blur(std::span<float> means) {
+/// The mean of the worker's samples around each pixel by the jitter's density.
+void PatchLikelihood::blur(Worker& worker, std::span<float> means) const {
   const Taps taps = jitter_density(lateral_pixels_);
   const auto columns = static_cast<std::size_t>(rest_.width);
-  column_sums_.resize(columns);
+  worker.column_sums.resize(columns);
   for (int v = 0; v < frame_.height; ++v) {
-    std::fill(column_sums_.begin(), column_sums_.end(), 0.0F);
+    std::fill(worker.column_sums.begin(), worker.column_sums.end(), 0.0F);
     for (std::size_t t = 0; t < kTaps; ++t) {
       const float* const row =
-          &samples_[sample_near(v, static_cast<int>(t), rest_.height) * columns];
-      for (std::size_t i = 0; i < columns; ++i) column_sums_[i] += taps[t] * row[i];
+          &worker.samples[sample_near(v, static_cast<int>(t), rest_.height) * columns];
+      for (std::size_t i = 0; i < columns; ++i) worker.column_sums[i] += taps[t] * row[i];
     }
     for (int u = 0; u < frame_.width; ++u) {
       float mean = 0.0F;
       for (std::size_t t = 0; t < kTaps; ++t) {
-        mean += taps[t] * column_sums_[sample_near(u, static_cast<int>(t), rest_.width)];
+        mean += taps[t] * worker.column_sums[sample_near(u, static_cast<int>(t), rest_.width)];
       }
       means[frame_.index(u, v)] = mean;
     }
@@ -172,15 +157,16 @@ void PatchLikelihood::blur(std::span<float> means) {
 
 /// The variance of what pixels measure at the edges of what rests. Believing in those of what moves
 /// would favour the position that they are drawn at; the others would have to pay for theirs.
-void PatchLikelihood::measure_edges_at_rest() {
-  samples_.resize(rest_.depth.size());
-  std::transform(rest_.depth.begin(), rest_.depth.end(), samples_.begin(),
+void PatchLikelihood::measure_edges_at_rest(Worker& worker) {
+  std::vector<float>& samples = worker.samples;
+  samples.resize(rest_.depth.size());
+  std::transform(rest_.depth.begin(), rest_.depth.end(), samples.begin(),
                  [](float depth) { return 1.0F / depth; });
-  const float reference = samples_[samples_.size() / 2];  // lest squares cancel
-  blur(means(0));
-  for (float& sample : samples_) sample = (sample - reference) * (sample - reference);
+  const float reference = samples[samples.size() / 2];  // lest squares cancel
+  blur(worker, means(0));
+  for (float& sample : samples) sample = (sample - reference) * (sample - reference);
   edge_variances_.resize(frame_.pixels());
-  blur(edge_variances_);
+  blur(worker, edge_variances_);
   for (std::size_t i = 0; i < edge_variances_.size(); ++i) {
     const float offset = means(0)[i] - reference;
     edge_variances_[i] = std::max(0.0F, edge_variances_[i] - offset * offset);
@@ -227,7 +213,7 @@ float PatchLikelihood::least_residual(std::size_t pixel) const {
 }
 
 /// Whether some position changes what some pixel is expected to measure.
-bool PatchLikelihood::differs_in_tile(int left, int top) {
+bool PatchLikelihood::differs_in_tile(int left, int top) const {
   for (int v = top; v < top + kTile; ++v) {
     const std::size_t first = frame_.index(left, v);
     const float* const row = &means(0)[first];
@@ -240,36 +226,50 @@ bool PatchLikelihood::differs_in_tile(int left, int top) {
 
 /// By the pixels that some position explains, by themselves and given their neighbours: beside some
 /// that err alike, one that is off by four standard deviations is off by fifteen of its own.
-void PatchLikelihood::compare_tile(int left, int top) {
-  noise_.clear(positions_.size());
+void PatchLikelihood::compare_tile(std::size_t tile) {
+  const auto columns = frame_.width / kTile;
+  const int left = static_cast<int>(tile) % columns * kTile;
+  const int top = static_cast<int>(tile) / columns * kTile;
+  if (!differs_in_tile(left, top)) return;
+  TileNoise& noise = worker().noise;
+  noise.clear(positions_.size());
   for (int cell = 0; cell < kTile * kTile; ++cell) {
     const int column = cell % kTile;
     const int row = cell / kTile;
     const std::size_t pixel = frame_.index(left + column, top + row);
     if (has_ground_[pixel] == 0 || !(measured_[pixel] > 0.0F)) continue;
-    const float own = noise_.own_variance(means(0)[pixel]) + edge_variances_[pixel];
+    const float own = noise.own_variance(means(0)[pixel]) + edge_variances_[pixel];
     const float least = least_residual(pixel);
-    const float variance = own + noise_.shared_variance();
+    const float variance = own + noise.shared_variance();
     if (least * least > static_cast<float>(square(cut_)) * variance) continue;
-    const std::span<float> residuals = noise_.add(column, row, own);
+    const std::span<float> residuals = noise.add(column, row, own);
     for (std::size_t k = 0; k < positions_.size(); ++k) {
       residuals[k] = measured_[pixel] - means(k)[pixel];
     }
   }
-  if (noise_.count() == 0) return;
-  noise_.whiten();
+  noise.whiten();
+  const std::span<double> sums(&sums_of_tile_[tile * positions_.size()], positions_.size());
   const auto limit = static_cast<float>(cut_);
-  for (std::size_t i = 0; i < noise_.count(); ++i) {
-    const std::span<const float> residuals = noise_.values(i);
+  for (std::size_t i = 0; i < noise.count(); ++i) {
+    const std::span<const float> residuals = noise.values(i);
     const bool explains = std::any_of(residuals.begin(), residuals.end(), [limit](float residual) {
       return std::abs(residual) <= limit;
     });
     if (!explains) continue;
     for (std::size_t k = 0; k < positions_.size(); ++k) {
-      chi_squared_[k] += square(static_cast<double>(residuals[k]));
+      sums[k] += square(static_cast<double>(residuals[k]));
     }
   }
-  compared_ += static_cast<int>(noise_.count());
+  pixels_of_tile_[tile] = static_cast<int>(noise.count());
+}
+
+/// In the order of the tiles.
+void PatchLikelihood::sum_up() {
+  compared_ = std::accumulate(pixels_of_tile_.begin(), pixels_of_tile_.end(), 0);
+  chi_squared_.assign(positions_.size(), 0.0);
+  for (std::size_t i = 0; i < sums_of_tile_.size(); ++i) {
+    chi_squared_[i % positions_.size()] += sums_of_tile_[i];
+  }
 }
 
 }  // namespace lockbox

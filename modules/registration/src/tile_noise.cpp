@@ -10,6 +10,7 @@ namespace lockbox {
 namespace {
 
 constexpr double kLeastLength = 0.1;  // pixels: as good as none
+constexpr std::size_t kUsualValues = 32;
 
 double square(double x) {
   return x * x;
@@ -21,7 +22,11 @@ TileNoise::TileNoise(const SensorNoise& noise, int side)
     : side_(static_cast<std::size_t>(side)),
       own_(static_cast<float>(noise.own_share * noise.depth_quadratic)),
       rounding_(static_cast<float>(noise.depth_floor)) {
-  pixels_.reserve(side_ * side_);
+  // Nothing is allocated while tiles are compared, unless they have many values.
+  const std::size_t cells = side_ * side_;
+  pixels_.reserve(cells);
+  covariance_.resize(cells, cells);
+  values_.resize(cells, kUsualValues);
   const double length = std::max(noise.correlation_pixels, kLeastLength);
   const double variance = square(noise.depth_quadratic) * (1.0 - square(noise.own_share));
   shared_variance_ = static_cast<float>(variance);

@@ -19,10 +19,11 @@ struct JointSighting {
   double variance;
 };
 
-/// Works on one thread; reuses its buffers. The model must outlive it.
+/// Reuses its buffers. The same for any number of threads. The model must outlive it.
 class LowRelief {
  public:
-  LowRelief(const ArticulatedModel& model, const RegistrationOptions& options);
+  LowRelief(const ArticulatedModel& model, const RegistrationOptions& options,
+            const Executor& executor);
 
   /// How far what a joint variable moves stands out where it is, standard deviations of a depth.
   double prominence(int variable, const Configuration& configuration);

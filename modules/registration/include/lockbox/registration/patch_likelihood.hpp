@@ -16,18 +16,21 @@
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/parallel.hpp"
 #include "lockbox/model/configuration.hpp"
 #include "lockbox/registration/registration_options.hpp"
-#include "lockbox/registration/tile_noise.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
 
 namespace lockbox {
 
-/// Draws on one thread; reuses its buffers. The tree is referred to.
+/// Reuses its buffers. The same for any number of threads. The tree is referred to.
 class PatchLikelihood {
  public:
   /// cut: pixels that err by more standard deviations at all positions show something else.
-  PatchLikelihood(const KinematicTree& tree, const SensorNoise& noise, double cut);
+  PatchLikelihood(const KinematicTree& tree, const SensorNoise& noise, double cut,
+                  const Executor& executor);
+  ~PatchLikelihood();
+  PatchLikelihood(PatchLikelihood&&) noexcept;
 
   /// chi^2 with a variable at each of the positions; nothing where there is nothing to compare, or
   /// too much. Valid until the next call.
@@ -50,45 +53,47 @@ class PatchLikelihood {
     }
   };
 
+  struct Worker;
+  Worker& worker() const { return *workers_[Executor::worker()]; }
+
   void draw(const PinholeCamera& camera, const Configuration& configuration, int variable);
   bool frame_motion(const PinholeCamera& camera, const Configuration& configuration, int variable);
-  void render(const Configuration& configuration, const std::vector<std::uint8_t>& moved,
-              bool of_moved, RenderedDepth& image);
-  void merge_with_rest();
-  void blur(std::span<float> means);
-  void measure_edges_at_rest();
+  void blur(Worker& worker, std::span<float> means) const;
+  void measure_edges_at_rest(Worker& worker);
   void leave_out_what_shows_nothing();
   void read_measured(const TiledCloud& cloud);
   float least_residual(std::size_t pixel) const;
-  bool differs_in_tile(int left, int top);
-  void compare_tile(int left, int top);
+  bool differs_in_tile(int left, int top) const;
+  void compare_tile(std::size_t tile);
+  void sum_up();
   std::span<float> means(std::size_t position) {
+    return {&means_[position * frame_.pixels()], frame_.pixels()};
+  }
+  std::span<const float> means(std::size_t position) const {
     return {&means_[position * frame_.pixels()], frame_.pixels()};
   }
 
   const KinematicTree& tree_;
   double lateral_pixels_;
   double cut_;
-  TileNoise noise_;
+  Executor executor_;
   std::vector<Eigen::AlignedBox3d> boxes_;        ///< by body
   std::vector<std::vector<std::uint8_t>> moved_;  ///< by variable, then by body
-  std::unique_ptr<DepthRenderer> renderer_;
+  std::vector<std::unique_ptr<Worker>> workers_;  ///< by thread
 
   std::vector<double> positions_;
   Frame frame_{};
   int compared_ = 0;
-  std::vector<Eigen::Isometry3d> poses_;
-  std::vector<RenderItem> items_;
   Configuration trial_;
+  std::vector<Eigen::Isometry3d> poses_;
   RenderedDepth rest_;
-  RenderedDepth moving_;
-  std::vector<float> samples_;  ///< inverse depths, 1/metre; 0: nothing
-  std::vector<float> column_sums_;
   std::vector<float> edge_variances_;     ///< by pixel
   std::vector<float> measured_;           ///< inverse depth by pixel; 0: nothing
   std::vector<float> means_;              ///< by position, then by pixel
-  std::vector<double> chi_squared_;       ///< by position
   std::vector<std::uint8_t> has_ground_;  ///< by pixel: whether it shows what rests, or would
+  std::vector<int> pixels_of_tile_;       ///< that were compared
+  std::vector<double> sums_of_tile_;      ///< of their squares: by tile, then by position
+  std::vector<double> chi_squared_;       ///< by position
 };
 
 }  // namespace lockbox
