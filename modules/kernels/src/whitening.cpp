@@ -28,17 +28,17 @@ HWY_INLINE void scale(float* const row, const std::size_t begin, const std::size
 /// Rows of both matrices that are done, and used together.
 constexpr std::size_t kPanel = 4;
 
-/// row <- row - factors . rows of a panel, the first kRows of them.
-template <std::size_t kRows>
+/// row <- row - factors . rows of a panel, the first Rows of them.
+template <std::size_t Rows>
 HWY_INLINE void subtract(float* const row, const std::size_t begin, const std::size_t end,
                          const float* const* const factors, const float* const* const panel,
                          const std::size_t column) {
   const Tag tag;
-  hn::Vec<Tag> by[kRows];
-  for (std::size_t t = 0; t < kRows; ++t) by[t] = hn::Set(tag, factors[t][column]);
+  hn::Vec<Tag> by[Rows];
+  for (std::size_t t = 0; t < Rows; ++t) by[t] = hn::Set(tag, factors[t][column]);
   for (std::size_t j = begin; j < end; j += hn::Lanes(tag)) {
     auto rest = hn::Load(tag, row + j);
-    for (std::size_t t = 0; t < kRows; ++t) {
+    for (std::size_t t = 0; t < Rows; ++t) {
       rest = hn::NegMulAdd(by[t], hn::Load(tag, panel[t] + j), rest);
     }
     hn::Store(rest, tag, row + j);
@@ -76,12 +76,12 @@ class Whitener {
     return row / lanes * lanes;
   }
 
-  /// kRows of the panel from row t of it on.
-  template <std::size_t kRows>
+  /// Rows of the panel from row t of it on.
+  template <std::size_t Rows>
   HWY_INLINE void subtract_rows(const std::size_t t, const std::size_t i) {
-    subtract<kRows>(values_.row(i).data(), 0, columns_, factors_ + t, solved_ + t, i);
-    subtract<kRows>(covariance_.row(i).data(), first_column(i), rows_, factors_ + t, factors_ + t,
-                    i);
+    subtract<Rows>(values_.row(i).data(), 0, columns_, factors_ + t, solved_ + t, i);
+    subtract<Rows>(covariance_.row(i).data(), first_column(i), rows_, factors_ + t, factors_ + t,
+                   i);
   }
 
   PaddedRows& covariance_;
@@ -97,21 +97,21 @@ void whiten_rows(PaddedRows& covariance, PaddedRows& values) {
 }
 
 /// Some rows of the products at once, so that no sum waits for itself.
-template <std::size_t kSums>
+template <std::size_t Sums>
 HWY_INLINE void multiply_some(const std::size_t rows, PaddedRows& values, const std::size_t first,
                               PaddedRows& products) {
   const Tag tag;
   for (std::size_t j = 0; j < values.columns(); j += hn::Lanes(tag)) {
-    hn::Vec<Tag> sums[kSums];
+    hn::Vec<Tag> sums[Sums];
     for (auto& sum : sums) sum = hn::Zero(tag);
     for (std::size_t k = 0; k < rows; ++k) {
       const float* const row = values.row(k).data();
       const auto others = hn::Load(tag, row + j);
-      for (std::size_t s = 0; s < kSums; ++s) {
+      for (std::size_t s = 0; s < Sums; ++s) {
         sums[s] = hn::MulAdd(hn::Set(tag, row[first + s]), others, sums[s]);
       }
     }
-    for (std::size_t s = 0; s < kSums; ++s) {
+    for (std::size_t s = 0; s < Sums; ++s) {
       hn::Store(sums[s], tag, products.row(first + s).data() + j);
     }
   }
