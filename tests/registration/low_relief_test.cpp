@@ -112,7 +112,7 @@ TEST_F(FarSlider, IsUnknownWhereNothingWasMeasured) {
   TiledCloud cloud;
   cloud.assign(frame, {}, Executor());
   EXPECT_FALSE(LowRelief(model_, {}, Executor(1)).find_near(cloud, truth_, variable_, 0.0));
-  EXPECT_FALSE(LowRelief(model_, {}).find_anywhere(cloud, truth_, variable_));
+  EXPECT_FALSE(LowRelief(model_, {}, Executor(1)).find_anywhere(cloud, truth_, variable_));
 }
 
 TEST_F(FarSlider, IsUnknownBehindTheCamera) {
