@@ -63,6 +63,16 @@ std::size_t samples(const SamplingDensity& density) {
   return count;
 }
 
+TEST(SamplingPlan, NeedsToKnowOnlyWhereTheViewIsDrawn) {
+  RenderedDepth view = plates();
+  view.drawn = {60, 40, 200, 160};  // as tight as can be
+  SamplingPlan plan;
+  for (const std::size_t budget : {std::size_t{300}, std::size_t{2000}, std::size_t{100000}}) {
+    plan.plan(view, 1, kFocalLength, 0.1, budget, Executor(1));
+    EXPECT_EQ(plan.density().spacing, planned(budget, 0.1).spacing);
+  }
+}
+
 TEST(SamplingPlan, SpendsTheBudgetAndNotMore) {
   for (const std::size_t budget : {1500U, 3000U, 6000U, 8000U, 12000U}) {
     const std::size_t spent = samples(planned(budget));
