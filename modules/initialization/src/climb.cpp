@@ -32,12 +32,11 @@ Configuration moved(const KinematicTree& tree, const Configuration& configuratio
 
 }  // namespace
 
-void climb(const KinematicTree& tree, const std::vector<int>& variables,
+void climb(const KinematicTree& tree, const ModelLevers& levers, const std::vector<int>& variables,
            std::span<ViewScore> scores, const Executor& executor, const ClimbPlan& plan,
            Configuration& configuration) {
   std::vector<int> unknowns{0, 1, 2, 3, 4, 5};
   for (const int variable : variables) unknowns.push_back(6 + variable);
-  const ModelLevers levers = model_levers(tree);
   double best = scores.front().fit(configuration, plan.slack);
   std::array<Configuration, 2> trials;  // to either side
   std::array<double, 2> fits{};

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "levers.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "view_score.hpp"
@@ -20,7 +21,7 @@ struct ClimbPlan {
 /// the view best: by large steps at first, then by ever smaller ones. What is seen beside the model
 /// counts against a drawing, so that a wall just behind cannot pull it away, nor something that
 /// stands before it. scores: of the same view, one for each worker of the executor.
-void climb(const KinematicTree& tree, const std::vector<int>& variables,
+void climb(const KinematicTree& tree, const ModelLevers& levers, const std::vector<int>& variables,
            std::span<ViewScore> scores, const Executor& executor, const ClimbPlan& plan,
            Configuration& configuration);
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "levers.hpp"
 #include "lockbox/model/moved_bodies.hpp"
 
 namespace lockbox {
@@ -61,14 +60,14 @@ std::vector<std::size_t> best_peaks(const std::vector<double>& scores) {
 /// Scans variables of one tree in one view.
 class JointScan {
  public:
-  JointScan(const KinematicTree& tree, ViewScore& score, const std::vector<int>& variables,
-            double slack, const ScanSteps& steps)
+  JointScan(const KinematicTree& tree, const ModelLevers& levers, ViewScore& score,
+            const std::vector<int>& variables, double slack, const ScanSteps& steps)
       : tree_(tree),
         score_(score),
         variables_(variables),
         slack_(slack),
         steps_(steps),
-        levers_(model_levers(tree).variables),
+        levers_(levers.variables),
         nothing_(tree.bodies.size(), 0) {}
 
   /// Sets the margins of those that are listed.
@@ -198,18 +197,19 @@ class JointScan {
   const std::vector<int>& variables_;
   double slack_;
   ScanSteps steps_;
-  Eigen::VectorXd levers_;
+  const Eigen::VectorXd& levers_;
   std::vector<std::uint8_t> nothing_;  ///< left out, by body
   std::vector<Configuration> trials_;
 };
 
 }  // namespace
 
-std::vector<double> scan_joints(const KinematicTree& tree, ViewScore& score,
-                                const std::vector<int>& variables, double slack,
+std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& levers,
+                                ViewScore& score, const std::vector<int>& variables, double slack,
                                 const ScanSteps& steps, Configuration& configuration) {
   std::vector<double> margins(static_cast<std::size_t>(tree.variables()), kInfinity);
-  JointScan(tree, score, variables, slack, steps).scan_each(variables, configuration, margins);
+  JointScan(tree, levers, score, variables, slack, steps)
+      .scan_each(variables, configuration, margins);
   return margins;
 }
 

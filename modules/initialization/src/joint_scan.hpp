@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "levers.hpp"
 #include "lockbox/registration/low_relief.hpp"
 #include "view_score.hpp"
 
@@ -22,8 +23,8 @@ inline constexpr ScanSteps kScan{0.012, 2};
 /// changes nothing in the view stays where it is. slack: metres that surfaces may be off. Returns,
 /// by variable, by how many pixels the best position explains more than any that is not beside it;
 /// infinity where nothing is seen of it.
-std::vector<double> scan_joints(const KinematicTree& tree, ViewScore& score,
-                                const std::vector<int>& variables, double slack,
+std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& levers,
+                                ViewScore& score, const std::vector<int>& variables, double slack,
                                 const ScanSteps& steps, Configuration& configuration);
 
 /// The same for variables whose parts hardly stand out of the noise, or of which too little is

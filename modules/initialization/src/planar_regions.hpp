@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flat pieces of what the camera sees, small ones too, and parallel ones a few millimetres apart.
 //
-// A plane m.p = 1 has the inverse depth 1/z = m.r along the ray r = (x/z, y/z, 1): planes are found
-// by linear fits, under noise that is the same everywhere for a sensor that triangulates.
+// PCL finds pieces with one normal; what they are pieces of is told by fits to inverse depth.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <vector>
 
 #include "coarse_view.hpp"
+#include "lockbox/core/parallel.hpp"
 
 namespace lockbox {
 
@@ -20,7 +20,8 @@ struct PlanarRegion {
 /// The largest regions, the largest first, of at least least_samples; noise: standard deviation of
 /// 1/depth of a sample, 1/metre. Overlapping pieces of one plane count once.
 std::vector<PlanarRegion> find_planar_regions(const CoarseView& view, double noise,
-                                              std::size_t least_samples, std::size_t most_regions);
+                                              std::size_t least_samples, std::size_t most_regions,
+                                              const Executor& executor);
 
 /// A view, and its planes.
 struct PlanarScene {

@@ -134,7 +134,7 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Br
     // Joints that stand elsewhere than assumed may have pulled the base away.
     if (refined.score > hypotheses[i].score) hypotheses[i] = std::move(refined);
     hypotheses[i].bodies = all_bodies;
-    scan_joints(model.tree, score(), variables, 0.02, kGlance, hypotheses[i].configuration);
+    scan_joints(model.tree, levers, score(), variables, 0.02, kGlance, hypotheses[i].configuration);
     hypotheses[i].score = judge(hypotheses[i], 0.02, 0.5);
   });
   hypotheses = best_apart(std::move(hypotheses), breadth.placed, levers);
@@ -144,7 +144,7 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Br
 void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses, const Breadth& breadth) {
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
-    scan_joints(model.tree, score(), variables, 0.01, kScan, hypothesis.configuration);
+    scan_joints(model.tree, levers, score(), variables, 0.01, kScan, hypothesis.configuration);
     hypothesis.score = judge_closely(hypothesis.configuration, 0.006);
     Hypothesis refined = hypothesis;
     for (int round = 0; round < kRounds; ++round) align_coarsely(0.015, 8, refined.configuration);
@@ -160,11 +160,11 @@ void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses, const Brea
     Hypothesis& hypothesis = hypotheses[i];
     Hypothesis refined = hypothesis;
     align_coarsely(0.005, 6, refined.configuration);
-    scan_joints(model.tree, score(), variables, 0.004, kScan, refined.configuration);
+    scan_joints(model.tree, levers, score(), variables, 0.004, kScan, refined.configuration);
     refined.score = judge_closely(refined.configuration, kFineSlack);
     // What stands before the object may pull a registration along it, but not a drawing.
     Hypothesis climbed = hypothesis;
-    climb(model.tree, variables, std::span(&score(), 1), Executor(1), kClimbFar,
+    climb(model.tree, levers, variables, std::span(&score(), 1), Executor(1), kClimbFar,
           climbed.configuration);
     climbed.score = judge_closely(climbed.configuration, kFineSlack);
     hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
@@ -180,7 +180,7 @@ void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
                                          const Breadth& breadth) {
   align_if_better(cloud, hypotheses, breadth);
   for (Hypothesis& hypothesis : hypotheses) {
-    climb(model.tree, variables, halves, executor, kClimbClosely, hypothesis.configuration);
+    climb(model.tree, levers, variables, halves, executor, kClimbClosely, hypothesis.configuration);
   }
   align_if_better(cloud, hypotheses, breadth);
 }
@@ -191,8 +191,8 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
   std::vector<Configuration> aligned;
   aligned.reserve(hypotheses.size());
   for (const Hypothesis& hypothesis : hypotheses) {
-    const TiledCloud& object = surroundings.left_out_of(cloud, hypothesis.configuration,
-                                                        options.depth_noise, parts.front());
+    const TiledCloud& object =
+        surroundings.left_out_of(cloud, hypothesis.configuration, depth_noise(), parts.front());
     aligned.push_back(fine.align(object, hypothesis.configuration, kClosely).configuration);
   }
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
@@ -215,7 +215,7 @@ void Initializer::Workspace::settle(const TiledCloud& cloud, const CoarseView& f
   halves.front().set_view(fine_view, kIsKnown);
   Configuration& configuration = candidate.configuration;
   candidate.margins =
-      scan_joints(model.tree, halves.front(), variables, kFineSlack, kScan, configuration);
+      scan_joints(model.tree, levers, halves.front(), variables, kFineSlack, kScan, configuration);
   scan_by_image(low_relief, cloud, variables, candidate.margins, configuration);
   resolve_overlap(cloud, variables, configuration);
   align_exactly(cloud, configuration);
@@ -236,7 +236,7 @@ void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud, const std:
 /// lower.
 void Initializer::Workspace::align_exactly(const TiledCloud& cloud, Configuration& configuration) {
   const TiledCloud& object =
-      surroundings.left_out_of(cloud, configuration, options.depth_noise, parts.front());
+      surroundings.left_out_of(cloud, configuration, depth_noise(), parts.front());
   const double before = fine.align(object, configuration, {0.0, 0}).agreement.conviction();
   const RegistrationResult& exact = fine.align(object, configuration, kExactly);
   if (exact.agreement.conviction() > before - kHardlyWorse) configuration = exact.configuration;

@@ -52,8 +52,10 @@ struct Initializer::Workspace {
   Workspace(const ArticulatedModel& articulated_model, const InitializerOptions& given,
             const Executor& workers);
 
-  double view_noise() const { return kMedianNoise * options.depth_noise; }
-  double fine_view_noise() const { return kHalfNoise * options.depth_noise; }
+  /// Standard deviations of 1/depth, 1/metre: of a pixel, of a sample of either view.
+  double depth_noise() const { return options.registration.noise.sigma_inverse_depth(); }
+  double view_noise() const { return kMedianNoise * depth_noise(); }
+  double fine_view_noise() const { return kHalfNoise * depth_noise(); }
 
   /// All stages but the last. While no answer is convincing, they are gone through again with the
   /// planes of the finer view, then keeping more, and all answers are ranked together.

@@ -18,8 +18,6 @@ namespace lockbox {
 
 struct InitializerOptions {
   RegistrationOptions registration;
-  /// Standard deviation of 1/depth of one pixel, 1/metre: that of a depth z is depth_noise z^2.
-  double depth_noise = 0.0022;
   std::size_t most_candidates = 3;  ///< to be returned
 };
 

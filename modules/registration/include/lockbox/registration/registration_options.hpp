@@ -20,6 +20,11 @@ struct SensorNoise {
   /// Along the ray at depth z, and across it with focal length fx: metres.
   double sigma_z(double z) const { return depth_floor + depth_quadratic * z * z; }
   double sigma_lateral(double z, double fx) const { return lateral_pixels / fx * z; }
+  /// Of 1/depth, 1/metre: nearly the same at all depths. Taken where objects usually are.
+  double sigma_inverse_depth() const {
+    constexpr double kUsualDepth = 1.732;  // metres
+    return sigma_z(kUsualDepth) / (kUsualDepth * kUsualDepth);
+  }
 };
 
 enum class CollisionMode { off, literal, eroded };
