@@ -8,7 +8,7 @@
 namespace lockbox::app {
 
 void ModelOptions::add_to(CLI::App& options) {
-  add_model(options, "URDF file, bare .obj or .stl file, or the name of a shipped model")
+  add_model(options, "URDF file, bare .obj, .stl or .ply file, or the name of a shipped model")
       ->required();
 }
 

@@ -36,13 +36,13 @@ double plain(double value) {
 }
 
 bool is_known(const TrackingResult& result) {
-  return result.configuration.T_camera_base.matrix().allFinite();
+  return result.status == TrackingStatus::tracking || result.status == TrackingStatus::uncertain;
 }
 
 /// Standard deviation of a joint's position; infinite where the view does not determine it.
 double joint_sigma(const Joint& joint, const TrackingResult& result) {
+  if (!is_known(result)) return std::numeric_limits<double>::quiet_NaN();
   const auto unknown = static_cast<std::size_t>(6 + joint.variable);
-  if (unknown >= result.observable.size()) return std::numeric_limits<double>::quiet_NaN();
   if (!result.observable[unknown]) return std::numeric_limits<double>::infinity();
   return std::abs(joint.multiplier) * result.sigma(6 + joint.variable);
 }
@@ -65,7 +65,7 @@ void write_covariance_header(std::ofstream& stream, const KinematicTree& tree) {
 
 RunWriter::RunWriter(const std::filesystem::path& folder, const KinematicTree& tree,
                      bool with_covariance)
-    : folder_(folder), tree_(tree) {
+    : folder_(folder), tree_(tree), unknown_(unknown_configuration(tree)) {
   make_folder(folder);
   states_ = open_for_writing(folder / "states.csv");
   base_ = open_for_writing(folder / "base.tum");
@@ -88,8 +88,8 @@ void RunWriter::write(const TrackingResult& result) {
 }
 
 void RunWriter::write_state(const TrackingResult& result) {
-  states_ << states_row(tree_, result.stamp, result.configuration) << ','
-          << to_string(result.status);
+  states_ << states_row(tree_, result.stamp, is_known(result) ? result.configuration : unknown_)
+          << ',' << to_string(result.status);
   for (const int joint : tree_.file_order) {
     states_ << ',' << plain(joint_sigma(tree_.joints[static_cast<std::size_t>(joint)], result));
   }
@@ -109,9 +109,12 @@ void RunWriter::write_base(const TrackingResult& result) {
 
 void RunWriter::write_covariance(const TrackingResult& result) {
   covariance_ << number_text(result.stamp);
-  for (Eigen::Index row = 0; row < result.covariance.rows(); ++row) {
-    for (Eigen::Index column = 0; column < result.covariance.cols(); ++column) {
-      covariance_ << ',' << plain(result.covariance(row, column));
+  const Eigen::Index unknowns = 6 + tree_.variables();
+  for (Eigen::Index row = 0; row < unknowns; ++row) {
+    for (Eigen::Index column = 0; column < unknowns; ++column) {
+      covariance_ << ','
+                  << (is_known(result) ? plain(result.covariance(row, column))
+                                       : std::numeric_limits<double>::quiet_NaN());
     }
   }
   end_row(covariance_, folder_ / "covariance.csv");

@@ -27,6 +27,7 @@ class RunWriter {
 
   std::filesystem::path folder_;
   const KinematicTree& tree_;
+  Configuration unknown_;  ///< in rows of frames of which nothing is known
   std::ofstream states_;
   std::ofstream base_;
   std::ofstream covariance_;

@@ -159,9 +159,14 @@ TEST_F(RigidBlock, IsReportedLostWhenItIsNotThere) {
   write_text(path("outside.csv"),
              "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,4,0,0.9,1,0,0,0\n0.033,4,0,0.9,1,0,0,0\n");
   ASSERT_EQ(simulate(path("outside.csv"), "empty").status, 0);
-  const auto result = track(path("empty"), "lost", {"--initial-state", path("aside.csv")});
+  const auto result =
+      track(path("empty"), "lost", {"--initial-state", path("aside.csv"), "--covariance"});
   EXPECT_EQ(result.status, 1) << result.errors;
-  EXPECT_THAT(read_lines(path("lost/states.csv")).back(), HasSubstr(",lost,"));
+  EXPECT_THAT(read_lines(path("lost/states.csv")).back(),
+              HasSubstr(",nan,nan,nan,nan,nan,nan,nan,lost,"));
+  EXPECT_EQ(read_text(path("lost/base.tum")), "");
+  const std::string covariance = read_lines(path("lost/covariance.csv")).back();
+  EXPECT_EQ(std::count(covariance.begin(), covariance.end(), ','), 36);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "lockbox/evaluation/global_experiment.hpp"
+#include "lockbox/evaluation/random_frame.hpp"
+#include "lockbox/tracking/tracker.hpp"
 #include "seen_model.hpp"
 
 namespace lockbox {
@@ -53,6 +55,25 @@ TEST_P(DoubtfulScenes, AreRightAndUncertain) {
   const GlobalResult result = search();
   EXPECT_TRUE(result.right) << "wrong: " << result.wrong;
   EXPECT_EQ(result.status, TrackingStatus::uncertain);
+}
+
+/// Following an answer says nothing about its rivals: frame after frame it stays `uncertain`.
+TEST_P(DoubtfulScenes, StayUncertainWhileTheyAreFollowed) {
+  const HardScene& scene = GetParam();
+  const ArticulatedModel& model = shipped(scene.model);
+  DepthFrame frame = simulate_random_frame(model, kCamera, sensor_model("primesense"), scene.seed,
+                                           scene.number, Executor())
+                         .frame;
+  Tracker tracker(model, {});
+  Configuration guess = rest_configuration(model.tree);
+  guess.T_camera_base.translation().z() = 4.0;  // nowhere near
+  tracker.start(guess);
+  for (int i = 0; i < 2; ++i) {
+    const TrackingResult& result = tracker.process(frame);
+    EXPECT_EQ(result.status, TrackingStatus::uncertain) << "frame " << i;
+    EXPECT_GT(result.sigma.head<3>().norm(), 0.05) << "frame " << i;
+    frame.stamp += 1.0 / 30.0;
+  }
 }
 
 /// Scenes in which it hangs on a pixel more or less whether the right answer is trusted.

@@ -7,21 +7,19 @@
 #include "lockbox/cloud/segmentation.hpp"
 
 namespace lockbox {
-namespace {
-
-/// It may as well be where the rival is.
-void doubt_base(double rival_distance, RegistrationResult& registered) {
-  registered.covariance.diagonal().head<3>().array() += rival_distance * rival_distance;
-  registered.sigma.head<3>() = registered.covariance.diagonal().head<3>().cwiseSqrt();
-}
-
-}  // namespace
 
 void keep_better(const RegistrationResult& registered, RegistrationResult& best) {
   if (registered.agreement.conviction() > best.agreement.conviction()) best = registered;
 }
 
+void doubt_base(double rival_distance, RegistrationResult& registered) {
+  registered.rival_distance = rival_distance;
+  registered.covariance.diagonal().head<3>().array() += rival_distance * rival_distance;
+  registered.sigma.head<3>() = registered.covariance.diagonal().head<3>().cwiseSqrt();
+}
+
 void keep_doubts(const RegistrationResult& answer, RegistrationResult& followed) {
+  doubt_base(answer.rival_distance, followed);
   std::transform(answer.observable.begin(), answer.observable.end(), followed.observable.begin(),
                  followed.observable.begin(), std::logical_and<>());
 }
@@ -136,7 +134,10 @@ void Acquisition::keep_object(const Configuration& start) {
       expected.push_back({poses[b], model_.fields[b]->bounds()});
     }
   }
-  if (const auto mask = ObjectSegmenter().segment(cloud_, expected, options_.start_margin)) {
+  SegmentationOptions segmentation;
+  segmentation.depth_noise = options_.registration.noise.sigma_inverse_depth();
+  const ObjectSegmenter segmenter(segmentation);
+  if (const auto mask = segmenter.segment(cloud_, expected, options_.start_margin)) {
     cloud_.keep(*mask);
   }
 }

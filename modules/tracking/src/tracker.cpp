@@ -25,6 +25,7 @@ Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
 void Tracker::start(const Configuration& configuration) {
   guess_ = configuration;
   frames_searched_ = 0;
+  rival_distance_ = 0.0;
   result_.status = TrackingStatus::initializing;
   stop_searching();
 }
@@ -54,9 +55,11 @@ void Tracker::follow(const DepthFrame& frame) {
   const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
   const RegistrationResult& registered = registration_.align(
       cloud_, prediction, {predictor_.spread(), options_.registration.max_iterations});
-  const RegistrationResult& found = has_leapt(registered)
-                                        ? with_leap_followed(frame, prediction, registered)
-                                        : come_to_rest(prediction, registered);
+  const RegistrationResult& followed = has_leapt(registered)
+                                           ? with_leap_followed(frame, prediction, registered)
+                                           : come_to_rest(prediction, registered);
+  const RegistrationResult& found =
+      rival_distance_ > 0.0 ? with_rival_sought(frame, followed) : followed;
   const bool was_believed = result_.status == TrackingStatus::tracking;
   report(found);
   if (!was_believed && result_.status == TrackingStatus::tracking) {
@@ -136,7 +139,7 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
   }
   if (judge(best_, options_) != TrackingStatus::tracking) {
     const bool anywhere = options_.search_anywhere && frames_searched_ >= kFramesOfDoubt;
-    if (const auto found = sought(frame, anywhere)) {
+    if (const auto found = sought(frame, anywhere ? SearchScope::near_first : SearchScope::near)) {
       keep_better(*found, best_);
     }
   }
@@ -163,10 +166,7 @@ void Tracker::carry_parts(const Configuration& prediction, RegistrationResult& b
 void Tracker::seek_contradicted_joints(RegistrationResult& best) {
   sought_joints_ = contradicted_variables(best, model_.tree, options_);
   if (!sought_joints_.empty()) {
-    const SoughtJoints sought = acquisition_.find_joints(best.at_rest, sought_joints_);
-    keep_better(registration_.align(cloud_, sought.configuration,
-                                    {options_.start_joint_spread, options_.start_joint_iterations}),
-                best);
+    keep_better(acquisition_.with_joints_sought(best.at_rest, sought_joints_), best);
   }
 }
 

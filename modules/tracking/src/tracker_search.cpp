@@ -21,7 +21,8 @@ bool search_is_due(int frames_searched) {
 }  // namespace
 
 void Tracker::search(const DepthFrame& frame) {
-  const auto found = sought(frame, options_.search_anywhere);
+  const auto found =
+      sought(frame, options_.search_anywhere ? SearchScope::near_first : SearchScope::near);
   if (!found) {
     return;
   }
@@ -30,18 +31,18 @@ void Tracker::search(const DepthFrame& frame) {
     return;  // still initializing: the first estimate must be believable
   }
   report(*found);
+  rival_distance_ = found->rival_distance;
   if (is_known()) {
     frames_searched_ = 0;
     predictor_.reset(frame.stamp, found->at_rest);
     std::transform(found->observable.begin() + 6, found->observable.end(), frames_in_sight_.begin(),
                    [](bool is_known) { return is_known ? kFramesToKnowMotion : 0; });
-    guess_ = found->at_rest;
+    if (!(rival_distance_ > 0.0)) guess_ = found->at_rest;
   }
 }
 
 /// What is found in this frame, if a search is due, or one in the background has ended.
-std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, bool anywhere) {
-  const SearchScope scope = anywhere ? SearchScope::near_first : SearchScope::near;
+std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, SearchScope scope) {
   const bool is_due = search_is_due(frames_searched_++);
   if (options_.background_search) {
     return sought_in_background(frame, scope, is_due);
@@ -52,6 +53,20 @@ std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, bool 
   auto found = acquisition_.find(frame, guess_, scope);
   result_.searches = acquisition_.searches();
   return found;
+}
+
+/// Where the search could not tell two places apart, no frame does that only follows: another
+/// search may, as long as it says the same of the rival.
+const RegistrationResult& Tracker::with_rival_sought(const DepthFrame& frame,
+                                                     const RegistrationResult& followed) {
+  best_ = followed;
+  if (!(best_.rival_distance > 0.0)) doubt_base(rival_distance_, best_);
+  const auto found = sought(frame, SearchScope::anywhere);
+  if (found && judge(*found, options_) == TrackingStatus::tracking) {
+    rival_distance_ = 0.0;
+    best_ = *found;
+  }
+  return best_;
 }
 
 /// Nothing here takes longer than it may take to follow a leap.

@@ -63,6 +63,8 @@ struct RegistrationResult {
   int iterations = 0;
   /// Metres that the last iteration moved surfaces, at most, beyond what noise does: 0 at rest.
   double last_move = 0.0;
+  /// Metres to where the base may be as well, if a search of the whole view could not tell; else 0.
+  double rival_distance = 0.0;
   bool converged = false;
 };
 

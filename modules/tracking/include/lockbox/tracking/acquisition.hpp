@@ -16,6 +16,9 @@ enum class SearchScope { near, anywhere, near_first };
 /// Of two answers in one frame the one with more conviction (Agreement), the earlier one of equals.
 void keep_better(const RegistrationResult& registered, RegistrationResult& best);
 
+/// It may as well stand so far away: its standard deviations say so.
+void doubt_base(double rival_distance, RegistrationResult& registered);
+
 /// What a first answer has doubted is not known where it is followed to, either.
 void keep_doubts(const RegistrationResult& answer, RegistrationResult& followed);
 
@@ -42,6 +45,11 @@ class Acquisition {
   /// How often find() has looked anywhere.
   int searches() const { return searches_; }
 
+  /// Seeks joints over their whole range and registers everything from there; those of which it is
+  /// doubtful where they are count as not observable.
+  RegistrationResult with_joints_sought(const Configuration& start,
+                                        const std::vector<int>& variables);
+
   /// Seeks single joints over their whole range, see Initializer::find_joints.
   SoughtJoints find_joints(const Configuration& start, const std::vector<int>& variables);
 
@@ -49,8 +57,6 @@ class Acquisition {
   bool ends_search(const Candidate& candidate);
   void doubt_joints(const JointMargins& margins, RegistrationResult& registered) const;
   bool find_from(const DepthFrame& frame, const Configuration& guess);
-  RegistrationResult with_joints_sought(const Configuration& start,
-                                        const std::vector<int>& variables);
   bool consider(const RegistrationResult& found);
   Annealing narrow() const;
   void keep_object(const Configuration& start);

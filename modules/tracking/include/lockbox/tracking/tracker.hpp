@@ -56,7 +56,7 @@ class Tracker {
  private:
   bool is_known() const;
   void search(const DepthFrame& frame);
-  std::optional<RegistrationResult> sought(const DepthFrame& frame, bool anywhere);
+  std::optional<RegistrationResult> sought(const DepthFrame& frame, SearchScope scope);
   std::optional<RegistrationResult> sought_in_background(const DepthFrame& frame, SearchScope scope,
                                                          bool is_due);
   std::optional<RegistrationResult> brought_up_to_date(const RegistrationResult& answer);
@@ -75,6 +75,8 @@ class Tracker {
   const RegistrationResult& with_leap_followed(const DepthFrame& frame,
                                                const Configuration& prediction,
                                                const RegistrationResult& registered);
+  const RegistrationResult& with_rival_sought(const DepthFrame& frame,
+                                              const RegistrationResult& followed);
   void carry_parts(const Configuration& prediction, RegistrationResult& best);
   void seek_contradicted_joints(RegistrationResult& best);
   void report(const RegistrationResult& registered);
@@ -90,6 +92,7 @@ class Tracker {
   int frames_searched_ = 0;           ///< since the object was last tracked
   std::vector<int> sought_joints_;    ///< variables to be sought over their whole range
   JointMargins hidden_margins_;       ///< of those that were sought since they were hidden
+  double rival_distance_ = 0.0;       ///< of the last search's answer, until another one tells
   RegistrationResult best_;           ///< of several tries at the same frame
   std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
   TrackingResult result_;
