@@ -2,13 +2,12 @@
 #include "plane_segmentation.hpp"
 
 #include <pcl/sample_consensus/msac.h>
+#include <pcl/sample_consensus/sac_model_plane.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
-
-#include "lockbox/cloud/plane_model.hpp"
 
 namespace lockbox {
 namespace {
@@ -78,6 +77,23 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr ray_coordinates(const SampleGrid& grid, doub
   return rays;
 }
 
+/// Draws triples that are wide apart: they give a plane more exactly, and PCL complains on the
+/// console about collinear ones, which are frequent where disparity is rounded.
+class PlaneModel : public pcl::SampleConsensusModelPlane<pcl::PointXYZ> {
+ public:
+  using SampleConsensusModelPlane::SampleConsensusModelPlane;
+
+ protected:
+  bool isSampleGood(const pcl::Indices& samples) const override {
+    const auto point = [&](std::size_t i) -> Eigen::Vector2f {
+      return (*input_)[static_cast<std::size_t>(samples[i])].getVector3fMap().head<2>();
+    };
+    const Eigen::Vector2f first = point(1) - point(0);
+    const Eigen::Vector2f second = point(2) - point(0);
+    return std::abs(first.x() * second.y() - first.y() * second.x()) > kMinSpread;
+  }
+};
+
 /// Of a x + b y + c w + d = 0 in ray coordinates; nothing for a plane through the camera.
 std::optional<Plane> to_plane(const Eigen::VectorXf& abcd) {
   if (!abcd.allFinite() || std::abs(abcd[2]) < 1e-3F) {
@@ -91,7 +107,7 @@ std::optional<Plane> largest_plane(const pcl::PointCloud<pcl::PointXYZ>::ConstPt
                                    const pcl::Indices& remaining, double noise,
                                    std::size_t min_support) {
   const double threshold = kSupport * noise * double{kInverseDepthScale};
-  const auto model = pcl::make_shared<PlaneModel>(rays, remaining, kMinSpread);
+  const auto model = pcl::make_shared<PlaneModel>(rays, remaining);
   pcl::MEstimatorSampleConsensus<pcl::PointXYZ> consensus(model, threshold);
   consensus.setMaxIterations(kMaxTrials);
   consensus.setProbability(kSuccess);

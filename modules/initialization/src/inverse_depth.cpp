@@ -41,8 +41,9 @@ float InverseDepth::smoothed(int u, int v, float jump) const {
 
 Eigen::Vector3f InverseDepth::ray(std::size_t sample) const {
   const auto width = static_cast<std::size_t>(view_.camera.width);
-  return view_.camera
-      .back_project(static_cast<double>(sample % width), static_cast<double>(sample / width), 1.0)
+  const std::size_t u = sample % width;
+  const std::size_t v = sample / width;
+  return view_.camera.back_project(static_cast<double>(u), static_cast<double>(v), 1.0)
       .cast<float>();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flat pieces of what the camera sees, small ones too, and parallel ones a few millimetres apart.
 //
-// PCL finds pieces with one normal; what they are pieces of is told by fits to inverse depth.
+// Windows that are mostly flat grow to all that lies in their planes and hangs together.
 #pragma once
 
 #include <Eigen/Geometry>
