@@ -22,8 +22,8 @@ constexpr double kConvincing = 36.0;
 constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}};
 constexpr Breadth kWide{32, {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 2}};
 
-PlanarScene planes(const CoarseView& view, double noise, const Executor& executor) {
-  return {view, noise, find_planar_regions(view, noise, kLeastSamples, kMostRegions, executor)};
+PlanarScene planes(const CoarseView& view, double noise) {
+  return {view, noise, find_planar_regions(view, noise, kLeastSamples, kMostRegions)};
 }
 
 void check(const TiledCloud& cloud) {
@@ -55,7 +55,7 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud,
   const CoarseView fine_view(cloud, kFineColumns, w.executor);
   for (ViewScore& half : w.halves) half.set_view(fine_view);
 
-  const PlanarScene scene = planes(view, w.view_noise(), w.executor);
+  const PlanarScene scene = planes(view, w.view_noise());
   w.surroundings.set_scene(scene);
   std::vector<Candidate> candidates = w.seek_until_convinced(cloud, scene, fine_view);
   if (!candidates.empty()) {
@@ -76,7 +76,7 @@ std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledC
     return candidates.empty() ? 0.0 : candidates.front().score;
   };
   if (best_score_in(scene, kUsual) >= kConvincing) return candidates;
-  const PlanarScene closer = planes(fine_view, fine_view_noise(), executor);
+  const PlanarScene closer = planes(fine_view, fine_view_noise());
   if (best_score_in(closer, kUsual) >= kPossible) return candidates;
   if (best_score_in(scene, kWide) < kPossible) best_score_in(closer, kWide);
   return candidates;

@@ -1,18 +1,154 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planar_regions.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
-
-#include "flat_windows.hpp"
-#include "inverse_depth.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr double kInlier = 2.5;  // standard deviations of a smoothed sample
+constexpr std::array<int, 2> kWindows{8, 14};  // samples along each side of a first guess
+constexpr double kInlier = 2.5;                // standard deviations of a smoothed sample
+constexpr double kLeastInliers = 0.6;          // share of a window
+constexpr int kTrims = 3;
 constexpr int kGrowths = 3;
+
+/// 1/depth in rays; neighbours that continue a sample smoothly are averaged with it.
+class InverseDepth {
+ public:
+  InverseDepth(const CoarseView& view, double noise)
+      : view_(view), values_(view.depth.size(), 0.0F) {
+    const auto jump = static_cast<float>(4.0 * noise);
+    for (int v = 0; v < view.camera.height; ++v) {
+      for (int u = 0; u < view.camera.width; ++u) {
+        values_[view.index(u, v)] = smoothed(u, v, jump);
+      }
+    }
+  }
+  /// 0 where nothing is known.
+  float operator[](std::size_t sample) const { return values_[sample]; }
+  Eigen::Vector3f ray(std::size_t sample) const {
+    const auto width = static_cast<std::size_t>(view_.camera.width);
+    const std::size_t u = sample % width;
+    const std::size_t v = sample / width;
+    return view_.camera.back_project(static_cast<double>(u), static_cast<double>(v), 1.0)
+        .cast<float>();
+  }
+  float residual(const Eigen::Vector3f& m, std::size_t sample) const {
+    return std::abs(values_[sample] - m.dot(ray(sample)));
+  }
+
+ private:
+  /// Means of opposite neighbours do not bend a slope.
+  float smoothed(int u, int v, float jump) const {
+    const float here = view_.depth[view_.index(u, v)];
+    if (!(here > 0.0F)) return 0.0F;
+    const float centre = 1.0F / here;
+    float sum = centre;
+    float count = 1.0F;
+    constexpr std::array<std::array<int, 2>, 4> kPairs{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+    for (const auto& [du, dv] : kPairs) {
+      if (!view_.contains(u + du, v + dv) || !view_.contains(u - du, v - dv)) continue;
+      const float a = view_.depth[view_.index(u + du, v + dv)];
+      const float b = view_.depth[view_.index(u - du, v - dv)];
+      if (!(a > 0.0F && b > 0.0F)) continue;
+      const float pair = 1.0F / a + 1.0F / b;
+      if (std::abs(pair - 2.0F * centre) < 2.0F * jump) {
+        sum += pair;
+        count += 2.0F;
+      }
+    }
+    return sum / count;
+  }
+
+  const CoarseView& view_;
+  std::vector<float> values_;
+};
+
+std::optional<Eigen::Vector3f> fit(const InverseDepth& inverse_depth,
+                                   const std::vector<std::size_t>& samples) {
+  if (samples.size() < 6) return std::nullopt;
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const std::size_t sample : samples) {
+    const Eigen::Vector3d ray = inverse_depth.ray(sample).cast<double>();
+    moments += ray * ray.transpose();
+    right += static_cast<double>(inverse_depth[sample]) * ray;
+  }
+  const Eigen::Vector3d m = moments.ldlt().solve(right);
+  if (!m.allFinite() || !(m.norm() > 1e-3)) return std::nullopt;
+  return m.cast<float>();
+}
+
+struct Window {
+  Eigen::Vector3f m;
+  double quality;
+  std::vector<std::size_t> inliers;
+};
+
+/// The plane that most of the window's samples lie in, outliers trimmed.
+std::optional<Window> fit_window(const InverseDepth& inverse_depth,
+                                 std::vector<std::size_t> samples, double tolerance) {
+  const std::size_t all = samples.size();
+  auto m = fit(inverse_depth, samples);
+  for (int trim = 0; trim < kTrims && m; ++trim) {
+    std::vector<float> residuals(samples.size());
+    std::transform(samples.begin(), samples.end(), residuals.begin(),
+                   [&](std::size_t s) { return inverse_depth.residual(*m, s); });
+    std::vector<float> sorted = residuals;
+    const auto keep = static_cast<std::ptrdiff_t>(0.7 * static_cast<double>(sorted.size()));
+    std::nth_element(sorted.begin(), sorted.begin() + keep, sorted.end());
+    const float limit =
+        std::max(sorted[static_cast<std::size_t>(keep)], static_cast<float>(tolerance));
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (residuals[i] <= limit) kept.push_back(samples[i]);
+    }
+    m = fit(inverse_depth, kept);
+    samples = std::move(kept);
+  }
+  if (!m) return std::nullopt;
+  Window window{*m, 0.0, {}};
+  double squares = 0.0;
+  for (const std::size_t sample : samples) {
+    const auto residual = static_cast<double>(inverse_depth.residual(*m, sample));
+    if (residual < tolerance) {
+      window.inliers.push_back(sample);
+      squares += residual * residual;
+    }
+  }
+  const auto inliers = static_cast<double>(window.inliers.size());
+  if (inliers < kLeastInliers * static_cast<double>(all)) return std::nullopt;
+  window.quality = inliers - squares / (tolerance * tolerance);
+  return window;
+}
+
+std::vector<Window> fit_windows(const CoarseView& view, const InverseDepth& inverse_depth,
+                                double tolerance) {
+  std::vector<Window> windows;
+  for (const int size : kWindows) {
+    for (int v0 = 0; v0 + size <= view.camera.height; v0 += size / 2) {
+      for (int u0 = 0; u0 + size <= view.camera.width; u0 += size / 2) {
+        std::vector<std::size_t> samples;
+        for (int v = v0; v < v0 + size; ++v) {
+          for (int u = u0; u < u0 + size; ++u) {
+            if (inverse_depth[view.index(u, v)] > 0.0F) samples.push_back(view.index(u, v));
+          }
+        }
+        if (2 * samples.size() < static_cast<std::size_t>(size * size)) continue;
+        if (auto window = fit_window(inverse_depth, std::move(samples), tolerance)) {
+          windows.push_back(std::move(*window));
+        }
+      }
+    }
+  }
+  std::stable_sort(windows.begin(), windows.end(),
+                   [](const Window& a, const Window& b) { return a.quality > b.quality; });
+  return windows;
+}
 
 /// All samples in the plane that hang together with the seeds.
 std::vector<std::size_t> grow(const CoarseView& view, const InverseDepth& inverse_depth,
@@ -39,34 +175,26 @@ std::vector<std::size_t> grow(const CoarseView& view, const InverseDepth& invers
   return region;
 }
 
-/// The plane of a window, and all of the view that lies in it and hangs together with the window.
-PlanarRegion grown(const CoarseView& view, const InverseDepth& inverse_depth,
-                   const FlatWindow& window, double tolerance) {
-  PlanarRegion region{window.m, {}};
-  for (int growth = 0; growth < kGrowths; ++growth) {
-    region.samples = grow(view, inverse_depth, region.m, window.samples, tolerance);
-    const auto refined = inverse_depth.fit_plane(region.samples);
-    if (!refined) break;
-    region.m = *refined;
-  }
-  return region;
-}
-
 }  // namespace
 
 std::vector<PlanarRegion> find_planar_regions(const CoarseView& view, double noise,
-                                              std::size_t least_samples, std::size_t most_regions,
-                                              const Executor& executor) {
+                                              std::size_t least_samples, std::size_t most_regions) {
   const InverseDepth inverse_depth(view, noise);
   const double tolerance = kInlier * noise;
   std::vector<std::uint8_t> taken(view.depth.size(), 0);
   std::vector<PlanarRegion> regions;
-  for (const FlatWindow& window : find_flat_windows(view, inverse_depth, tolerance, executor)) {
+  for (const Window& window : fit_windows(view, inverse_depth, tolerance)) {
     const auto old = static_cast<std::size_t>(
-        std::count_if(window.samples.begin(), window.samples.end(),
+        std::count_if(window.inliers.begin(), window.inliers.end(),
                       [&](std::size_t sample) { return taken[sample] != 0; }));
-    if (2 * old > window.samples.size()) continue;
-    PlanarRegion region = grown(view, inverse_depth, window, tolerance);
+    if (2 * old > window.inliers.size()) continue;
+    PlanarRegion region{window.m, window.inliers};
+    for (int growth = 0; growth < kGrowths; ++growth) {
+      region.samples = grow(view, inverse_depth, region.m, window.inliers, tolerance);
+      const auto refined = fit(inverse_depth, region.samples);
+      if (!refined) break;
+      region.m = *refined;
+    }
     if (region.samples.size() < least_samples) continue;
     for (const std::size_t sample : region.samples) taken[sample] = 1;
     regions.push_back(std::move(region));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flat pieces of what the camera sees, small ones too, and parallel ones a few millimetres apart.
 //
-// Windows that are mostly flat grow to all that lies in their planes and hangs together.
+// A plane m.p = 1 has the inverse depth 1/z = m.r along the ray r = (x/z, y/z, 1): planes are found
+// by linear fits, under noise that is the same everywhere for a sensor that triangulates.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <vector>
 
 #include "coarse_view.hpp"
-#include "lockbox/core/parallel.hpp"
 
 namespace lockbox {
 
@@ -20,8 +20,7 @@ struct PlanarRegion {
 /// The largest regions, the largest first, of at least least_samples; noise: standard deviation of
 /// 1/depth of a sample, 1/metre. Overlapping pieces of one plane count once.
 std::vector<PlanarRegion> find_planar_regions(const CoarseView& view, double noise,
-                                              std::size_t least_samples, std::size_t most_regions,
-                                              const Executor& executor);
+                                              std::size_t least_samples, std::size_t most_regions);
 
 /// A view, and its planes.
 struct PlanarScene {

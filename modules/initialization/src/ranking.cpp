@@ -51,7 +51,7 @@ std::vector<Candidate> compared_by_place(std::vector<Answer> answers, const Mode
                             answer->candidate.configuration) < kSamePlace;
     });
     if (best_there->total > answer->total) {
-      const double share = best_there->total > 0.0 ? answer->total / best_there->total : 0.0;
+      const double share = best_there->total != 0.0 ? answer->total / best_there->total : 1.0;
       answer->candidate.score = best_there->candidate.score * share;
     }
     candidates.push_back(answer->candidate);
