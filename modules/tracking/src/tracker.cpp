@@ -195,6 +195,7 @@ void Tracker::report(const RegistrationResult& registered) {
   result_.contradicted = registered.agreement.contradicted;
   result_.occluded = registered.agreement.occluded;
   result_.status = judge(registered, options_);
+  rival_distance_ = registered.rival_distance;
 }
 
 }  // namespace lockbox

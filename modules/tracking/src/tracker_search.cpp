@@ -31,7 +31,6 @@ void Tracker::search(const DepthFrame& frame) {
     return;  // still initializing: the first estimate must be believable
   }
   report(*found);
-  rival_distance_ = found->rival_distance;
   if (is_known()) {
     frames_searched_ = 0;
     predictor_.reset(frame.stamp, found->at_rest);
@@ -55,15 +54,14 @@ std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, Searc
   return found;
 }
 
-/// Where the search could not tell two places apart, no frame does that only follows: another
-/// search may, as long as it says the same of the rival.
+/// Where a search could not tell two places apart, following one of them does not, either: only
+/// another search may.
 const RegistrationResult& Tracker::with_rival_sought(const DepthFrame& frame,
                                                      const RegistrationResult& followed) {
   best_ = followed;
   if (!(best_.rival_distance > 0.0)) doubt_base(rival_distance_, best_);
   const auto found = sought(frame, SearchScope::anywhere);
   if (found && judge(*found, options_) == TrackingStatus::tracking) {
-    rival_distance_ = 0.0;
     best_ = *found;
   }
   return best_;

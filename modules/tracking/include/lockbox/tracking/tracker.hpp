@@ -92,7 +92,7 @@ class Tracker {
   int frames_searched_ = 0;           ///< since the object was last tracked
   std::vector<int> sought_joints_;    ///< variables to be sought over their whole range
   JointMargins hidden_margins_;       ///< of those that were sought since they were hidden
-  double rival_distance_ = 0.0;       ///< of the last search's answer, until another one tells
+  double rival_distance_ = 0.0;       ///< of what was last reported: until a search tells
   RegistrationResult best_;           ///< of several tries at the same frame
   std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
   TrackingResult result_;
