@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
+#include <numbers>
 
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/simulation/trajectory.hpp"
@@ -70,6 +70,18 @@ TEST_F(JointSearch, FindsLowRelief) {
                                   .find_joints(cloud_, start_, {variable("slider")})
                                   .configuration;
   EXPECT_NEAR(position(found, "slider"), 0.2, 0.003);
+}
+
+/// A turn's ends are one position: neither rivals the other.
+TEST_F(JointSearch, FindsADiskHalfATurnAwayWithoutDoubt) {
+  Configuration truth = truth_;
+  set_joint_position(model_.tree, truth, "disk", -std::numbers::pi);
+  const TiledCloud cloud = seen(model_, truth, wall_behind(0.6));
+  const SoughtJoints found =
+      Initializer(model_, {}, Executor(1)).find_joints(cloud, start_, {variable("disk")});
+  const double off = position(found.configuration, "disk") - std::numbers::pi;
+  EXPECT_NEAR(std::remainder(off, 2.0 * std::numbers::pi), 0.0, 0.05);
+  EXPECT_GT(found.margins[static_cast<std::size_t>(variable("disk"))], 100.0);
 }
 
 TEST_F(JointSearch, SaysByHowMuchAPositionIsBetter) {

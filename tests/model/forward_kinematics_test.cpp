@@ -8,6 +8,7 @@
 
 #include "chains.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/model/variable_range.hpp"
 
 namespace lockbox {
 namespace {
@@ -181,6 +182,31 @@ TEST(Configuration, LimitsOfAVariableIncludeThoseOfItsMimics) {
   Configuration configuration = rest_configuration(tree);
   set_joint_position(tree, configuration, "joint0", 0.5);
   EXPECT_DOUBLE_EQ(joint_position(tree, configuration, 1), -1.0);
+}
+
+TEST(Configuration, RangeOfAVariableReachesFromLimitToLimit) {
+  KinematicTree tree;
+  Joint& joint = add_joint(tree, 0, JointType::prismatic, Eigen::Isometry3d::Identity(),
+                           Eigen::Vector3d::UnitX());
+  joint.lower = 0.25;
+  joint.upper = 0.5;
+  const VariableRange range = variable_range(tree, 0, 7.0);
+  EXPECT_FALSE(range.is_turn);
+  EXPECT_EQ(positions_in(range, 2), (std::vector<double>{0.25, 0.375, 0.5}));
+}
+
+TEST(Configuration, RangeOfAVariableWithoutLimitsIsATurnThatCountsItsEndsOnce) {
+  KinematicTree tree;
+  add_joint(tree, 0, JointType::continuous, Eigen::Isometry3d::Identity(),
+            Eigen::Vector3d::UnitX());
+  const VariableRange range = variable_range(tree, 0, 1.0);
+  EXPECT_TRUE(range.is_turn);
+  EXPECT_DOUBLE_EQ(range.extent(), 2.0 * std::numbers::pi);
+  const std::vector<double> positions = positions_in(range, 4);
+  ASSERT_EQ(positions.size(), 4U);
+  EXPECT_DOUBLE_EQ(positions.front(), 1.0 - std::numbers::pi);
+  EXPECT_DOUBLE_EQ(positions[2], 1.0);
+  EXPECT_DOUBLE_EQ(positions.back(), 1.0 + 0.5 * std::numbers::pi);
 }
 
 TEST(Configuration, RefusesUnknownAndMimicJointsByName) {

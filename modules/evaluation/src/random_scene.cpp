@@ -9,6 +9,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/random_draws.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/variable_range.hpp"
 #include "lockbox/registration/collision_term.hpp"
 #include "lockbox/rendering/body_item.hpp"
 #include "lockbox/simulation/placed_scene.hpp"
@@ -41,10 +42,8 @@ Eigen::VectorXd draw_joints(const ArticulatedModel& model, CollisionTerm& collis
   std::vector<Eigen::Isometry3d> poses;
   for (int draw = 0; draw < kMaxDraws; ++draw) {
     for (int v = 0; v < tree.variables(); ++v) {
-      const VariableLimits limits = variable_limits(tree, v);
-      configuration.q[v] = std::isfinite(limits.upper - limits.lower)
-                               ? random.uniform(limits.lower, limits.upper)
-                               : random.uniform(-kPi, kPi);
+      const VariableRange range = variable_range(tree, v);
+      configuration.q[v] = random.uniform(range.lower, range.upper);
     }
     forward_kinematics(tree, configuration, poses);
     if (collision.evaluate(model, poses, nullptr) <= 0.0) break;

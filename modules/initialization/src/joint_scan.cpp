@@ -4,51 +4,60 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "lockbox/model/moved_bodies.hpp"
+#include "lockbox/model/variable_range.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr int kMostPositions = 64;
+constexpr int kFewestSteps = 2;
+constexpr int kMostSteps = 63;
 constexpr std::size_t kMostPeaks = 3;     // of what carries others
 constexpr double kLeastGain = 1.0;        // pixels: worth moving for
 constexpr double kHardlyStandsOut = 4.0;  // standard deviations of a depth
-constexpr double kDoubt = 5.0;         // pixels: that two positions may differ by without telling
-constexpr std::ptrdiff_t kBeside = 2;  // positions that are nearly the same
+constexpr double kDoubt = 5.0;      // pixels: that two positions may differ by without telling
+constexpr std::size_t kBeside = 2;  // positions that are nearly the same
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Positions of a variable, equally far from each other.
-struct Range {
-  double lower;
-  double upper;
-  int count;
+struct Positions {
+  std::vector<double> values;
+  double step;   ///< from one to the next
+  bool is_turn;  ///< the last is as far from the first
 
-  double step() const { return (upper - lower) / (count - 1); }
-  double position(std::ptrdiff_t i) const { return lower + static_cast<double>(i) * step(); }
+  std::size_t size() const { return values.size(); }
 };
 
-/// By how much the best of a range's scores exceeds all that are not beside it; infinite where
+/// How many positions lie between two of them, the shorter way of a turn.
+std::size_t apart(const Positions& positions, std::size_t a, std::size_t b) {
+  const std::size_t way = a < b ? b - a : a - b;
+  return positions.is_turn ? std::min(way, positions.size() - way) : way;
+}
+
+/// By how much the best of the positions' scores exceeds all that are not beside it; infinite where
 /// nothing is seen that could tell them apart.
-double margin_of(const Range& range, const std::vector<double>& scores) {
+double margin_of(const Positions& positions, const std::vector<double>& scores) {
   const auto begin = scores.begin();
-  const auto end = begin + range.count;
+  const auto end = begin + static_cast<std::ptrdiff_t>(positions.size());
   const auto best = std::max_element(begin, end);
   if (*best == *std::min_element(begin, end)) return kInfinity;
+  const auto at_best = static_cast<std::size_t>(best - begin);
   double rival = -kInfinity;
-  for (auto score = begin; score != end; ++score) {
-    if (std::abs(score - best) > kBeside) rival = std::max(rival, *score);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (apart(positions, i, at_best) > kBeside) rival = std::max(rival, scores[i]);
   }
   return *best - rival;
 }
 
 /// Those whose neighbours are no better, the best first.
-std::vector<std::size_t> best_peaks(const std::vector<double>& scores) {
+std::vector<std::size_t> best_peaks(const Positions& positions, const std::vector<double>& scores) {
+  const std::size_t last = positions.size() - 1;
+  const auto beyond = [&](std::size_t i) { return positions.is_turn ? scores[i] : -kInfinity; };
   std::vector<std::size_t> peaks;
-  for (std::size_t i = 0; i < scores.size(); ++i) {
-    const bool rises = i == 0 || scores[i] > scores[i - 1];
-    const bool falls = i + 1 == scores.size() || scores[i] >= scores[i + 1];
+  for (std::size_t i = 0; i <= last; ++i) {
+    const bool rises = scores[i] > (i == 0 ? beyond(last) : scores[i - 1]);
+    const bool falls = scores[i] >= (i == last ? beyond(0) : scores[i + 1]);
     if (rises && falls) peaks.push_back(i);
   }
   std::stable_sort(peaks.begin(), peaks.end(),
@@ -98,31 +107,32 @@ class JointScan {
 
   void scan(int variable, const std::vector<int>& carried, Configuration& configuration,
             std::vector<double>& margins) {
-    const Range range = whole_range(variable, configuration);
-    if (range.count == 0) return;
+    const Positions positions = whole_range(variable, configuration);
+    if (positions.size() == 0) return;
     if (!carried.empty()) {
-      scan_with_carried(variable, range, carried, configuration, margins);
+      scan_with_carried(variable, positions, carried, configuration, margins);
       return;
     }
-    const std::vector<double> scores = scores_in(range, variable, nothing_, configuration);
-    margins[static_cast<std::size_t>(variable)] = margin_of(range, scores);
-    const bool has_moved = move_to_best(range, variable, scores, kLeastGain, configuration);
-    look_closer(range, variable, nothing_, has_moved ? 0.0 : kLeastGain, configuration);
+    const auto& values = positions.values;
+    const std::vector<double> scores = scores_at(values, variable, nothing_, configuration);
+    margins[static_cast<std::size_t>(variable)] = margin_of(positions, scores);
+    const bool has_moved = move_to_best(values, variable, scores, kLeastGain, configuration);
+    look_closer(positions.step, variable, nothing_, has_moved ? 0.0 : kLeastGain, configuration);
   }
 
   /// What is carried may stand anywhere yet, and would speak for or against every position: it is
   /// left out until the best ones are known, then scanned at each of them.
-  void scan_with_carried(int variable, const Range& range, const std::vector<int>& carried,
+  void scan_with_carried(int variable, const Positions& positions, const std::vector<int>& carried,
                          Configuration& configuration, std::vector<double>& margins) {
     const std::vector<std::uint8_t> left_out = moved_by(carried);
-    std::vector<double> scores = scores_in(range, variable, left_out, configuration);
-    margins[static_cast<std::size_t>(variable)] = margin_of(range, scores);
-    scores.pop_back();
+    const std::vector<double> scores =
+        scores_at(positions.values, variable, left_out, configuration);
+    margins[static_cast<std::size_t>(variable)] = margin_of(positions, scores);
     std::vector<Configuration> trials{configuration, configuration};
-    for (const std::size_t peak : best_peaks(scores)) {
+    for (const std::size_t peak : best_peaks(positions, scores)) {
       Configuration& trial = trials.emplace_back(configuration);
-      trial.q[variable] = range.position(static_cast<std::ptrdiff_t>(peak));
-      look_closer(range, variable, left_out, 0.0, trial);
+      trial.q[variable] = positions.values[peak];
+      look_closer(positions.step, variable, left_out, 0.0, trial);
     }
     std::vector<std::vector<double>> margins_there(trials.size(), margins);
     for (std::size_t i = 1; i < trials.size(); ++i) {
@@ -145,50 +155,46 @@ class JointScan {
     return all;
   }
 
-  /// All that the variable may be, or a whole turn. No positions if it moves nothing.
-  Range whole_range(int variable, const Configuration& configuration) const {
-    const VariableLimits limits = variable_limits(tree_, variable);
-    const bool is_limited = std::isfinite(limits.upper - limits.lower);
-    const double start = configuration.q[variable];
-    const double lower = is_limited ? limits.lower : start - std::numbers::pi;
-    const double upper = is_limited ? limits.upper : start + std::numbers::pi;
-    const double reach = (upper - lower) * levers_[variable];
-    if (!(reach > 0.0)) return {lower, upper, 0};
-    return {lower, upper,
-            std::clamp(static_cast<int>(reach / steps_.metres) + 2, 3, kMostPositions)};
+  /// None if the variable moves nothing.
+  Positions whole_range(int variable, const Configuration& configuration) const {
+    const VariableRange range = variable_range(tree_, variable, configuration.q[variable]);
+    const double reach = range.extent() * levers_[variable];
+    if (!(reach > 0.0)) return {{}, 0.0, false};
+    const int steps =
+        std::clamp(static_cast<int>(reach / steps_.metres) + 1, kFewestSteps, kMostSteps);
+    return {positions_in(range, steps), range.extent() / steps, range.is_turn};
   }
 
-  /// Of the range's positions and, last, of where the variable is.
-  std::vector<double> scores_in(const Range& range, int variable,
+  /// Of the positions and, last, of where the variable is.
+  std::vector<double> scores_at(const std::vector<double>& positions, int variable,
                                 const std::vector<std::uint8_t>& left_out,
                                 const Configuration& configuration) {
-    trials_.assign(static_cast<std::size_t>(range.count) + 1, configuration);
-    for (int i = 0; i < range.count; ++i) {
-      trials_[static_cast<std::size_t>(i)].q[variable] = range.position(i);
-    }
+    trials_.assign(positions.size() + 1, configuration);
+    for (std::size_t i = 0; i < positions.size(); ++i) trials_[i].q[variable] = positions[i];
     return score_.scan(trials_, variable, left_out, slack_);
   }
 
   /// If it is better by more than that.
-  static bool move_to_best(const Range& range, int variable, const std::vector<double>& scores,
-                           double least_gain, Configuration& configuration) {
+  static bool move_to_best(const std::vector<double>& positions, int variable,
+                           const std::vector<double>& scores, double least_gain,
+                           Configuration& configuration) {
     const auto best = std::max_element(scores.begin(), scores.end() - 1);
     if (!(*best - scores.back() > least_gain)) return false;
-    configuration.q[variable] = range.position(best - scores.begin());
+    configuration.q[variable] = positions[static_cast<std::size_t>(best - scores.begin())];
     return true;
   }
 
   /// Halves the steps around where the variable is.
-  void look_closer(const Range& range, int variable, const std::vector<std::uint8_t>& left_out,
+  void look_closer(double step, int variable, const std::vector<std::uint8_t>& left_out,
                    double least_gain, Configuration& configuration) {
     const VariableLimits limits = variable_limits(tree_, variable);
-    double step = range.step();
     for (int level = 0; level < steps_.halvings; ++level) {
       step *= 0.5;
-      const Range closer{std::max(limits.lower, configuration.q[variable] - step),
-                         std::min(limits.upper, configuration.q[variable] + step), 3};
-      const auto scores = scores_in(closer, variable, left_out, configuration);
-      if (move_to_best(closer, variable, scores, least_gain, configuration)) least_gain = 0.0;
+      const VariableRange closer{std::max(limits.lower, configuration.q[variable] - step),
+                                 std::min(limits.upper, configuration.q[variable] + step), false};
+      const std::vector<double> positions = positions_in(closer, 2);
+      const auto scores = scores_at(positions, variable, left_out, configuration);
+      if (move_to_best(positions, variable, scores, least_gain, configuration)) least_gain = 0.0;
     }
   }
 

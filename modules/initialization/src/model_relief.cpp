@@ -8,6 +8,7 @@
 
 #include "flat_sides.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/variable_range.hpp"
 #include "lockbox/rendering/body_item.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
 
@@ -32,11 +33,9 @@ std::vector<std::vector<Eigen::Isometry3d>> joint_draws(const KinematicTree& tre
   Configuration configuration = rest_configuration(tree);
   for (int draw = 0; draw < (tree.variables() > 0 ? kJointDraws : 1); ++draw) {
     for (int v = 0; v < tree.variables() && draw > 0; ++v) {
-      const VariableLimits limits = variable_limits(tree, v);
+      const VariableRange range = variable_range(tree, v);
       const double share = static_cast<double>(engine() >> 11U) * 0x1.0p-53;
-      const bool limited = std::isfinite(limits.upper - limits.lower);
-      configuration.q[v] = limited ? limits.lower + share * (limits.upper - limits.lower)
-                                   : (2.0 * share - 1.0) * 3.14159265358979;
+      configuration.q[v] = range.lower + share * range.extent();
     }
     auto& poses = draws.emplace_back();
     forward_kinematics(tree, configuration, poses);

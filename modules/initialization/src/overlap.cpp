@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/variable_range.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr int kPositions = 64;      // of a joint's range
+constexpr int kSteps = 63;          // of a joint's range
 constexpr double kMuchLess = 0.1;   // cost
 constexpr double kInContact = 1.0;  // cost: nothing to be moved for
 /// Surfaces that reach 0.14 mm into each other everywhere: no contact pressed by noise costs that.
@@ -19,15 +19,7 @@ constexpr double kOverlapping = 1000.0;
 
 /// Of a variable's range, the nearest to where it stands first.
 std::vector<double> positions_nearest_first(const KinematicTree& tree, int variable, double now) {
-  const VariableLimits limits = variable_limits(tree, variable);
-  const bool is_limited = std::isfinite(limits.upper - limits.lower);
-  const double lower = is_limited ? limits.lower : now - std::numbers::pi;
-  const double upper = is_limited ? limits.upper : now + std::numbers::pi;
-  std::vector<double> positions;
-  positions.reserve(kPositions);
-  for (int i = 0; i < kPositions; ++i) {
-    positions.push_back(lower + (upper - lower) * i / (kPositions - 1));
-  }
+  std::vector<double> positions = positions_in(variable_range(tree, variable, now), kSteps);
   std::stable_sort(positions.begin(), positions.end(),
                    [now](double a, double b) { return std::abs(a - now) < std::abs(b - now); });
   return positions;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stages of the search without a guess (docs/initialization.md).
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "climb.hpp"
 #include "joint_scan.hpp"
 #include "levers.hpp"
+#include "lockbox/model/variable_range.hpp"
 #include "search_workspace.hpp"
 
 namespace lockbox {
@@ -14,7 +13,7 @@ namespace {
 
 constexpr double kHardlyLess = 0.9;
 constexpr double kHardlyWorse = 0.01;  // of the visible surface
-constexpr int kAnchorPositions = 5;    // of a joint between base and a matched side
+constexpr int kAnchorSteps = 4;        // of a joint between base and a matched side
 
 constexpr bool kHoldJoints = true;
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
@@ -26,20 +25,6 @@ const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 
 const Annealing kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
 const Annealing kExactly{.spread = 0.005, .iterations = 8};
-
-/// The joint positions to try where a side of a body is matched whose joint may stand anywhere.
-std::vector<double> anchor_positions(const KinematicTree& tree, int variable) {
-  const VariableLimits limits = variable_limits(tree, variable);
-  const bool is_limited = std::isfinite(limits.upper - limits.lower);
-  const double lower = is_limited ? limits.lower : 0.0;
-  const double upper = is_limited ? limits.upper : 2.0 * std::numbers::pi;
-  std::vector<double> positions;
-  positions.reserve(kAnchorPositions);
-  for (int i = 0; i < kAnchorPositions; ++i) {
-    positions.push_back(lower + (upper - lower) * i / (kAnchorPositions - 1));
-  }
-  return positions;
-}
 
 }  // namespace
 
@@ -83,8 +68,8 @@ void Initializer::Workspace::add_matched(const ModelRelief& relief, const Relief
   const bool is_free = std::find(variables.begin(), variables.end(), variable) != variables.end();
   std::vector<Eigen::Isometry3d> poses;
   Configuration& configuration = hypothesis.configuration;
-  for (const double position :
-       is_free ? anchor_positions(tree, variable) : std::vector<double>{0.0}) {
+  for (const double position : is_free ? positions_in(variable_range(tree, variable), kAnchorSteps)
+                                       : std::vector<double>{0.0}) {
     if (is_free) configuration.q[variable] = position;
     configuration.T_camera_base.setIdentity();
     forward_kinematics(tree, configuration, poses);

@@ -4,16 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/moved_bodies.hpp"
+#include "lockbox/model/variable_range.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr double kSamples = 200.0;  // of each body's surface
+constexpr int kSteps = 4;           // of a joint's range
 
 /// Of a point to the nearest body that stays, metres.
 double distance_to_resting(const ArticulatedModel& model, const std::vector<std::uint8_t>& moved,
@@ -54,11 +55,7 @@ Eigen::VectorXd joint_prominences(const ArticulatedModel& model) {
   const Eigen::VectorXd rest = configuration.q;
   for (int v = 0; v < tree.variables(); ++v) {
     const std::vector<std::uint8_t> moved = moved_bodies(tree, v);
-    const VariableLimits limits = variable_limits(tree, v);
-    const bool is_limited = std::isfinite(limits.upper - limits.lower);
-    const double lower = is_limited ? limits.lower : 0.0;
-    const double upper = is_limited ? limits.upper : std::numbers::pi;
-    for (const double position : {lower, 0.5 * (lower + upper), upper}) {
+    for (const double position : positions_in(variable_range(tree, v), kSteps)) {
       configuration.q[v] = position;
       prominences[v] = std::max(prominences[v], prominence_at(model, moved, configuration));
     }

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/surface_levers.hpp"
+#include "lockbox/model/variable_range.hpp"
 #include "lockbox/registration/joint_prominence.hpp"
 
 namespace lockbox {
@@ -16,7 +16,7 @@ namespace {
 constexpr int kPixelsAround = 4;
 constexpr double kPixelsPulled = 16.0;  // by points, at most
 constexpr double kScanPixels = 0.75;    // from one position to the next over the whole range
-constexpr int kMostPositions = 128;
+constexpr int kMostSteps = 127;
 constexpr double kLeastGain = 9.0;  // of chi^2
 
 /// Within the limits, each once.
@@ -114,17 +114,11 @@ JointSighting LowRelief::settle(std::size_t least) const {
 std::optional<JointSighting> LowRelief::find_anywhere(const TiledCloud& cloud,
                                                       const Configuration& configuration,
                                                       int variable) {
-  const VariableLimits limits = variable_limits(model_.tree, variable);
-  const bool is_limited = std::isfinite(limits.upper - limits.lower);
   const double start = configuration.q[variable];
-  const double lower = is_limited ? limits.lower : start - std::numbers::pi;
-  const double upper = is_limited ? limits.upper : start + std::numbers::pi;
+  const VariableRange range = variable_range(model_.tree, variable, start);
   const double step = kScanPixels * pixel_step(cloud.camera(), configuration, variable);
-  const int count = std::clamp(static_cast<int>((upper - lower) / step) + 2, 2, kMostPositions);
-  positions_.clear();
-  for (int i = 0; i < count; ++i) {
-    positions_.push_back(lower + (upper - lower) * i / (count - 1));
-  }
+  positions_ =
+      positions_in(range, std::clamp(static_cast<int>(range.extent() / step) + 1, 1, kMostSteps));
   const std::size_t here = positions_.size();
   positions_.push_back(start);
   costs_ = patch_.compare(cloud, configuration, variable, positions_);
