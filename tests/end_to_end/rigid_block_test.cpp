@@ -169,15 +169,16 @@ TEST_F(RigidBlock, IsReportedLostWhenItIsNotThere) {
   EXPECT_EQ(std::count(covariance.begin(), covariance.end(), ','), 36);
 }
 
-}  // namespace
 TEST_F(RigidBlock, RowsWithoutAnEstimateAreEvaluatedToo) {
   write_text(path("away.csv"), "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,4,0,0.9,1,0,0,0\n");
   ASSERT_EQ(simulate(path("away.csv"), "away").status, 0);
   ASSERT_EQ(track(path("away"), "unknown").status, 0);
-  ASSERT_THAT(read_lines(path("unknown/states.csv")).back(), HasSubstr("nan"));
+  ASSERT_THAT(read_lines(path("unknown/states.csv")).back(),
+              HasSubstr(",nan,initializing,nan,nan,nan,"));
   const auto evaluated = run_tool({"evaluate", "--model", "rigid_block", "--estimate",
                                    path("unknown/states.csv"), "--reference", path("away.csv")});
   EXPECT_EQ(evaluated.status, 0) << evaluated.errors;
 }
 
+}  // namespace
 }  // namespace lockbox

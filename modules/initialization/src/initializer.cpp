@@ -96,9 +96,9 @@ SoughtJoints Initializer::find_joints(const TiledCloud& cloud, const Configurati
   scan_joints(w.model.tree, w.levers, w.scores.front(), sought, 0.01, kScan, found.configuration);
   found.margins = scan_joints(w.model.tree, w.levers, w.scores.front(), sought, 0.006, kScan,
                               found.configuration);
+  for (double& margin : found.margins) margin *= kFinePixels;
   scan_by_image(w.low_relief, cloud, sought, found.margins, found.configuration);
   w.resolve_overlap(cloud, sought, found.configuration);
-  for (double& margin : found.margins) margin *= kFinePixels;
   return found;
 }
 

@@ -33,7 +33,6 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
     : model(articulated_model),
       options(given),
       executor(workers),
-      reliefs(make_reliefs(model.tree, executor)),
       levers(model_levers(model.tree)),
       surroundings(model.tree),
       held(rest_configuration(model.tree)),
@@ -93,11 +92,12 @@ std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
 std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
                                                       const Breadth& breadth) {
   const auto& regions = scene.regions;
-  const std::size_t pairs = regions.size() * reliefs.size();
+  if (!reliefs) reliefs = make_reliefs(model.tree, executor);
+  const std::size_t pairs = regions.size() * reliefs->size();
   std::vector<std::vector<Hypothesis>> found(pairs);
   executor.for_each(pairs, [&](std::size_t pair) {
-    const ModelRelief& relief = reliefs[pair % reliefs.size()];
-    const PlanarRegion& region = regions[pair / reliefs.size()];
+    const ModelRelief& relief = (*reliefs)[pair % reliefs->size()];
+    const PlanarRegion& region = regions[pair / reliefs->size()];
     for (const auto& match :
          match_relief(scene.view, region, relief, scene.noise, breadth.matches_each)) {
       add_matched(relief, match, found[pair]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "coarse_view.hpp"
@@ -15,8 +16,8 @@
 
 namespace lockbox {
 
-/// In 90 random scenes no right answer scored less (seven, of a small block, less than 36), and
-/// wrong ones mostly did. Of what is mostly hidden some do: then more is kept of what says little.
+/// Wrong answers mostly score less, right ones only of what is small, far away or mostly hidden:
+/// then more is kept of what says little.
 inline constexpr double kPossible = 28.0;
 
 /// What the stages keep: before joints are known, a low score says little, and a large side of a
@@ -33,7 +34,7 @@ struct Initializer::Workspace {
   const ArticulatedModel& model;
   InitializerOptions options;
   Executor executor;
-  std::vector<ModelRelief> reliefs;
+  std::optional<std::vector<ModelRelief>> reliefs;  ///< made when first matched
   ModelLevers levers;
   Surroundings surroundings;
   Configuration held;          ///< in which locked joints stand

@@ -198,4 +198,11 @@ void Tracker::report(const RegistrationResult& registered) {
   rival_distance_ = registered.rival_distance;
 }
 
+void Tracker::report_nothing() {
+  result_.residual_rms = TrackingResult::kNothingFound;
+  result_.explained = TrackingResult::kNothingFound;
+  result_.contradicted = TrackingResult::kNothingFound;
+  result_.occluded = TrackingResult::kNothingFound;
+}
+
 }  // namespace lockbox

@@ -23,12 +23,11 @@ bool search_is_due(int frames_searched) {
 void Tracker::search(const DepthFrame& frame) {
   const auto found =
       sought(frame, options_.search_anywhere ? SearchScope::near_first : SearchScope::near);
-  if (!found) {
+  const bool is_first = result_.status != TrackingStatus::lost && !guess_;
+  // The first estimate must be believable.
+  if (!found || (is_first && judge(*found, options_) != TrackingStatus::tracking)) {
+    report_nothing();
     return;
-  }
-  const bool had_estimate = result_.status == TrackingStatus::lost || guess_;
-  if (!had_estimate && judge(*found, options_) != TrackingStatus::tracking) {
-    return;  // still initializing: the first estimate must be believable
   }
   report(*found);
   if (is_known()) {

@@ -2,6 +2,7 @@
 // The frame loop: predict, register, judge. Frames in, states out.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,16 +22,19 @@
 namespace lockbox {
 
 struct TrackingResult {
+  static constexpr double kNothingFound = std::numeric_limits<double>::quiet_NaN();
+
   double stamp = 0.0;
   TrackingStatus status = TrackingStatus::initializing;
   Configuration configuration;
   Eigen::MatrixXd covariance;    ///< of (base twist (v, w) in the base's frame, joint variables)
   Eigen::VectorXd sigma;         ///< square roots of its diagonal
   std::vector<bool> observable;  ///< by unknown; a joint that is not keeps its last value
-  double residual_rms = 0.0;     ///< whitened: 1 where the sensor errs as assumed
-  double explained = 0.0;        ///< shares of the model's visible surface
-  double contradicted = 0.0;
-  double occluded = 0.0;
+  /// Of what is reported; NaN while nothing is found.
+  double residual_rms = kNothingFound;  ///< whitened: 1 where the sensor errs as assumed
+  double explained = kNothingFound;     ///< shares of the model's visible surface
+  double contradicted = kNothingFound;
+  double occluded = kNothingFound;
   int searches = 0;    ///< how often the object was sought in the whole frame, up to now
   Elapsed cloud_time;  ///< from depth to cloud
   Elapsed step_time;   ///< all else: prediction, registration, judgement, searches if need be
@@ -80,6 +84,7 @@ class Tracker {
   void carry_parts(const Configuration& prediction, RegistrationResult& best);
   void seek_contradicted_joints(RegistrationResult& best);
   void report(const RegistrationResult& registered);
+  void report_nothing();
 
   const ArticulatedModel& model_;
   TrackerOptions options_;
