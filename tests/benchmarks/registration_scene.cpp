@@ -80,10 +80,14 @@ RegistrationScene shipped_lockbox(const PinholeCamera& camera) {
   return make_scene(std::move(model), truths, camera);
 }
 
-void time_registration(benchmark::State& state, const RegistrationScene& scene, int threads,
-                       std::size_t point_budget) {
+RegistrationOptions all_points() {
   RegistrationOptions options;
-  options.point_budget = point_budget;
+  options.point_budget = 0;
+  return options;
+}
+
+void time_registration(benchmark::State& state, const RegistrationScene& scene, int threads,
+                       const RegistrationOptions& options) {
   ArticulatedRegistration registration(scene.model, options, Executor(threads));
   const Annealing annealing{kPredictedSpread, kIterations};
   const RegistrationResult* result = nullptr;

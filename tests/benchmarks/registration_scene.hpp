@@ -43,10 +43,12 @@ const RegistrationScene& shipped_lockbox();
 /// The lockbox seen by that camera instead.
 RegistrationScene shipped_lockbox(const PinholeCamera& camera);
 
+/// Options without a point budget.
+RegistrationOptions all_points();
+
 /// Times registrations of the views in turn from their predictions; counts the points in the sums.
-/// point_budget: as in RegistrationOptions; 0: all points.
 void time_registration(benchmark::State& state, const RegistrationScene& scene, int threads,
-                       std::size_t point_budget = 0);
+                       const RegistrationOptions& options = all_points());
 
 /// Benchmarks whose argument is the number of threads.
 void on_one_and_two_threads(benchmark::internal::Benchmark* benchmark);

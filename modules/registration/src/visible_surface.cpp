@@ -16,11 +16,14 @@ constexpr std::size_t kColumnsPerChunk = 64;
 constexpr std::size_t kTilesPerChunk = 64;
 constexpr std::uint8_t kFarthest = 255;
 
-/// distance <- min(distance, neighbour + 1), where neighbour is a pixel's distance. Without a
-/// branch, so that it is done for many pixels at once.
-void relax(std::uint8_t neighbour, std::uint8_t& distance) {
-  const auto next = static_cast<std::uint8_t>(neighbour + (neighbour != kFarthest ? 1 : 0));
-  distance = std::min(distance, next);
+/// distance <- min(distance, neighbour + 1) for each pixel of a row and its neighbour in another
+/// one. Without a branch, so that it is done for many pixels at once.
+void relax(const std::uint8_t* neighbours, std::size_t count, std::uint8_t* distances) {
+  for (std::size_t u = 0; u < count; ++u) {
+    const auto next =
+        static_cast<std::uint8_t>(neighbours[u] + (neighbours[u] != kFarthest ? 1 : 0));
+    distances[u] = std::min(distances[u], next);
+  }
 }
 
 /// Along a row from a pixel of the model (or from where there is none) to the next one.
@@ -102,10 +105,10 @@ void VisibleSurface::measure_outline_distance(const Executor& executor) {
   });
   executor.for_each_chunk(columns, kColumnsPerChunk, [&](std::size_t begin, std::size_t end, auto) {
     for (std::size_t row = 1; row < rows; ++row) {
-      for (std::size_t u = begin; u < end; ++u) relax(row_at(row - 1)[u], row_at(row)[u]);
+      relax(row_at(row - 1) + begin, end - begin, row_at(row) + begin);
     }
     for (std::size_t row = rows - 1; row > 0; --row) {
-      for (std::size_t u = begin; u < end; ++u) relax(row_at(row)[u], row_at(row - 1)[u]);
+      relax(row_at(row) + begin, end - begin, row_at(row - 1) + begin);
     }
   });
 }
