@@ -15,85 +15,116 @@ namespace lockbox::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::CappedTag<float, kLanes>;
+using One = hn::CappedTag<float, 1>;
 
-HWY_INLINE void scale(float* const row, const std::size_t begin, const std::size_t end,
-                      const float factor) {
-  const Tag tag;
-  const auto by = hn::Set(tag, factor);
-  for (std::size_t j = begin; j < end; j += hn::Lanes(tag)) {
-    hn::Store(hn::Mul(hn::Load(tag, row + j), by), tag, row + j);
-  }
-}
-
-/// Rows of both matrices that are done, and used together.
+/// Rows that are eliminated together.
 constexpr std::size_t kPanel = 4;
 
-/// row <- row - factors . rows of a panel, the first Rows of them.
-template <std::size_t Rows>
-HWY_INLINE void subtract(float* const row, const std::size_t begin, const std::size_t end,
-                         const float* const* const factors, const float* const* const panel,
-                         const std::size_t column) {
-  const Tag tag;
-  hn::Vec<Tag> by[Rows];
-  for (std::size_t t = 0; t < Rows; ++t) by[t] = hn::Set(tag, factors[t][column]);
-  for (std::size_t j = begin; j < end; j += hn::Lanes(tag)) {
-    auto rest = hn::Load(tag, row + j);
-    for (std::size_t t = 0; t < Rows; ++t) {
-      rest = hn::NegMulAdd(by[t], hn::Load(tag, panel[t] + j), rest);
-    }
-    hn::Store(rest, tag, row + j);
-  }
-}
-
-/// Cholesky's factors, row by row, and with the same steps the solution. Vectors begin at multiples
-/// of their length: what they change below the diagonal is not read again.
+/// Cholesky's factors, row by row, and with the same steps the solution: a panel of rows less what
+/// all earlier ones take of them, then the rows of the panel by each other. Vectors begin at
+/// multiples of their length: what they change below the diagonal is not read again.
 class Whitener {
  public:
   Whitener(PaddedRows& covariance, PaddedRows& values)
-      : covariance_(covariance),
-        values_(values),
+      : factors_(covariance.row(0).data()),
+        values_(values.row(0).data()),
+        factor_stride_(covariance.stride()),
+        value_stride_(values.stride()),
         rows_(covariance.rows()),
         columns_(values.columns()) {}
 
   void whiten() {
-    for (std::size_t first = 0; first < rows_; first += kPanel) {
-      const std::size_t end = std::min(first + kPanel, rows_);
-      for (std::size_t k = first; k < end; ++k) {
-        factors_[k - first] = covariance_.row(k).data();
-        solved_[k - first] = values_.row(k).data();
-        for (std::size_t t = first; t < k; ++t) subtract_rows<1>(t - first, k);
-        const float inverse = 1.0F / std::sqrt(factors_[k - first][k]);
-        scale(covariance_.row(k).data(), first_column(k), rows_, inverse);
-        scale(values_.row(k).data(), 0, columns_, inverse);
-      }
-      for (std::size_t i = end; i < rows_; ++i) subtract_rows<kPanel>(0, i);
-    }
+    std::size_t first = 0;
+    for (; first + kPanel <= rows_; first += kPanel) eliminate<kPanel>(first);
+    for (; first < rows_; ++first) eliminate<1>(first);
   }
 
  private:
-  static std::size_t first_column(std::size_t row) {
-    const std::size_t lanes = hn::Lanes(Tag());
-    return row / lanes * lanes;
-  }
-
-  /// Rows of the panel from row t of it on.
   template <std::size_t Rows>
-  HWY_INLINE void subtract_rows(const std::size_t t, const std::size_t i) {
-    subtract<Rows>(values_.row(i).data(), 0, columns_, factors_ + t, solved_ + t, i);
-    subtract<Rows>(covariance_.row(i).data(), first_column(i), rows_, factors_ + t, factors_ + t,
-                   i);
+  HWY_INLINE void eliminate(const std::size_t first) {
+    const std::size_t lanes = hn::Lanes(Tag());
+    const std::size_t begin = first / lanes * lanes;
+    subtract_earlier<Rows>(first, factors_, factor_stride_, begin, rows_);
+    subtract_earlier<Rows>(first, values_, value_stride_, 0, columns_);
+    const Panel<Rows> panel(factors_ + first * factor_stride_ + first, factor_stride_);
+    panel.solve(factors_ + first * factor_stride_, factor_stride_, begin, rows_);
+    panel.solve(values_ + first * value_stride_, value_stride_, 0, columns_);
   }
 
-  PaddedRows& covariance_;
-  PaddedRows& values_;
+  /// Of rows from `first` on.
+  template <std::size_t Rows>
+  HWY_INLINE void subtract_earlier(const std::size_t first, float* const matrix,
+                                   const std::size_t stride, const std::size_t begin,
+                                   const std::size_t end) {
+    const Tag tag;
+    for (std::size_t j = begin; j < end; j += hn::Lanes(tag)) {
+      hn::Vec<Tag> rest[Rows];
+      for (std::size_t t = 0; t < Rows; ++t) {
+        rest[t] = hn::Load(tag, matrix + (first + t) * stride + j);
+      }
+      for (std::size_t k = 0; k < first; ++k) {
+        const float* const by = factors_ + k * factor_stride_ + first;
+        const auto row = hn::Load(tag, matrix + k * stride + j);
+        for (std::size_t t = 0; t < Rows; ++t) {
+          rest[t] = hn::NegMulAdd(hn::Set(tag, by[t]), row, rest[t]);
+        }
+      }
+      for (std::size_t t = 0; t < Rows; ++t) {
+        hn::Store(rest[t], tag, matrix + (first + t) * stride + j);
+      }
+    }
+  }
+
+  /// The triangle on the diagonal that a panel's rows share, factored.
+  template <std::size_t Rows>
+  class Panel {
+   public:
+    HWY_INLINE Panel(const float* const diagonal, const std::size_t stride) {
+      const One one;
+      for (std::size_t k = 0; k < Rows; ++k) {
+        for (std::size_t j = k; j < Rows; ++j) {
+          auto rest = hn::Set(one, diagonal[k * stride + j]);
+          for (std::size_t t = 0; t < k; ++t) {
+            rest = hn::NegMulAdd(hn::Set(one, factor_[t][k]), hn::Set(one, factor_[t][j]), rest);
+          }
+          factor_[k][j] = hn::GetLane(rest);
+        }
+        inverse_[k] = 1.0F / std::sqrt(factor_[k][k]);
+        for (std::size_t j = k; j < Rows; ++j) factor_[k][j] *= inverse_[k];
+      }
+    }
+
+    HWY_INLINE void solve(float* const rows, const std::size_t stride, const std::size_t begin,
+                          const std::size_t end) const {
+      const Tag tag;
+      for (std::size_t j = begin; j < end; j += hn::Lanes(tag)) {
+        hn::Vec<Tag> solved[Rows];
+        for (std::size_t k = 0; k < Rows; ++k) {
+          auto rest = hn::Load(tag, rows + k * stride + j);
+          for (std::size_t t = 0; t < k; ++t) {
+            rest = hn::NegMulAdd(hn::Set(tag, factor_[t][k]), solved[t], rest);
+          }
+          solved[k] = hn::Mul(rest, hn::Set(tag, inverse_[k]));
+          hn::Store(solved[k], tag, rows + k * stride + j);
+        }
+      }
+    }
+
+   private:
+    float factor_[Rows][Rows] = {};
+    float inverse_[Rows] = {};
+  };
+
+  float* factors_;  ///< of the covariance, in its place
+  float* values_;
+  std::size_t factor_stride_;
+  std::size_t value_stride_;
   std::size_t rows_;
   std::size_t columns_;
-  const float* factors_[kPanel] = {};  ///< the rows of the panel
-  const float* solved_[kPanel] = {};
 };
 
 void whiten_rows(PaddedRows& covariance, PaddedRows& values) {
-  Whitener(covariance, values).whiten();
+  if (covariance.rows() > 0) Whitener(covariance, values).whiten();
 }
 
 /// Some rows of the products at once, so that no sum waits for itself.
