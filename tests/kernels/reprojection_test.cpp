@@ -36,7 +36,7 @@ class ReprojectionTest : public ::testing::Test {
 
   void land_points() {
     land({x.data(), y.data(), z.data(), x.size()}, motion, {measured.data(), kCamera},
-         {expected.data(), seen.data(), pixel.data()});
+         {expected.data(), seen_x.data(), seen_y.data(), seen.data(), pixel.data()});
   }
 
   template <typename T>
@@ -46,6 +46,8 @@ class ReprojectionTest : public ::testing::Test {
   /// Turned by a hundredth, moved aside and nearer.
   RigidMotion motion{{1, -0.01F, 0, 0.01F, 1, 0, 0, 0, 1}, {0.1F, -0.001F, -0.05F}};
   ByPoint<float> expected;
+  ByPoint<float> seen_x;
+  ByPoint<float> seen_y;
   ByPoint<float> seen;
   ByPoint<std::int32_t> pixel;
 };
@@ -81,6 +83,8 @@ TEST_F(ReprojectionTest, PointsLandInThePixelThatSeesThem) {
     const auto index = static_cast<std::int32_t>(at_v) * 150 + static_cast<std::int32_t>(at_u);
     EXPECT_EQ(pixel[i], index);
     EXPECT_EQ(seen[i], measured[static_cast<std::size_t>(index)]);
+    EXPECT_NEAR(seen_x[i], (index % 150 - 74.5) / 120.0 * static_cast<double>(seen[i]), 1e-6);
+    EXPECT_NEAR(seen_y[i], (index / 150 - 40.5) / 122.0 * static_cast<double>(seen[i]), 1e-6);
     ++landed;
   }
   EXPECT_GT(landed, 40);
@@ -111,8 +115,9 @@ TEST_F(ReprojectionTest, SeenThroughIsWhatWasMeasuredFarBehindOrIsUndecided) {
   const PointNoise noise{0.001F, 0.002F, 0.0F, 0.0F};
   constexpr float kZone = 30.0F;
   ByPoint<std::uint32_t> found;
-  const std::size_t count = seen_through({expected.data(), seen.data(), pixel.data()}, kPoints,
-                                         noise, kZone, found.data());
+  const std::size_t count =
+      seen_through({expected.data(), seen_x.data(), seen_y.data(), seen.data(), pixel.data()},
+                   kPoints, noise, kZone, found.data());
   std::vector<std::uint32_t> wanted;
   for (std::uint32_t u = 0; u < kPoints; ++u) {
     const float sigma = 0.001F + 0.002F * expected[u] * expected[u];

@@ -15,7 +15,7 @@ constexpr float kBorder = 1e-3F;  // pixels: more than single precision errs
 
 struct Landing {
   Float depth;
-  Float measured;
+  Float measured[3];
   Int pixel;
 };
 
@@ -53,9 +53,14 @@ HWY_INLINE Landing land_lanes(const MeasuredDepth& image, const Float p[3]) {
   }
   const auto undecided = hn::Lt(to_border, hn::Set(df, kBorder));
   const Int index = hn::Add(hn::Mul(at[1], hn::Set(di, camera.width)), at[0]);
-  const Float measured = load_or_gather(image.depth, index);
+  const Float measured = hn::IfThenElseZero(inside, load_or_gather(image.depth, index));
+  const auto along = [&](const Int coordinate, const float centre, const float focal_length) {
+    const Float off = hn::Sub(hn::ConvertTo(df, coordinate), hn::Set(df, centre));
+    return hn::Mul(hn::Div(off, hn::Set(df, focal_length)), measured);
+  };
   const Int pixel = hn::IfThenElse(hn::RebindMask(di, inside), index, hn::Set(di, kOutside));
-  return {p[2], hn::IfThenElseZero(inside, measured),
+  return {p[2],
+          {along(at[0], camera.cx, camera.fx), along(at[1], camera.cy, camera.fy), measured},
           hn::IfThenElse(hn::RebindMask(di, undecided), hn::Set(di, kUndecided), pixel)};
 }
 
@@ -70,7 +75,9 @@ void land_points(const PointSpan& points, const RigidMotion& camera_from_body,
     transform(camera_from_body, p, moved);
     const Landing landing = land_lanes(image, moved);
     hn::StoreU(landing.depth, df, result.expected + i);
-    hn::StoreU(landing.measured, df, result.measured + i);
+    hn::StoreU(landing.measured[0], df, result.x + i);
+    hn::StoreU(landing.measured[1], df, result.y + i);
+    hn::StoreU(landing.measured[2], df, result.measured + i);
     hn::StoreU(landing.pixel, di, result.pixel + i);
   }
 }

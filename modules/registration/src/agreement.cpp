@@ -197,7 +197,6 @@ void AgreementMeter::reserve(const Executor& executor) {
 void AgreementMeter::look_at_chunk(const Scene& scene, std::size_t chunk_index) {
   const ViewSamples::Chunk& chunk = scene.samples.chunks()[chunk_index];
   const auto& T_camera_body = scene.T_camera_body[static_cast<std::size_t>(chunk.body)];
-  const PinholeCamera& camera = scene.cloud.camera();
   const kernels::Landings landings =
       landings_.land(scene.samples, chunk, scene.T_camera_body, scene.cloud);
   MeasuredPoints& points = points_[Executor::worker()];
@@ -215,14 +214,9 @@ void AgreementMeter::look_at_chunk(const Scene& scene, std::size_t chunk_index) 
       counts.unknown += sample.pixels;
     } else if (seen != kernels::kOutside) {
       const std::size_t i = points.size++;
-      const float z = landings.measured[k];
-      const std::int32_t seen_row = seen / camera.width;
-      const std::int32_t seen_column = seen % camera.width;
-      points.x[i] = (static_cast<float>(seen_column) - static_cast<float>(camera.cx)) /
-                    static_cast<float>(camera.fx) * z;
-      points.y[i] = (static_cast<float>(seen_row) - static_cast<float>(camera.cy)) /
-                    static_cast<float>(camera.fy) * z;
-      points.z[i] = z;
+      points.x[i] = landings.x[k];
+      points.y[i] = landings.y[k];
+      points.z[i] = landings.measured[k];
       points.expected[i] = landings.expected[k];
       points.number[i] = static_cast<std::uint32_t>(k);
     }

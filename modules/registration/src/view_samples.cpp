@@ -8,7 +8,7 @@
 namespace lockbox {
 namespace {
 
-/// Calls visit(pixel of the view, spacing) for each sample of a density.
+/// Calls visit(u, v, spacing) for each sample of a density, at a pixel of the view.
 template <typename Visit>
 void for_each_sample(const SamplingDensity& density, const RenderedDepth& view,
                      const Visit& visit) {
@@ -23,7 +23,7 @@ void for_each_sample(const SamplingDensity& density, const RenderedDepth& view,
       const int last_u = std::min((column + 1) * kSize, view.width);
       for (int v = row * kSize + first; v < last_v; v += spacing) {
         for (int u = column * kSize + first; u < last_u; u += spacing) {
-          visit(view.index(u, v), spacing);
+          visit(u, v, spacing);
         }
       }
     }
@@ -34,33 +34,29 @@ void for_each_sample(const SamplingDensity& density, const RenderedDepth& view,
 
 void ViewSamples::collect(const VisibleSurface& surface, const SamplingDensity& density) {
   const RenderedDepth& view = surface.view();
-  view_width_ = view.width;
   scale_ = surface.reduction();
   chosen_.clear();
-  chosen_spacing_.clear();
   next_.assign(surface.T_body_camera().size(), 0);
-  for_each_sample(density, view, [&](std::size_t pixel, int spacing) {
-    if (view.id[pixel] == kNothing) return;
-    chosen_.push_back(static_cast<std::uint32_t>(pixel));
-    chosen_spacing_.push_back(static_cast<std::uint8_t>(spacing));
-    ++next_[static_cast<std::size_t>(view.id[pixel])];
+  for_each_sample(density, view, [&](int u, int v, int spacing) {
+    const std::int16_t body = view.id[view.index(u, v)];
+    if (body == kNothing) return;
+    chosen_.push_back({{u, v}, spacing});
+    ++next_[static_cast<std::size_t>(body)];
   });
   lay_out();
   const PinholeCamera& camera = surface.view_camera();
-  for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    const std::uint32_t pixel = chosen_[k];
+  for (const Place& place : chosen_) {
+    const auto [u, v] = place.pixel;
+    const std::size_t pixel = view.index(u, v);
     const auto body = static_cast<std::size_t>(view.id[pixel]);
     const std::size_t number = next_[body]++;
-    const auto u = static_cast<int>(pixel) % view.width;
-    const auto v = static_cast<int>(pixel) / view.width;
     const Eigen::Vector3f p = (surface.T_body_camera()[body] *
                                camera.back_project(u, v, static_cast<double>(view.depth[pixel])))
                                   .cast<float>();
     x_[number] = p.x();
     y_[number] = p.y();
     z_[number] = p.z();
-    pixel_[number] = pixel;
-    spacing_[number] = chosen_spacing_[k];
+    places_[number] = place;
   }
 }
 
@@ -79,24 +75,21 @@ void ViewSamples::lay_out() {
     next_[body] = first;
   }
   for (auto* axis : {&x_, &y_, &z_}) axis->assign(end, kernels::kPadding);
-  pixel_.resize(end);
-  spacing_.resize(end);
+  places_.resize(end);
 }
 
 ViewSample ViewSamples::sample(int body, std::size_t number) const {
-  const double along = static_cast<double>(spacing_[number]) * scale_;
-  const auto pixel = static_cast<int>(pixel_[number]);
-  return {{x_[number], y_[number], z_[number]},
-          body,
-          {pixel % view_width_, pixel / view_width_},
-          along * along};
+  const auto& [pixel, spacing] = places_[number];
+  const double along = static_cast<double>(spacing) * scale_;
+  return {{x_[number], y_[number], z_[number]}, body, pixel, along * along};
 }
 
 void SampleLandings::reserve(const Executor& executor) {
   buffers_.resize(static_cast<std::size_t>(executor.threads()) + 1);
   for (Buffers& buffers : buffers_) {
-    buffers.expected.resize(ViewSamples::kMostInChunk);
-    buffers.measured.resize(ViewSamples::kMostInChunk);
+    for (auto* array : {&buffers.expected, &buffers.x, &buffers.y, &buffers.measured}) {
+      array->resize(ViewSamples::kMostInChunk);
+    }
     buffers.pixel.resize(ViewSamples::kMostInChunk);
   }
 }
@@ -104,8 +97,8 @@ void SampleLandings::reserve(const Executor& executor) {
 kernels::Landings SampleLandings::land(const ViewSamples& samples, const ViewSamples::Chunk& chunk,
                                        const BodyPoses& T_camera_body, const TiledCloud& cloud) {
   Buffers& buffers = buffers_[Executor::worker()];
-  const kernels::Landings landings{buffers.expected.data(), buffers.measured.data(),
-                                   buffers.pixel.data()};
+  const kernels::Landings landings{buffers.expected.data(), buffers.x.data(), buffers.y.data(),
+                                   buffers.measured.data(), buffers.pixel.data()};
   const PinholeCamera& camera = cloud.camera();
   const kernels::Intrinsics intrinsics{static_cast<float>(camera.fx),
                                        static_cast<float>(camera.fy),

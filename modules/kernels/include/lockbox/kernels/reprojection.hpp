@@ -34,7 +34,9 @@ inline constexpr std::int32_t kUndecided =
 /// By point; arrays of PointSpan::size.
 struct Landings {
   float* expected;      ///< depth of the point, metres
-  float* measured;      ///< in the pixel that it falls into; 0 without one
+  float* x;             ///< of what was measured in the pixel that it falls into, camera's frame
+  float* y;             ///< likewise
+  float* measured;      ///< its depth; 0 without a pixel
   std::int32_t* pixel;  ///< index in the image, kOutside or kUndecided
 };
 

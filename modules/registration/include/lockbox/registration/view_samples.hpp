@@ -45,19 +45,20 @@ class ViewSamples {
   ViewSample sample(int body, std::size_t number) const;
 
  private:
+  struct Place {
+    Pixel pixel;  ///< of the view
+    int spacing;
+  };
   void lay_out();
 
   std::vector<float> x_;  ///< by number, metres, body frame
   std::vector<float> y_;
   std::vector<float> z_;
-  std::vector<std::uint32_t> pixel_;  ///< index in the view
-  std::vector<std::uint8_t> spacing_;
+  std::vector<Place> places_;
   std::vector<Chunk> chunks_;
-  int view_width_ = 0;
   int scale_ = 1;
 
-  std::vector<std::uint32_t> chosen_;  ///< pixels of the view, cell by cell
-  std::vector<std::uint8_t> chosen_spacing_;
+  std::vector<Place> chosen_;      ///< cell by cell
   std::vector<std::size_t> next_;  ///< by body: the number of its next sample
 };
 
@@ -73,6 +74,8 @@ class SampleLandings {
  private:
   struct Buffers {
     std::vector<float> expected;
+    std::vector<float> x;
+    std::vector<float> y;
     std::vector<float> measured;
     std::vector<std::int32_t> pixel;
   };
