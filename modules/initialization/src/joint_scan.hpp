@@ -28,8 +28,8 @@ std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& le
                                 const ScanSteps& steps, Configuration& configuration);
 
 /// The same for variables whose parts hardly stand out of the noise, or of which too little is
-/// seen, by the margins that scan_joints() returned: the likelihood of the image decides. For
-/// everything else known to a few millimetres.
+/// seen: the likelihood of the image decides. For everything else known to a few millimetres.
+/// margins: of scan_joints(), in pixels of the finer view.
 void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
                    const std::vector<int>& variables, const std::vector<double>& margins,
                    Configuration& configuration);
