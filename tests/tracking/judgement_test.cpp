@@ -5,11 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <tuple>
 
 #include "initialization/seen_model.hpp"
 #include "lockbox/simulation/trajectory.hpp"
+#include "mechanism.hpp"
 #include "wrong_joint.hpp"
 
 namespace lockbox {
@@ -65,6 +67,9 @@ TEST(Judgement, ACornerDoesNotSayWhereTheBoardIs) {
 // The shipped board, metres from its origin.
 constexpr double kBoardBack = 0.018;
 constexpr double kBoardFront = 0.02;
+// The mechanism's plate, and the wall behind what is measured of it.
+constexpr double kPlateBack = 0.01;
+constexpr double kWall = 1.3;
 
 /// From 2 m a board stands out of the wall by less than a pixel's noise allows, but its sides do
 /// as wholes.
@@ -96,6 +101,27 @@ TEST(Judgement, ABareWallGoesOn) {
     EXPECT_GT(result.agreement.explained, 0.5) << distance;
     EXPECT_GT(result.outline.continued(), options.most_continued) << distance;
     EXPECT_NE(judge(result, options), TrackingStatus::tracking) << distance;
+  }
+}
+
+/// Noise may turn what is found in a wall so that the wall lies behind it on one side.
+TEST(Judgement, ABareWallGoesOnAroundAPlateThatIsAslantInIt) {
+  const ArticulatedModel& model = mechanism();
+  const TrackerOptions options;
+  ArticulatedRegistration registration(model, options.registration, Executor(1));
+  Configuration out_of_view = rest_configuration(model.tree);
+  out_of_view.T_camera_base.translation() = Eigen::Vector3d(5.0, 0.0, 1.0);
+  const TiledCloud wall = cloud_of(measured(model, out_of_view, "primesense"));
+  const std::array<Eigen::Vector3d, 2> axes{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
+  for (const double tilt : {-0.03, -0.02, -0.01, 0.0, 0.01, 0.02, 0.03}) {
+    for (const Eigen::Vector3d& axis : axes) {
+      Configuration estimate = rest_configuration(model.tree);
+      estimate.T_camera_base =
+          Eigen::Translation3d(0.0, 0.0, kWall + kPlateBack) * Eigen::AngleAxisd(tilt, axis);
+      const RegistrationResult& result = registration.align(wall, estimate, {0.0, 0});
+      EXPECT_GT(result.agreement.explained, 0.9) << tilt;
+      EXPECT_GT(result.outline.continued(), options.most_continued) << tilt;
+    }
   }
 }
 

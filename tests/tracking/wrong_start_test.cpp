@@ -8,6 +8,7 @@
 #include "initialization/seen_model.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 #include "lockbox/tracking/tracker.hpp"
+#include "mechanism.hpp"
 #include "wrong_joint.hpp"
 
 namespace lockbox {
@@ -36,6 +37,21 @@ TEST_P(JointsThatStartWrong, AreFoundAtOnce) {
     EXPECT_NEAR(joint_position(model_.tree, result.configuration, joint), right, 0.01);
     EXPECT_EQ(result.searches, 0);
   }
+}
+
+/// A flat back in a wall explains more than the object does where it is, which noise contradicts in
+/// a pixel or two.
+TEST(AStartInTheWall, HidesNothingThatIsInView) {
+  const ArticulatedModel& model = mechanism();
+  Configuration truth = mechanism_start(model);
+  truth.T_camera_base.pretranslate(Eigen::Vector3d(-0.3, -0.1, 0.3));
+  Configuration start = truth;
+  start.T_camera_base = Eigen::Translation3d(0.4, 0.2, 1.31);
+  Tracker tracker(model, {});
+  tracker.start(start);
+  const TrackingResult& result = tracker.process(measured(model, truth, "primesense"));
+  EXPECT_EQ(result.status, TrackingStatus::tracking);
+  EXPECT_TRUE(result.configuration.T_camera_base.isApprox(truth.T_camera_base, 5e-3));
 }
 
 /// With less and less of the noise between a flat part's faces.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "agreement_patch.hpp"
 #include "lockbox/registration/rigid_motion.hpp"
@@ -15,8 +16,9 @@ namespace {
 constexpr int kBeyond = 3;          // pixels of the view, across an outline
 constexpr float kRounding = 1e-5F;  // metres: more than single precision errs
 /// A board on a wall stands out by less than a pixel's noise allows. But a whole side of an outline
-/// beyond which the scene is farther in the mean, by so many standard deviations, ends there.
-constexpr double kEndsBehind = 1.25;
+/// across which the scene steps back in the mean, by so many standard deviations, ends there. A
+/// plate that is imagined aslant in a wall has it behind on one side, too, but within as beyond.
+constexpr double kStepsBack = 1.25;
 /// A body most of whose points lie behind it, though within the gate, is not what they lie on: of a
 /// flat part that is elsewhere they show the face that it would lie on. What recedes by less than
 /// this is the model's inexactness, and with few points, that err alike, noise: so many of its
@@ -59,6 +61,17 @@ void count(const ArticulatedModel& model, const ViewSample& sample,
   }
 }
 
+/// What is measured in a pixel of the view, behind what is expected there, in standard deviations;
+/// nothing if nothing is.
+std::optional<double> behind(const VisibleSurface& surface, const Pixel& pixel, double expected,
+                             const TiledCloud& cloud, const RegistrationOptions& options) {
+  const Pixel seen = surface.camera_pixel(pixel.u, pixel.v);
+  const auto measured =
+      static_cast<double>(cloud.depth()[index(cloud.camera().width, seen.u, seen.v)]);
+  if (measured <= 0.0) return std::nullopt;
+  return (measured - expected) / options.noise.sigma_z(expected);
+}
+
 /// Looks across the outline, if the sample lies at one: left, right, up and down.
 void look_beyond(const VisibleSurface& surface, const Pixel& sample, const TiledCloud& cloud,
                  const RegistrationOptions& options, std::span<OutlineSide, 4> sides) {
@@ -72,22 +85,20 @@ void look_beyond(const VisibleSurface& surface, const Pixel& sample, const Tiled
         view.id[index(view.width, u, v)] != kNothing) {
       continue;
     }
-    const Pixel seen = surface.camera_pixel(u, v);
-    const double measured =
-        static_cast<double>(cloud.depth()[index(cloud.camera().width, seen.u, seen.v)]);
     const TangentPlane plane(view, sample.u, sample.v);
-    const double expected = static_cast<double>(view.depth[index(view.width, sample.u, sample.v)]) *
-                            plane.relative_depth(kBeyond * du, kBeyond * dv);
-    const double behind = (measured - expected) / options.noise.sigma_z(expected);
-    const bool is_measured = measured > 0.0;
-    if (is_measured && behind < -options.cut) {
+    const double here = static_cast<double>(view.depth[index(view.width, sample.u, sample.v)]);
+    const double there = here * plane.relative_depth(kBeyond * du, kBeyond * dv);
+    const auto beyond = behind(surface, {u, v}, there, cloud, options);
+    if (beyond && *beyond < -options.cut) {
       continue;
     }
     ++sides[way].pixel_by_pixel.samples;
-    if (!is_measured) continue;
+    if (!beyond) continue;
+    sides[way].pixel_by_pixel.goes_on += *beyond < options.cut ? 1 : 0;
+    const auto within = behind(surface, sample, here, cloud, options);
+    if (!within || *within < -options.cut) continue;
     ++sides[way].measured;
-    sides[way].behind += std::min(behind, options.cut);
-    sides[way].pixel_by_pixel.goes_on += behind < options.cut ? 1 : 0;
+    sides[way].step += std::min(*beyond, options.cut) - std::min(*within, options.cut);
   }
 }
 
@@ -96,15 +107,15 @@ void add(std::span<const OutlineSide, 4> sides, std::span<OutlineSide, 4> sums) 
     sums[way].pixel_by_pixel.samples += sides[way].pixel_by_pixel.samples;
     sums[way].pixel_by_pixel.goes_on += sides[way].pixel_by_pixel.goes_on;
     sums[way].measured += sides[way].measured;
-    sums[way].behind += sides[way].behind;
+    sums[way].step += sides[way].step;
   }
 }
 
 /// Of one body. Neighbouring pixels err alike, so that less than a side says little more than one.
 void add(std::span<const OutlineSide, 4> sides, OutlineAgreement& outline) {
-  for (const auto& [pixel_by_pixel, measured, behind] : sides) {
+  for (const auto& [pixel_by_pixel, measured, step] : sides) {
     outline.samples += pixel_by_pixel.samples;
-    const bool ends = behind > kEndsBehind * measured;
+    const bool ends = step > kStepsBack * measured;
     outline.goes_on += ends ? 0 : pixel_by_pixel.goes_on;
   }
 }

@@ -8,8 +8,9 @@
 
 namespace lockbox {
 
-void keep_better(const RegistrationResult& registered, RegistrationResult& best) {
-  if (registered.agreement.conviction() > best.agreement.conviction()) best = registered;
+void keep_better(const RegistrationResult& registered, const TrackerOptions& options,
+                 RegistrationResult& best) {
+  if (conviction(registered, options) > conviction(best, options)) best = registered;
 }
 
 void doubt_base(double rival_distance, RegistrationResult& registered) {
@@ -110,7 +111,7 @@ Annealing Acquisition::narrow() const {
 /// Keeps it if it is the best so far; true if it is judged `tracking`.
 bool Acquisition::consider(const RegistrationResult& found) {
   if (!best_) best_ = found;
-  keep_better(found, *best_);
+  keep_better(found, options_, *best_);
   return judge(found, options_) == TrackingStatus::tracking;
 }
 

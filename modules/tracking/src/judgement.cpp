@@ -50,6 +50,12 @@ bool is_doubtful(const RegistrationResult& registered, int variable, const Joint
   return is_hidden && margins[v] < options.least_margin_of_hidden;
 }
 
+double conviction(const RegistrationResult& registered, const TrackerOptions& options) {
+  Agreement agreement = registered.agreement;
+  if (registered.outline.continued() > options.most_continued) agreement.explained = 0.0;
+  return agreement.conviction();
+}
+
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options) {
   const Agreement& whole = registered.agreement;
   const auto& bodies = registered.body_agreement;

@@ -130,17 +130,17 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
     const Configuration start = best_.at_rest;
     const RegistrationResult& further =
         registration_.align(cloud_, start, {predictor_.spread(), options_.further_iterations});
-    keep_better(come_to_rest(start, further), best_);
+    keep_better(come_to_rest(start, further), options_, best_);
     carry_parts(prediction, best_);
     seek_contradicted_joints(best_);
   }
   if (is_hidden && !options_.background_search) {  // by itself, when the estimate lies behind it
-    keep_better(acquisition_.find_near(frame, *guess_), best_);
+    keep_better(acquisition_.find_near(frame, *guess_), options_, best_);
   }
   if (judge(best_, options_) != TrackingStatus::tracking) {
     const bool anywhere = options_.search_anywhere && frames_searched_ >= kFramesOfDoubt;
     if (const auto found = sought(frame, anywhere ? SearchScope::near_first : SearchScope::near)) {
-      keep_better(*found, best_);
+      keep_better(*found, options_, best_);
     }
   }
   return best_;
@@ -158,7 +158,7 @@ void Tracker::carry_parts(const Configuration& prediction, RegistrationResult& b
   if (judge(at_rest, options_) == TrackingStatus::tracking) {
     best = at_rest;
   } else {
-    keep_better(at_rest, best);
+    keep_better(at_rest, options_, best);
   }
 }
 
@@ -166,7 +166,7 @@ void Tracker::carry_parts(const Configuration& prediction, RegistrationResult& b
 void Tracker::seek_contradicted_joints(RegistrationResult& best) {
   sought_joints_ = contradicted_variables(best, model_.tree, options_);
   if (!sought_joints_.empty()) {
-    keep_better(acquisition_.with_joints_sought(best.at_rest, sought_joints_), best);
+    keep_better(acquisition_.with_joints_sought(best.at_rest, sought_joints_), options_, best);
   }
 }
 

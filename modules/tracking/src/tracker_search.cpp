@@ -32,10 +32,10 @@ void Tracker::search(const DepthFrame& frame) {
   report(*found);
   if (is_known()) {
     frames_searched_ = 0;
+    if (result_.status == TrackingStatus::tracking) guess_ = found->at_rest;
     predictor_.reset(frame.stamp, found->at_rest);
     std::transform(found->observable.begin() + 6, found->observable.end(), frames_in_sight_.begin(),
                    [](bool is_known) { return is_known ? kFramesToKnowMotion : 0; });
-    if (!(rival_distance_ > 0.0)) guess_ = found->at_rest;
   }
 }
 
@@ -74,11 +74,8 @@ std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame
   }
   std::optional<RegistrationResult> found;
   background_->show(frame);
-  if (const auto answer = background_->take()) {
-    found = brought_up_to_date(*answer);
-  } else if (is_due && !is_known()) {
-    found = where_it_was();
-  }
+  if (const auto answer = background_->take()) found = brought_up_to_date(*answer);
+  if (!found && is_due) found = where_it_was();
   result_.searches = background_->searches();
   const bool is_found = found && judge(*found, options_) == TrackingStatus::tracking;
   if (!is_found && !background_->is_busy()) {
@@ -101,7 +98,7 @@ std::optional<RegistrationResult> Tracker::brought_up_to_date(const Registration
   if (!is_tracking(here)) {
     keep_better(registration_.align(cloud_, here.at_rest,
                                     {options_.start_joint_spread, options_.further_iterations}),
-                here);
+                options_, here);
   }
   if (is_tracking(here) || !is_tracking(answer)) {
     keep_doubts(answer, here);

@@ -50,8 +50,8 @@ struct OutlineAgreement {
 /// The outline of one body to one side: left, right, above or below.
 struct OutlineSide {
   OutlineAgreement pixel_by_pixel;  ///< it goes on where what is beyond is as near as noise allows
-  int measured = 0;                 ///< of its samples
-  double behind = 0.0;  ///< the sum over these: behind the continuation, standard deviations
+  int measured = 0;                 ///< of its samples, on both sides of the outline
+  double step = 0.0;  ///< the sum over these: farther beyond than within, standard deviations
 };
 
 /// Of each body at these poses, and over all of them. The surface may show a slightly different

@@ -13,8 +13,10 @@ namespace lockbox {
 /// Where to look: around a guess, if there is one, anywhere, or there first and then anywhere.
 enum class SearchScope { near, anywhere, near_first };
 
-/// Of two answers in one frame the one with more conviction (Agreement), the earlier one of equals.
-void keep_better(const RegistrationResult& registered, RegistrationResult& best);
+/// Of two answers in one frame the one with more conviction (judgement.hpp), the earlier one of
+/// equals.
+void keep_better(const RegistrationResult& registered, const TrackerOptions& options,
+                 RegistrationResult& best);
 
 /// It may as well stand so far away: its standard deviations say so.
 void doubt_base(double rival_distance, RegistrationResult& registered);

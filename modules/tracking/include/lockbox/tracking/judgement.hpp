@@ -16,6 +16,10 @@ enum class TrackingStatus { initializing, tracking, uncertain, lost };
 /// The word for a states file.
 std::string to_string(TrackingStatus status);
 
+/// For comparing answers in one frame: Agreement::conviction, but what may be a patch of a wall, for
+/// the scene goes on beyond its outline, explains nothing.
+double conviction(const RegistrationResult& registered, const TrackerOptions& options);
+
 /// Whether enough of the model is explained, and nothing speaks against it: neither a contradicted
 /// body, however small it is beside the others, nor a surface that goes on beyond the outline.
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options);
