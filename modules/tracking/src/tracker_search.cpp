@@ -75,10 +75,14 @@ std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame
   std::optional<RegistrationResult> found;
   background_->show(frame);
   if (const auto answer = background_->take()) found = brought_up_to_date(*answer);
-  if (!found && is_due) found = where_it_was();
+  const auto is_found = [&] {
+    return found && judge(*found, options_) == TrackingStatus::tracking;
+  };
+  if (is_due && !is_found()) {
+    if (auto here = where_it_was()) found = std::move(here);
+  }
   result_.searches = background_->searches();
-  const bool is_found = found && judge(*found, options_) == TrackingStatus::tracking;
-  if (!is_found && !background_->is_busy()) {
+  if (!is_found() && !background_->is_busy()) {
     const bool is_misled = answers_passed_ > kMostAnswersPassed && scope != SearchScope::near;
     background_->start(frame, guess_, is_misled ? SearchScope::anywhere : scope);
     if (is_misled) answers_passed_ = 0;

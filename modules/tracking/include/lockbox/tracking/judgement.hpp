@@ -16,8 +16,8 @@ enum class TrackingStatus { initializing, tracking, uncertain, lost };
 /// The word for a states file.
 std::string to_string(TrackingStatus status);
 
-/// For comparing answers in one frame: Agreement::conviction, but what may be a patch of a wall, for
-/// the scene goes on beyond its outline, explains nothing.
+/// For comparing answers in one frame: Agreement::conviction, but what may be a patch of a wall,
+/// for the scene goes on beyond its outline, explains nothing.
 double conviction(const RegistrationResult& registered, const TrackerOptions& options);
 
 /// Whether enough of the model is explained, and nothing speaks against it: neither a contradicted
