@@ -72,10 +72,24 @@ std::optional<double> behind(const VisibleSurface& surface, const Pixel& pixel, 
   return (measured - expected) / options.noise.sigma_z(expected);
 }
 
+/// Most samples lie so: the model is to be seen to all sides of them.
+bool shows_model_around(const RenderedDepth& view, const Pixel& sample) {
+  if (sample.u < kBeyond || sample.v < kBeyond || sample.u >= view.width - kBeyond ||
+      sample.v >= view.height - kBeyond) {
+    return false;
+  }
+  const auto beyond = static_cast<std::ptrdiff_t>(kBeyond);
+  const std::int16_t* const id = &view.id[index(view.width, sample.u, sample.v)];
+  const std::ptrdiff_t down = beyond * view.width;
+  return ((id[-beyond] != kNothing) & (id[beyond] != kNothing) & (id[-down] != kNothing) &
+          (id[down] != kNothing)) != 0;
+}
+
 /// Looks across the outline, if the sample lies at one: left, right, up and down.
 void look_beyond(const VisibleSurface& surface, const Pixel& sample, const TiledCloud& cloud,
                  const RegistrationOptions& options, std::span<OutlineSide, 4> sides) {
   const RenderedDepth& view = surface.view();
+  if (shows_model_around(view, sample)) return;
   constexpr std::array<std::array<int, 2>, 4> kWays{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
   for (std::size_t way = 0; way < kWays.size(); ++way) {
     const auto& [du, dv] = kWays[way];

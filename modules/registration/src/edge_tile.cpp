@@ -57,22 +57,16 @@ bool EdgeTile::read(const RenderedDepth& samples, int left, int top) {
 bool EdgeTile::find_bodies(const RenderedDepth& samples, std::size_t left, std::size_t top) {
   body_count_ = 0;
   shows_nothing_ = false;
-  std::int16_t last = kNothing;
-  bool starts = true;
+  const std::int16_t* above = nullptr;
   for (std::size_t j = 0; j < kRows; ++j) {
     const std::int16_t* const ids =
         &samples.id[(top + j) * static_cast<std::size_t>(samples.width) + left];
     float* const bodies = &window_.body[j * kernels::kWindowStride];
-    int others = 0;
-    for (std::size_t i = 0; i < kRows; ++i) {
-      bodies[i] = static_cast<float>(ids[i]);
-      others |= ids[i] ^ last;
-    }
-    for (std::size_t i = 0; i < kRows && (others != 0 || starts); ++i) {
-      if (ids[i] == last && !starts) continue;
-      starts = false;
-      last = ids[i];
-      if (!add_body(last)) return false;
+    for (std::size_t i = 0; i < kRows; ++i) bodies[i] = static_cast<float>(ids[i]);
+    const bool is_as_above = above != nullptr && std::equal(ids, ids + kRows, above);
+    above = ids;
+    for (std::size_t i = 0; i < kRows && !is_as_above; ++i) {
+      if ((i == 0 || ids[i] != ids[i - 1]) && !add_body(ids[i])) return false;
     }
   }
   return body_count_ > 0;

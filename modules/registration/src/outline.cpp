@@ -11,30 +11,32 @@ namespace {
 constexpr int kReach = 3;  // pixels around the sample in which an outline counts as near
 constexpr double kLeastOutline = 0.5;  // of the normal's length: an outline, not a stray pixel
 
+constexpr int kAround = 2 * kReach + 1;
+constexpr int kPullUnit = 360;  // that all squared distances within reach divide
+
 /// How much a neighbour at (du, dv) within reach that lies beyond an outline says of its normal:
-/// its direction, less the farther it is.
-class PullTable {
- public:
-  PullTable() {
+/// its direction, less the farther it is. In whole units, whose sums are exact in any order: so
+/// they are made for several neighbours at once.
+struct PullTable {
+  using Rows = std::array<std::array<int, kAround>, kAround>;
+  Rows u{};
+  Rows v{};
+
+  constexpr PullTable() {
     for (int dv = -kReach; dv <= kReach; ++dv) {
       for (int du = -kReach; du <= kReach; ++du) {
         const int distance2 = du * du + dv * dv;
-        const bool counts = distance2 > 0 && distance2 <= kReach * kReach;
-        entries_[index(du, dv)] =
-            counts ? Eigen::Vector2d(du, dv) / distance2 : Eigen::Vector2d(0.0, 0.0);
+        if (distance2 == 0 || distance2 > kReach * kReach) continue;
+        const auto row = static_cast<std::size_t>(dv + kReach);
+        const auto column = static_cast<std::size_t>(du + kReach);
+        u[row][column] = kPullUnit * du / distance2;
+        v[row][column] = kPullUnit * dv / distance2;
       }
     }
   }
-  const Eigen::Vector2d& at(int du, int dv) const { return entries_[index(du, dv)]; }
-
- private:
-  static std::size_t index(int du, int dv) {
-    return static_cast<std::size_t>((dv + kReach) * (2 * kReach + 1) + du + kReach);
-  }
-  std::array<Eigen::Vector2d, (2 * kReach + 1) * (2 * kReach + 1)> entries_;
 };
 
-const PullTable kPull;
+constexpr PullTable kPull;
 
 bool inside(const RenderedDepth& image, int u, int v) {
   return u >= 0 && v >= 0 && u < image.width && v < image.height;
@@ -75,17 +77,22 @@ Eigen::Vector2d outline_normal(const RenderedDepth& image, const TangentPlane& p
   const auto depth = static_cast<double>(image.depth[image.index(u, v)]);
   const int first_u = std::max(-kReach, -u);
   const int last_u = std::min(kReach, image.width - 1 - u);
-  Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+  int pull_u = 0;
+  int pull_v = 0;
   for (int dv = std::max(-kReach, -v); dv <= std::min(kReach, image.height - 1 - v); ++dv) {
     const float* row = image.depth.data() + image.index(u, v + dv);
+    const auto& pulls_u = kPull.u[static_cast<std::size_t>(dv + kReach)];
+    const auto& pulls_v = kPull.v[static_cast<std::size_t>(dv + kReach)];
     for (int du = first_u; du <= last_u; ++du) {
       // there > depth (1 / nearness + step), without a division
       const double nearness = plane.relative_nearness(du, dv);
       const bool is_beyond =
           static_cast<double>(row[du]) * nearness > depth * (1.0 + step * nearness);
-      normal += is_beyond ? kPull.at(du, dv) : Eigen::Vector2d::Zero();
+      pull_u += is_beyond ? pulls_u[static_cast<std::size_t>(du + kReach)] : 0;
+      pull_v += is_beyond ? pulls_v[static_cast<std::size_t>(du + kReach)] : 0;
     }
   }
+  const Eigen::Vector2d normal = Eigen::Vector2d(pull_u, pull_v) / kPullUnit;
   const double length = normal.norm();
   return length > kLeastOutline ? Eigen::Vector2d(normal / length) : Eigen::Vector2d::Zero();
 }

@@ -41,6 +41,7 @@ class VisibleSurface {
   const BodyPoses& T_body_camera() const { return T_body_camera_; }
 
  private:
+  void find_view_pixels();
   void measure_outline_distance(const Executor& executor);
   int pixels_to_outline(std::size_t pixel) const;
 
@@ -53,6 +54,8 @@ class VisibleSurface {
   /// Pixels of the view, up to 255; 0 on the model. Only where the view is drawn.
   std::vector<std::uint8_t> outline_distance_;
   int reduction_ = 1;
+  std::vector<std::uint32_t> view_column_;  ///< by column of the camera's image
+  std::vector<std::uint32_t> view_row_;     ///< by row of it: where that row of the view begins
 };
 
 }  // namespace lockbox
