@@ -66,7 +66,7 @@ struct RegistrationOptions {
   std::vector<bool> locked;  ///< by joint variable; empty: none
 
   /// Converged when a step moves no point of the model farther than this, metres.
-  double step_tolerance = 1e-6;
+  double step_tolerance = 2e-5;
 
   bool is_locked(int variable) const {
     const auto index = static_cast<std::size_t>(variable);
