@@ -62,10 +62,12 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.converged = false;
   result_.iterations = 0;
   last_step_.setZero(scale_.unit.size());
-  selected_spread_ = kNeverSelected;
   linearized_spread_.reset();
   ahead_spread_.reset();
-  look_at(cloud, start, annealing.spread);
+  if (!annealing.goes_on) {
+    selected_spread_ = kNeverSelected;
+    look_at(cloud, start, annealing.spread);
+  }
   const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
   bool go_on = true;
   const auto spread_of = [&](int k) {

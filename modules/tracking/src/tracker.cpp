@@ -94,10 +94,16 @@ const RegistrationResult& Tracker::come_to_rest(const Configuration& prediction,
   Configuration start = prediction;
   for (int round = 0; round < options_.most_rounds && is_on_its_way(start, *result); ++round) {
     start = result->at_rest;
-    result =
-        &registration_.align(cloud_, start, {predictor_.spread(), options_.further_iterations});
+    result = &registration_.align(cloud_, start, further());
   }
   return *result;
+}
+
+/// From where the last alignment of the frame has ended.
+Annealing Tracker::further() const {
+  return {.spread = predictor_.spread(),
+          .iterations = options_.further_iterations,
+          .goes_on = true};
 }
 
 /// What has come farther than the gate is wide was pulled along by what little was within it, and
@@ -128,9 +134,8 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
   if (!options_.background_search || frames_searched_ == 0) {
     // It may be on its way still: then nothing is to be sought.
     const Configuration start = best_.at_rest;
-    const RegistrationResult& further =
-        registration_.align(cloud_, start, {predictor_.spread(), options_.further_iterations});
-    keep_better(come_to_rest(start, further), options_, best_);
+    const RegistrationResult& followed = registration_.align(cloud_, start, further());
+    keep_better(come_to_rest(start, followed), options_, best_);
     carry_parts(prediction, best_);
     seek_contradicted_joints(best_);
   }

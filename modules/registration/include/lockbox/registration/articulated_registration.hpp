@@ -42,6 +42,9 @@ struct Annealing {
   /// end the alignment by returning false.
   std::function<bool(const Configuration& configuration, bool is_narrow)> on_iteration = nullptr;
   bool at_edges = true;  ///< end with the step by the image at edges, if the options ask for it
+  /// The cloud is that of the last alignment: what was drawn for it, and what was sought then of
+  /// free space, is as good as within one alignment while surfaces are nearly where they were.
+  bool goes_on = false;
 };
 
 struct RegistrationResult {
