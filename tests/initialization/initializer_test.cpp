@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <numbers>
 
 #include "lockbox/core/error.hpp"
@@ -29,24 +28,6 @@ void expect_base(const Configuration& found, const Configuration& truth) {
   const Eigen::Isometry3d error = found.T_camera_base.inverse() * truth.T_camera_base;
   EXPECT_LT(error.translation().norm(), 0.01);
   EXPECT_LT(Eigen::AngleAxisd(error.linear()).angle(), kDegree);
-}
-
-/// The same surface by four times as many triangles.
-TriangleMesh subdivided(const TriangleMesh& mesh) {
-  TriangleMesh fine;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [a, b, c] = mesh.corners(t);
-    const auto first = static_cast<std::uint32_t>(fine.vertices.size());
-    for (const Eigen::Vector3d& p : {a, b, c}) fine.vertices.push_back(p);
-    fine.vertices.emplace_back(0.5 * (a + b));
-    fine.vertices.emplace_back(0.5 * (b + c));
-    fine.vertices.emplace_back(0.5 * (c + a));
-    for (const auto& [i, j, k] : std::array<std::array<std::uint32_t, 3>, 4>{
-             {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}}) {
-      fine.triangles.push_back({first + i, first + j, first + k});
-    }
-  }
-  return fine;
 }
 
 std::vector<Candidate> search(const ArticulatedModel& model, const TiledCloud& cloud,
@@ -106,17 +87,6 @@ TEST(Initializer, FindsABoxThatIsPartlyOutsideTheImage) {
 TEST(Initializer, FindsASmallRigidBlock) {
   const ArticulatedModel& model = shipped("rigid_block");
   const Configuration truth = placed(model, 1.0, 0.5, 1.0);
-  const auto found = search(model, seen(model, truth, wall_behind(0.5)));
-  ASSERT_FALSE(found.empty());
-  expect_base(found.front().configuration, truth);
-}
-
-/// Its mesh is not welded, which the simplification of bodies for drawing has to bear.
-TEST(Initializer, FindsABlockOfManyTriangles) {
-  ArticulatedModel model = load_model(shipped_file("rigid_block"), with_cache());
-  TriangleMesh& mesh = model.tree.bodies.front().mesh;
-  while (mesh.triangles.size() < 5000) mesh = subdivided(mesh);
-  const Configuration truth = placed(model, 0.9, 0.7, 0.5);
   const auto found = search(model, seen(model, truth, wall_behind(0.5)));
   ASSERT_FALSE(found.empty());
   expect_base(found.front().configuration, truth);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <sstream>
 
 #include "lockbox/core/error.hpp"
 #include "urdf_test.hpp"
@@ -48,6 +51,52 @@ TEST_F(LoadModelTest, BuildsOneFieldForEachBodyWithGeometry) {
     const DistanceSample centre = model.fields[b]->sample(Eigen::Vector3f::Zero());
     EXPECT_NEAR(centre.distance, -0.01F, 2e-3F);
   }
+}
+
+constexpr double kRing = 0.08;  // radii of a torus, metres
+constexpr double kTube = 0.03;
+constexpr int kFacets = 100;  // along each of its circles
+
+std::string torus_obj() {
+  std::ostringstream obj;
+  const auto vertex = [](int i, int j) {
+    return std::to_string(1 + (i % kFacets) * kFacets + j % kFacets) + ' ';
+  };
+  for (int i = 0; i < kFacets; ++i) {
+    for (int j = 0; j < kFacets; ++j) {
+      const double a = 2.0 * std::numbers::pi * i / kFacets;
+      const double b = 2.0 * std::numbers::pi * j / kFacets;
+      const double r = kRing + kTube * std::cos(b);
+      obj << "v " << r * std::cos(a) << ' ' << r * std::sin(a) << ' ' << kTube * std::sin(b)
+          << '\n';
+    }
+  }
+  for (int i = 0; i < kFacets; ++i) {
+    for (int j = 0; j < kFacets; ++j) {
+      obj << "f " << vertex(i, j) << vertex(i + 1, j) << vertex(i + 1, j + 1) << '\n';
+      obj << "f " << vertex(i, j) << vertex(i + 1, j + 1) << vertex(i, j + 1) << '\n';
+    }
+  }
+  return obj.str();
+}
+
+/// But its field, and what is shown of it, are those of all its triangles.
+TEST_F(LoadModelTest, DrawsABodyOfManyTrianglesByFewer) {
+  const auto file = write("torus.obj", torus_obj());
+  LoadOptions options;
+  options.cache_directory = folder_ / "cache";
+  const ArticulatedModel model = load_model(file, options);
+  const Body& body = model.tree.bodies.front();
+  EXPECT_EQ(body.visuals.front().mesh.triangles.size(), 2U * kFacets * kFacets);
+  EXPECT_LT(body.mesh.triangles.size(), 10000U);
+  EXPECT_GT(body.mesh.triangles.size(), 1000U);
+  for (const Eigen::Vector3d& p : body.mesh.vertices) {
+    const double off = std::hypot(p.head<2>().norm() - kRing, p.z()) - kTube;
+    EXPECT_NEAR(off, 0.0, model.fields.front()->voxel());
+  }
+  const double volume = model.fields.front()->storage().mesh_volume;
+  EXPECT_NEAR(volume, signed_volume(body.visuals.front().mesh), 1e-9);
+  EXPECT_NEAR(signed_volume(body.mesh), volume, 0.01 * volume);
 }
 
 TEST_F(LoadModelTest, KeepsFieldsInTheCacheGivenOrInThatOfTheUser) {

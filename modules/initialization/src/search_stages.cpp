@@ -5,7 +5,6 @@
 #include "climb.hpp"
 #include "joint_scan.hpp"
 #include "levers.hpp"
-#include "lockbox/mesh/simplify.hpp"
 #include "lockbox/model/variable_range.hpp"
 #include "search_workspace.hpp"
 
@@ -15,9 +14,6 @@ namespace {
 constexpr double kHardlyLess = 0.9;
 constexpr double kHardlyWorse = 0.01;  // of the visible surface
 constexpr int kAnchorSteps = 4;        // of a joint between base and a matched side
-
-/// Of a body: it is drawn a hundred pixels large, and less.
-constexpr std::size_t kSketchTriangles = 2000;
 
 constexpr bool kHoldJoints = true;
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
@@ -30,21 +26,11 @@ const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 const Annealing kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
 const Annealing kExactly{.spread = 0.005, .iterations = 8};
 
-/// The same with bodies of few triangles.
-KinematicTree sketch_of(KinematicTree tree) {
-  for (Body& body : tree.bodies) {
-    body.mesh = simplified(body.mesh, kSketchTriangles);
-    body.visuals.clear();
-  }
-  return tree;
-}
-
 }  // namespace
 
 Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
                                   const InitializerOptions& given, const Executor& workers)
     : model(articulated_model),
-      sketch(sketch_of(model.tree)),
       options(given),
       executor(workers),
       levers(model_levers(model.tree)),
@@ -60,8 +46,8 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
   coarse_options.collision = CollisionMode::off;
   coarse_options.sight_low_relief = false;  // coarse pixels err otherwise
   for (int worker = 0; worker < executor.threads(); ++worker) {
-    scores.emplace_back(sketch, view_noise());
-    halves.emplace_back(sketch, fine_view_noise());
+    scores.emplace_back(model.tree, view_noise());
+    halves.emplace_back(model.tree, fine_view_noise());
     coarse.emplace_back(model, coarse_options, Executor(1));
     parts.emplace_back();
   }
@@ -106,7 +92,7 @@ std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
 std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
                                                       const Breadth& breadth) {
   const auto& regions = scene.regions;
-  if (!reliefs) reliefs = make_reliefs(sketch, executor);
+  if (!reliefs) reliefs = make_reliefs(model.tree, executor);
   const std::size_t pairs = regions.size() * reliefs->size();
   std::vector<std::vector<Hypothesis>> found(pairs);
   executor.for_each(pairs, [&](std::size_t pair) {

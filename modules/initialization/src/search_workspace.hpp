@@ -32,7 +32,6 @@ struct Breadth {
 /// The memory of the search, and its stages in their order.
 struct Initializer::Workspace {
   const ArticulatedModel& model;
-  KinematicTree sketch;  ///< of the model: what is drawn thousands of times, in coarse pixels
   InitializerOptions options;
   Executor executor;
   std::optional<std::vector<ModelRelief>> reliefs;  ///< made when first matched

@@ -7,12 +7,16 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/parallel.hpp"
+#include "lockbox/mesh/simplify.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/sdf/field_cache.hpp"
 #include "model_parameters.hpp"
 
 namespace lockbox {
 namespace {
+
+constexpr std::size_t kFewTriangles = 2000;  // that take little time to draw
+constexpr double kMostVoxelsOff = 1.0;       // by which a drawing may differ from the field
 
 FieldOptions field_options(const Body& body, const ModelParameters& parameters) {
   FieldOptions options;
@@ -32,6 +36,28 @@ std::optional<SignedDistanceField> body_field(const Body& body, const FieldOptio
   } catch (const InputError& error) {
     throw InputError(model.string(), "link '" + body.name + "': " + error.what());
   }
+}
+
+bool lies_on(const SignedDistanceField& field, const TriangleMesh& mesh) {
+  const double most = kMostVoxelsOff * field.voxel();
+  const auto is_near = [&](const Eigen::Vector3d& p) {
+    return std::abs(static_cast<double>(field.sample(p.cast<float>()).distance)) <= most;
+  };
+  const auto middle_is_near = [&](const auto& triangle) {
+    const auto& [a, b, c] = triangle;
+    return is_near((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0);
+  };
+  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_near) &&
+         std::all_of(mesh.triangles.begin(), mesh.triangles.end(), middle_is_near);
+}
+
+/// Of many triangles most are smaller than a pixel: as few as show the same surface.
+TriangleMesh drawn_mesh(const TriangleMesh& mesh, const SignedDistanceField& field) {
+  for (std::size_t few = kFewTriangles; 2 * few <= mesh.triangles.size(); few *= 2) {
+    TriangleMesh simple = simplified(mesh, few);
+    if (lies_on(field, simple)) return simple;
+  }
+  return mesh;
 }
 
 void require_geometry(const ArticulatedModel& model) {
@@ -68,9 +94,10 @@ ArticulatedModel load_model(const std::filesystem::path& file, const LoadOptions
   if (options.on_warning) warn_of_units(model, options.on_warning);
   const auto cache = options.cache_directory.value_or(default_cache_folder());
   const Executor executor;
-  for (const Body& body : model.tree.bodies) {
+  for (Body& body : model.tree.bodies) {
     model.fields.push_back(
         body_field(body, field_options(body, model.parameters), cache, file, executor));
+    if (model.fields.back()) body.mesh = drawn_mesh(body.mesh, *model.fields.back());
   }
   require_geometry(model);
   return model;

@@ -101,9 +101,8 @@ const RegistrationResult& Tracker::come_to_rest(const Configuration& prediction,
 
 /// From where the last alignment of the frame has ended.
 Annealing Tracker::further() const {
-  return {.spread = predictor_.spread(),
-          .iterations = options_.further_iterations,
-          .goes_on = true};
+  return {
+      .spread = predictor_.spread(), .iterations = options_.further_iterations, .goes_on = true};
 }
 
 /// What has come farther than the gate is wide was pulled along by what little was within it, and

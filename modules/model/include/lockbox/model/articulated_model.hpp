@@ -35,6 +35,8 @@ struct LoadOptions {
 
 struct ArticulatedModel {
   std::filesystem::path file;
+  /// The mesh of a body of many triangles, but not its visuals, is simplified as long as it stays
+  /// within a voxel of the field: it is drawn many times a frame.
   KinematicTree tree;
   ModelParameters parameters;
   /// fields[b] belongs to tree.bodies[b]; empty for bodies without geometry.
