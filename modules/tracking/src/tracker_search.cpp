@@ -78,7 +78,8 @@ std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame
   const auto is_found = [&] {
     return found && judge(*found, options_) == TrackingStatus::tracking;
   };
-  if (is_due && !is_found()) {
+  // Following is no remedy where two places look alike: then only a search of the whole frame is.
+  if (is_due && !is_found() && scope != SearchScope::anywhere) {
     if (auto here = where_it_was()) found = std::move(here);
   }
   result_.searches = background_->searches();
