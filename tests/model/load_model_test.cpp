@@ -57,7 +57,8 @@ constexpr double kRing = 0.08;  // radii of a torus, metres
 constexpr double kTube = 0.03;
 constexpr int kFacets = 100;  // along each of its circles
 
-std::string torus_obj() {
+/// With a knob upon it, 5 mm wide.
+std::string torus_obj(double knob) {
   std::ostringstream obj;
   const auto vertex = [](int i, int j) {
     return std::to_string(1 + (i % kFacets) * kFacets + j % kFacets) + ' ';
@@ -66,9 +67,10 @@ std::string torus_obj() {
     for (int j = 0; j < kFacets; ++j) {
       const double a = 2.0 * std::numbers::pi * i / kFacets;
       const double b = 2.0 * std::numbers::pi * j / kFacets;
-      const double r = kRing + kTube * std::cos(b);
-      obj << "v " << r * std::cos(a) << ' ' << r * std::sin(a) << ' ' << kTube * std::sin(b)
-          << '\n';
+      const Eigen::Vector2d aside(kRing * std::sin(0.5 * a), kTube * (b - 0.5 * std::numbers::pi));
+      const double tube = kTube + (aside.norm() < 0.005 ? knob : 0.0);
+      const double r = kRing + tube * std::cos(b);
+      obj << "v " << r * std::cos(a) << ' ' << r * std::sin(a) << ' ' << tube * std::sin(b) << '\n';
     }
   }
   for (int i = 0; i < kFacets; ++i) {
@@ -82,7 +84,7 @@ std::string torus_obj() {
 
 /// But its field, and what is shown of it, are those of all its triangles.
 TEST_F(LoadModelTest, DrawsABodyOfManyTrianglesByFewer) {
-  const auto file = write("torus.obj", torus_obj());
+  const auto file = write("torus.obj", torus_obj(0.0));
   LoadOptions options;
   options.cache_directory = folder_ / "cache";
   const ArticulatedModel model = load_model(file, options);
@@ -97,6 +99,16 @@ TEST_F(LoadModelTest, DrawsABodyOfManyTrianglesByFewer) {
   const double volume = model.fields.front()->storage().mesh_volume;
   EXPECT_NEAR(volume, signed_volume(body.visuals.front().mesh), 1e-9);
   EXPECT_NEAR(signed_volume(body.mesh), volume, 0.01 * volume);
+}
+
+TEST_F(LoadModelTest, DrawsSmallPartsOfABodyOfManyTriangles) {
+  constexpr double kKnob = 0.006;  // metres high
+  LoadOptions options;
+  options.cache_directory = folder_ / "cache";
+  const ArticulatedModel model = load_model(write("knob.obj", torus_obj(kKnob)), options);
+  const TriangleMesh& drawn = model.tree.bodies.front().mesh;
+  EXPECT_LT(drawn.triangles.size(), 10000U);
+  EXPECT_NEAR(bounds(drawn).max().z(), kTube + kKnob, model.fields.front()->voxel());
 }
 
 TEST_F(LoadModelTest, KeepsFieldsInTheCacheGivenOrInThatOfTheUser) {

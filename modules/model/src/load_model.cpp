@@ -38,6 +38,7 @@ std::optional<SignedDistanceField> body_field(const Body& body, const FieldOptio
   }
 }
 
+/// By corners and middles of triangles: where a small part is missing, they lie within the body.
 bool lies_on(const SignedDistanceField& field, const TriangleMesh& mesh) {
   const double most = kMostVoxelsOff * field.voxel();
   const auto is_near = [&](const Eigen::Vector3d& p) {
