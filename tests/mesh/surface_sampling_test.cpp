@@ -44,6 +44,16 @@ TEST(SurfaceSampling, StandsForTheWholeArea) {
   EXPECT_NEAR(static_cast<double>(samples.size()), surface_area(mesh) / 4e-6, 1.0);
 }
 
+TEST(SurfaceSampling, NeighboursFollowEachOther) {
+  const double spacing = 0.01;
+  const auto samples = sample_surface(make_box({0.9, 0.9, 0.02}), spacing);
+  double way = 0.0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    way += (samples[i].position - samples[i - 1].position).norm();
+  }
+  EXPECT_LT(way / static_cast<double>(samples.size()), 3.0 * spacing);
+}
+
 TEST(SurfaceSampling, LeavesNoGapsAndMakesNoClusters) {
   const double spacing = 0.01;
   for (const int rounds : {0, 5}) {

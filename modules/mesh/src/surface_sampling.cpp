@@ -23,28 +23,31 @@ std::uint32_t morton_code(const Eigen::Vector3d& unit) {
   return code;
 }
 
-struct Visit {
-  std::uint32_t code;
-  Eigen::Vector3d centroid;
-  std::uint32_t triangle;
-};
-
-/// Triangles along the curve; those of one cell by position, so that file order does not matter.
-std::vector<Visit> along_space_filling_curve(const TriangleMesh& mesh) {
-  const Eigen::AlignedBox3d box = bounds(mesh);
+/// Numbers of points along the curve through a box; those of one cell by position, so that their
+/// order does not matter.
+template <typename PositionOf>
+std::vector<std::uint32_t> along_space_filling_curve(std::size_t count, Eigen::AlignedBox3d box,
+                                                     const PositionOf& position_of) {
+  struct Visit {
+    std::uint32_t code;
+    Eigen::Vector3d position;
+    std::uint32_t number;
+  };
   const Eigen::Vector3d inverse_size = box.sizes().cwiseMax(1e-12).cwiseInverse();
   std::vector<Visit> visits;
-  visits.reserve(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto [a, b, c] = mesh.corners(t);
-    const Eigen::Vector3d centroid = (a + b + c) / 3.0;
-    visits.push_back({morton_code((centroid - box.min()).cwiseProduct(inverse_size)), centroid, t});
+  visits.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d p = position_of(i);
+    visits.push_back({morton_code((p - box.min()).cwiseProduct(inverse_size)), p, i});
   }
   std::sort(visits.begin(), visits.end(), [](const Visit& a, const Visit& b) {
-    return std::tie(a.code, a.centroid.x(), a.centroid.y(), a.centroid.z()) <
-           std::tie(b.code, b.centroid.x(), b.centroid.y(), b.centroid.z());
+    return std::tie(a.code, a.position.x(), a.position.y(), a.position.z()) <
+           std::tie(b.code, b.position.x(), b.position.y(), b.position.z());
   });
-  return visits;
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(count);
+  for (const Visit& visit : visits) numbers.push_back(visit.number);
+  return numbers;
 }
 
 /// The i-th point of Roberts' R2 sequence, folded into the triangle.
@@ -73,15 +76,27 @@ std::vector<SurfaceSample> sample_surface(const TriangleMesh& mesh, double spaci
   std::vector<SurfaceSample> samples;
   samples.reserve(static_cast<std::size_t>(count));
   double passed_area = 0.0;
-  for (const Visit& visit : along_space_filling_curve(mesh)) {
-    const Corners corners = mesh.corners(visit.triangle);
+  const Eigen::AlignedBox3d box = bounds(mesh);
+  const auto centroid = [&](std::uint32_t triangle) -> Eigen::Vector3d {
+    const auto [a, b, c] = mesh.corners(triangle);
+    return (a + b + c) / 3.0;
+  };
+  for (const std::uint32_t triangle :
+       along_space_filling_curve(mesh.triangles.size(), box, centroid)) {
+    const Corners corners = mesh.corners(triangle);
     const Eigen::Vector3d area = area_vector(corners);
     passed_area += area.norm();
     while ((static_cast<double>(samples.size()) + 0.5) * step < passed_area) {
       samples.push_back({low_discrepancy_point(corners, samples.size()), area.normalized(), step});
     }
   }
-  return samples;
+  std::vector<SurfaceSample> sorted;
+  sorted.reserve(samples.size());
+  const auto position = [&](std::uint32_t i) { return samples[i].position; };
+  for (const std::uint32_t i : along_space_filling_curve(samples.size(), box, position)) {
+    sorted.push_back(samples[i]);
+  }
+  return sorted;
 }
 
 }  // namespace lockbox

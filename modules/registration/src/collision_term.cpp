@@ -105,7 +105,7 @@ std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body
 
 void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface,
                                   int other, double erosion, const Eigen::Isometry3d& T_other_body,
-                                  bool with_system, Half& half) {
+                                  Half& half) {
   const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(other)];
   half.cost = 0.0;
   half.system = {};
@@ -133,7 +133,7 @@ void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSur
                    eroded);
     for (std::size_t i = 0; i < patch.size; ++i) {
       if (distance[i] + eroded < kRounding) {
-        add_sample(field, box, T, surface.samples[patch.first + i], eroded, with_system, half);
+        add_sample(field, box, T, surface.samples[patch.first + i], eroded, half);
       }
     }
   }
@@ -142,7 +142,7 @@ void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSur
 /// What may penetrate, if it does. box: the field's bounds.
 void CollisionTerm::add_sample(const SignedDistanceField& field, const Eigen::AlignedBox3f& box,
                                const Eigen::Isometry3f& T_other_body,
-                               const ErodedSurface::Sample& sample, float erosion, bool with_system,
+                               const ErodedSurface::Sample& sample, float erosion,
                                Half& half) const {
   const Eigen::Vector3f p = T_other_body * sample.p_body;
   if (!box.contains(p)) {
@@ -154,20 +154,20 @@ void CollisionTerm::add_sample(const SignedDistanceField& field, const Eigen::Al
   }
   const double w = weight_ * sample.share;
   half.cost += 0.5 * w * inside->depth * inside->depth;
-  if (with_system) {
-    Twist row;
-    row << inside->normal, inside->point.cross(inside->normal);
-    half.system.hessian.noalias() += w * row * row.transpose();
-    half.system.gradient += w * inside->depth * row;
-  }
+  Twist row;
+  row << inside->normal, inside->point.cross(inside->normal);
+  half.system.hessian.noalias() += w * row * row.transpose();
+  half.system.gradient += w * inside->depth * row;
 }
 
 double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                                NormalEquations* equations) {
-  halves_.resize(2 * pairs_.size());
-  executor_.for_each(pairs_.size(), [&](std::size_t i) {
-    evaluate_pair(model, T_camera_body, i, equations != nullptr);
-  });
+  if (!stands_at(T_camera_body)) {
+    halves_.resize(2 * pairs_.size());
+    executor_.for_each(pairs_.size(),
+                       [&](std::size_t i) { evaluate_pair(model, T_camera_body, i); });
+    evaluated_ = T_camera_body;
+  }
   double cost = 0.0;
   for (std::size_t i = 0; i < halves_.size(); ++i) {
     const Half& half = halves_[i];
@@ -183,9 +183,17 @@ double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T
   return cost;
 }
 
+/// A step that is taken was evaluated when it was tried.
+bool CollisionTerm::stands_at(const BodyPoses& T_camera_body) const {
+  return std::equal(T_camera_body.begin(), T_camera_body.end(), evaluated_.begin(),
+                    evaluated_.end(), [](const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+                      return a.matrix() == b.matrix();
+                    });
+}
+
 /// a moves against b, in b's frame; and b against a, in a's.
 void CollisionTerm::evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                                  std::size_t i, bool with_systems) {
+                                  std::size_t i) {
   const CollisionPair& pair = pairs_[i];
   const auto a = static_cast<std::size_t>(pair.a);
   const auto b = static_cast<std::size_t>(pair.b);
@@ -197,10 +205,9 @@ void CollisionTerm::evaluate_pair(const ArticulatedModel& model, const BodyPoses
   if (!box_a.intersects(model.fields[b]->bounds())) {
     return;
   }
-  evaluate_half(model, surfaces_[pair_surfaces_[i].first], pair.b, pair.erosion, T_b_a,
-                with_systems, first);
+  evaluate_half(model, surfaces_[pair_surfaces_[i].first], pair.b, pair.erosion, T_b_a, first);
   evaluate_half(model, surfaces_[pair_surfaces_[i].second], pair.a, pair.erosion, T_b_a.inverse(),
-                with_systems, second);
+                second);
 }
 
 }  // namespace lockbox

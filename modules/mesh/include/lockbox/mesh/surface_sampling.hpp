@@ -15,7 +15,8 @@ struct SurfaceSample {
 /// About area / spacing^2 points (at least one), spread evenly by area. The triangles are walked
 /// along a space-filling curve and sampled at equal steps of area, with low-discrepancy positions
 /// within each, so that the result follows from the geometry alone: neither the order of the
-/// triangles nor their size matters to the density. spacing: metres, positive.
+/// triangles nor their size matters to the density. Samples that follow each other are neighbours.
+/// spacing: metres, positive.
 std::vector<SurfaceSample> sample_surface(const TriangleMesh& mesh, double spacing);
 
 }  // namespace lockbox

@@ -30,8 +30,8 @@ struct CollisionPair {
   double rest_overlap = 0.0;  ///< metres, deepest penetration in the rest configuration
 };
 
-/// Constant data: pairs and the samples of eroded surfaces. Between calls it remembers how far
-/// bodies may move before they can touch, which changes no result.
+/// Constant data: pairs and the samples of eroded surfaces. Between calls it remembers the last
+/// result, and how far bodies may move before they can touch; that changes no result.
 class CollisionTerm {
  public:
   /// Measures the overlaps of the rest configuration and samples the eroded surfaces. Throws
@@ -57,20 +57,20 @@ class CollisionTerm {
   void add_pair(const ArticulatedModel& model, const RegistrationOptions& options,
                 const BodyPoses& rest, int a, int b);
   std::size_t surface_index(const ArticulatedModel& model, int body, double erosion);
-  void evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i,
-                     bool with_systems);
+  bool stands_at(const BodyPoses& T_camera_body) const;
+  void evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i);
   void evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface, int other,
-                     double erosion, const Eigen::Isometry3d& T_other_body, bool with_system,
-                     Half& half);
+                     double erosion, const Eigen::Isometry3d& T_other_body, Half& half);
   void add_sample(const SignedDistanceField& field, const Eigen::AlignedBox3f& box,
                   const Eigen::Isometry3f& T_other_body, const ErodedSurface::Sample& sample,
-                  float erosion, bool with_system, Half& half) const;
+                  float erosion, Half& half) const;
 
   Executor executor_;
   double weight_ = 0.0;  ///< lambda / sigma_c^2
   std::vector<CollisionPair> pairs_;
   std::vector<std::pair<std::size_t, std::size_t>> pair_surfaces_;  ///< of a and of b
   std::vector<ErodedSurface> surfaces_;
+  BodyPoses evaluated_;       ///< what the halves are of
   std::vector<Half> halves_;  ///< two a pair
   BodyJacobian jacobian_;
 };

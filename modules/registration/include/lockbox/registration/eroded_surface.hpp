@@ -25,7 +25,7 @@ struct ErodedSurface {
     double radius;
   };
 
-  static constexpr std::size_t kSamplesInPatch = 128;  ///< at most
+  static constexpr std::size_t kSamplesInPatch = 32;  ///< at most
 
   /// erosion: metres, not negative. The body must have a field.
   ErodedSurface(const ArticulatedModel& model, int body_index, double erosion_depth);
