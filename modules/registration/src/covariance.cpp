@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 
 namespace lockbox {
@@ -28,33 +29,36 @@ double systematic_floor(Index unknown, double lever) {
   return lever > 0.0 ? kJointFloor / lever : 0.0;
 }
 
-bool is_same_part(const TileSystem& a, const TileSystem& b) {
-  return a.tile == b.tile && a.body == b.body && a.pixels == b.pixels;
-}
-
-/// Brings all that speaks for the same body in the same tile together.
-void merge(std::vector<TileSystem>& tiles) {
-  std::sort(tiles.begin(), tiles.end(), [](const TileSystem& a, const TileSystem& b) {
-    return std::tie(a.tile, a.body, a.pixels) < std::tie(b.tile, b.body, b.pixels);
-  });
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < tiles.size(); ++i) {
-    if (is_same_part(tiles[i], tiles[last])) {
-      tiles[last].hessian += tiles[i].hessian;
-      tiles[last].gradient += tiles[i].gradient;
-    } else {
-      tiles[++last] = tiles[i];
-    }
-  }
-  tiles.resize(std::min(tiles.size(), last + 1));
+/// Of what: the tile of the image, the body, and how many pixels residuals stand for.
+auto part_of(const TileSystem& system) {
+  return std::tie(system.tile, system.body, system.pixels);
 }
 
 }  // namespace
 
+/// Brings all that speaks for the same body in the same tile together, in the order of the tiles.
+void CovarianceEstimator::merge(const std::vector<TileSystem>& tiles) {
+  order_.resize(tiles.size());
+  std::iota(order_.begin(), order_.end(), std::uint32_t{0});
+  std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tuple_cat(part_of(tiles[a]), std::tie(a)) <
+           std::tuple_cat(part_of(tiles[b]), std::tie(b));
+  });
+  merged_.clear();
+  for (const std::uint32_t i : order_) {
+    if (!merged_.empty() && part_of(merged_.back()) == part_of(tiles[i])) {
+      merged_.back().hessian += tiles[i].hessian;
+      merged_.back().gradient += tiles[i].gradient;
+    } else {
+      merged_.push_back(tiles[i]);
+    }
+  }
+}
+
 /// Residuals that stand for many pixels lie far apart, and err more independently.
-void CovarianceEstimator::measure_dispersion(const std::vector<TileSystem>& tiles) {
+void CovarianceEstimator::measure_dispersion() {
   dispersions_.assign(1, {0.0, 0.0, 0.0, 0});
-  for (const TileSystem& tile : tiles) {
+  for (const TileSystem& tile : merged_) {
     auto own = std::find_if(dispersions_.begin() + 1, dispersions_.end(),
                             [&](const Dispersion& d) { return d.pixels == tile.pixels; });
     if (own == dispersions_.end()) {
@@ -102,15 +106,14 @@ void CovarianceEstimator::invert_information(const NormalEquations& data, const 
 }
 
 /// scatter_: the sum over tiles of g g', with g the pull of one tile at all unknowns.
-void CovarianceEstimator::sum_tiles(const std::vector<TileSystem>& tiles,
-                                    const std::vector<BodyJacobian>& jacobians) {
+void CovarianceEstimator::sum_tiles(const std::vector<BodyJacobian>& jacobians) {
   const Index n = unit_.size();
   pull_.setZero(n);
   scatter_.setZero(n, n);
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    const TileSystem& part = tiles[i];
+  for (std::size_t i = 0; i < merged_.size(); ++i) {
+    const TileSystem& part = merged_[i];
     pull_.noalias() += jacobians[static_cast<std::size_t>(part.body)].transpose() * part.gradient;
-    const bool last_of_tile = i + 1 == tiles.size() || tiles[i + 1].tile != part.tile;
+    const bool last_of_tile = i + 1 == merged_.size() || merged_[i + 1].tile != part.tile;
     if (last_of_tile) {
       scatter_.noalias() += pull_ * pull_.transpose();
       pull_.setZero();
@@ -119,8 +122,7 @@ void CovarianceEstimator::sum_tiles(const std::vector<TileSystem>& tiles,
 }
 
 /// Adds c sum H_t H^-1 H_t, what the tiles would pull more if the estimate had not followed them.
-void CovarianceEstimator::restore_what_was_followed(const std::vector<TileSystem>& tiles,
-                                                    double noise_correlation,
+void CovarianceEstimator::restore_what_was_followed(double noise_correlation,
                                                     const std::vector<BodyJacobian>& jacobians) {
   body_covariances_.resize(jacobians.size());
   for (std::size_t b = 0; b < jacobians.size(); ++b) {
@@ -128,9 +130,9 @@ void CovarianceEstimator::restore_what_was_followed(const std::vector<TileSystem
     body_covariances_[b].noalias() = image_.lazyProduct(jacobians[b].transpose());
     body_covariances_[b] /= noise_correlation;
   }
-  measure_dispersion(tiles);
+  measure_dispersion();
   followed_.assign(jacobians.size(), Matrix6::Zero());
-  for (const TileSystem& tile : tiles) {
+  for (const TileSystem& tile : merged_) {
     const auto body = static_cast<std::size_t>(tile.body);
     const Matrix6 response = dispersion(tile.pixels) * tile.hessian * body_covariances_[body];
     followed_[body].noalias() += response * tile.hessian;
@@ -141,14 +143,14 @@ void CovarianceEstimator::restore_what_was_followed(const std::vector<TileSystem
   }
 }
 
-void CovarianceEstimator::estimate(const NormalEquations& data, std::vector<TileSystem>& tiles,
-                                   double noise_correlation,
+void CovarianceEstimator::estimate(const NormalEquations& data,
+                                   const std::vector<TileSystem>& tiles, double noise_correlation,
                                    const std::vector<BodyJacobian>& jacobians,
                                    const StepScale& scale, const std::vector<bool>& held) {
   merge(tiles);
   invert_information(data, scale, held);
-  sum_tiles(tiles, jacobians);
-  restore_what_was_followed(tiles, noise_correlation, jacobians);
+  sum_tiles(jacobians);
+  restore_what_was_followed(noise_correlation, jacobians);
   scatter_ /= noise_correlation * noise_correlation;
   product_.noalias() = bread_ * scatter_;
   covariance_.noalias() = product_ * bread_;

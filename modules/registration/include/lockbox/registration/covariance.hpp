@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <cstdint>
 #include <vector>
 
 #include "lockbox/registration/bounded_step.hpp"
@@ -22,9 +23,9 @@ namespace lockbox {
 class CovarianceEstimator {
  public:
   /// data: the data terms linearised at the solution, divided by noise_correlation. tiles: what
-  /// they are the sums of, not divided; brought into the order of the tiles. Directions with too
-  /// little information are unknown by a whole unit; unknowns held have sigma 0.
-  void estimate(const NormalEquations& data, std::vector<TileSystem>& tiles,
+  /// they are the sums of, not divided. Directions with too little information are unknown by a
+  /// whole unit; unknowns held have sigma 0.
+  void estimate(const NormalEquations& data, const std::vector<TileSystem>& tiles,
                 double noise_correlation, const std::vector<BodyJacobian>& jacobians,
                 const StepScale& scale, const std::vector<bool>& held);
 
@@ -60,19 +61,22 @@ class CovarianceEstimator {
     double expected;
     int tiles;
   };
-  void measure_dispersion(const std::vector<TileSystem>& tiles);
+  void merge(const std::vector<TileSystem>& tiles);
+  void measure_dispersion();
   double dispersion(double pixels) const;
   void invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& inverse);
   void invert_information(const NormalEquations& data, const StepScale& scale,
                           const std::vector<bool>& held);
-  void sum_tiles(const std::vector<TileSystem>& tiles, const std::vector<BodyJacobian>& jacobians);
-  void restore_what_was_followed(const std::vector<TileSystem>& tiles, double noise_correlation,
+  void sum_tiles(const std::vector<BodyJacobian>& jacobians);
+  void restore_what_was_followed(double noise_correlation,
                                  const std::vector<BodyJacobian>& jacobians);
 
   Eigen::MatrixXd covariance_;
   Eigen::VectorXd sigma_;
   std::vector<bool> observable_;
 
+  std::vector<std::uint32_t> order_;  ///< in which tiles are merged
+  std::vector<TileSystem> merged_;
   Eigen::VectorXd unit_;  ///< by unknown; 0: held
   Eigen::MatrixXd information_;
   // Of a matrix: without one Eigen leaves members unset, and moving them is undefined.
