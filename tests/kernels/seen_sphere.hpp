@@ -86,7 +86,7 @@ class SeenSphere : public ::testing::Test {
 
   void look_up_all() {
     look_up(field.view, motion, noise, points(), {predicted_body.data(), predicted_depth.data()},
-            kBody, kCut, hits(), planes());
+            kBody, kCut, hits(), planes(), has_planes);
   }
   PointSpan points() { return {x.data(), y.data(), z.data(), kPoints}; }
   FieldHits hits() {
@@ -111,6 +111,7 @@ class SeenSphere : public ::testing::Test {
   }
 
   Array x, y, z, distance, nearest, inverse_variance, weight, plane_offset;
+  bool has_planes = false;
   std::array<Array, 3> plane_normal;
   std::array<Array, 3> normal, position;
 };

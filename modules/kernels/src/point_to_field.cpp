@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/kernels/point_to_field.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -41,11 +42,10 @@ HWY_INLINE void store_planes(const Hit& hit, const hn::Mask<FloatTag> where,
   }
 }
 
-bool look_up_points(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
+void look_up_points(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
                     const PointSpan& points, const PredictedPixels& predicted, float body,
-                    float cut, const FieldHits& hits, const BodyPlanes& planes) {
+                    float cut, const FieldHits& hits, const BodyPlanes& planes, bool& has_planes) {
   const FloatTag df;
-  bool any_won = false;
   for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
     const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
                         hn::LoadU(df, points.z + i)};
@@ -62,12 +62,14 @@ bool look_up_points(const FieldView& field, const RigidMotion& motion, const Poi
     const auto competes = hn::And(shows_body, hn::AndNot(is_same_plane(hit, p[2], off), is_near));
     if (!hn::AllFalse(df, competes)) {
       const auto wins = let_rays_compete(field, motion, noise, p, depth, competes, hit);
-      store_planes(hit, wins, planes, i);
-      any_won = any_won || !hn::AllFalse(df, wins);
+      if (!hn::AllFalse(df, wins)) {
+        if (!has_planes) std::fill_n(planes.offset, points.size, kNoPlane);
+        has_planes = true;
+        store_planes(hit, wins, planes, i);
+      }
     }
     store(hit, hits, i);
   }
-  return any_won;
 }
 
 void frozen_point_distances(const RigidMotion& motion, const PointSpan& points,
@@ -209,11 +211,11 @@ HWY_EXPORT(associate_points);
 HWY_EXPORT(total_association_cost);
 HWY_EXPORT(accumulate_points);
 
-bool look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
+void look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
              const PointSpan& points, const PredictedPixels& predicted, float body, float cut,
-             const FieldHits& hits, const BodyPlanes& planes) {
-  return HWY_DYNAMIC_DISPATCH(look_up_points)(field, body_from_camera, noise, points, predicted,
-                                              body, cut, hits, planes);
+             const FieldHits& hits, const BodyPlanes& planes, bool& has_planes) {
+  HWY_DYNAMIC_DISPATCH(look_up_points)
+  (field, body_from_camera, noise, points, predicted, body, cut, hits, planes, has_planes);
 }
 
 void frozen_distance(const RigidMotion& body_from_camera, const PointSpan& points,

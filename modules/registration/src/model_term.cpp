@@ -57,11 +57,6 @@ kernels::BodyPlanes ModelTerm::Chunk::planes_of(std::size_t tile_of_chunk) const
   return {offset, {offset + kTilePoints, offset + 2 * kTilePoints, offset + 3 * kTilePoints}};
 }
 
-void ModelTerm::Chunk::forget_planes(std::size_t tile_of_chunk) {
-  has_planes[tile_of_chunk] = false;
-  std::fill_n(planes_of(tile_of_chunk).offset, kTilePoints, kernels::kNoPlane);
-}
-
 /// Memory for one tile: arrays of all its candidates.
 struct ModelTerm::Scratch {
   explicit Scratch(std::vector<float>& memory) {
@@ -141,12 +136,11 @@ void ModelTerm::look_up(const Scene& scene, std::size_t tile_index, std::size_t 
   const Tile& tile = scene.points.tiles()[tile_index];
   const int body = chunk.bodies[candidate];
   const auto b = static_cast<std::size_t>(body);
-  const bool any = kernels::look_up(scene.model.fields[b]->view(), bodies_[b].from_camera,
-                                    point_noise(scene.options.noise, scene.camera, chunk.spread),
-                                    points_of(scene.points, tile), predicted_pixels(scene, tile),
-                                    static_cast<float>(body), static_cast<float>(scene.options.cut),
-                                    hits, chunk.planes_of(tile_of_chunk));
-  chunk.has_planes[tile_of_chunk] = chunk.has_planes[tile_of_chunk] || any;
+  kernels::look_up(scene.model.fields[b]->view(), bodies_[b].from_camera,
+                   point_noise(scene.options.noise, scene.camera, chunk.spread),
+                   points_of(scene.points, tile), predicted_pixels(scene, tile),
+                   static_cast<float>(body), static_cast<float>(scene.options.cut), hits,
+                   chunk.planes_of(tile_of_chunk), chunk.has_planes[tile_of_chunk]);
 }
 
 void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index, double spread,
@@ -201,7 +195,7 @@ double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index, d
   const std::size_t first_tile = chunk_index * kTilesPerChunk;
   double cost = 0.0;
   for (std::size_t k = 0; k < tiles_in_chunk(points, first_tile, kTilesPerChunk); ++k) {
-    chunk.forget_planes(k);
+    chunk.has_planes[k] = false;
     for (std::size_t c = chunk.first[k]; c < chunk.first[k + 1]; ++c) {
       kernels::FieldHits& hits = scratch.hits[c - chunk.first[k]];
       hits.inverse_variance = chunk.inverse_variance.data() + c * kTilePoints;

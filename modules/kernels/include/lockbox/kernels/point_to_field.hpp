@@ -83,15 +83,15 @@ inline constexpr float kNoPlane = 1e30F;
 ///
 ///   |n.r| / |r| / sigma exp(-distance^2 / (2 sigma^2)),   0 where n.r > 0.
 ///
-/// Planes that win are written to `planes`, other points are left as they are there. Returns
-/// whether any won.
+/// Planes that win are written to `planes`, other points are left as they are there. has_planes:
+/// whether an earlier body left any; the first ones set all offsets.
 ///
 /// A point that lies more than cut standard deviations, and 50 mm, before what its pixel is
 /// predicted to show of the body gets inverse_variance 0, too: something else stands there, however
 /// near to another side of the body.
-bool look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
+void look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
              const PointSpan& points, const PredictedPixels& predicted, float body, float cut,
-             const FieldHits& hits, const BodyPlanes& planes);
+             const FieldHits& hits, const BodyPlanes& planes, bool& has_planes);
 
 /// The distances under the selection of an earlier look_up: to the body's planes where there are
 /// any, to its nearest surface elsewhere.

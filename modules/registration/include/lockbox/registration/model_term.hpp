@@ -100,7 +100,6 @@ class ModelTerm {
     Totals totals;
 
     kernels::BodyPlanes planes_of(std::size_t tile_of_chunk) const;
-    void forget_planes(std::size_t tile_of_chunk);
   };
   using Linearization = std::vector<Chunk>;
 
