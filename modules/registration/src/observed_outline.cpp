@@ -110,11 +110,11 @@ std::optional<OutlineSighting> ObservedOutline::find(const OutlinePoint& point,
   const double depth = walk.p().z();
   const SensorNoise& noise = options_.noise;
   const double lateral = noise.sigma_lateral(depth, cloud_.camera().fx);
-  const double reach = options_.cut * std::hypot(lateral, spread_);
+  const double reach = options_.cut * std::sqrt(lateral * lateral + spread_ * spread_);
   const int last = static_cast<int>(std::ceil(std::min(reach / walk.pixel_size(), kFarthest)));
-  const double zone =
-      options_.free_space_dead_zone *
-      std::hypot(noise.sigma_z(depth), noise.lateral_pixels * point.steepness * depth);
+  const double zone = options_.free_space_dead_zone *
+                      std::sqrt(std::pow(noise.sigma_z(depth), 2) +
+                                std::pow(noise.lateral_pixels * point.steepness * depth, 2));
   const double nearer = zone + point.rise;
   const auto beyond = seek(walk, 0, last, Shown::beyond, zone, nearer);
   if (!beyond || !beyond->is_wanted) {

@@ -5,38 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "lockbox/kernels/outlines.hpp"
+
 namespace lockbox {
 namespace {
 
-constexpr int kReach = 3;  // pixels around the sample in which an outline counts as near
 constexpr double kLeastOutline = 0.5;  // of the normal's length: an outline, not a stray pixel
-
-constexpr int kAround = 2 * kReach + 1;
-constexpr int kPullUnit = 360;  // that all squared distances within reach divide
-
-/// How much a neighbour at (du, dv) within reach that lies beyond an outline says of its normal:
-/// its direction, less the farther it is. In whole units, whose sums are exact in any order: so
-/// they are made for several neighbours at once.
-struct PullTable {
-  using Rows = std::array<std::array<int, kAround>, kAround>;
-  Rows u{};
-  Rows v{};
-
-  constexpr PullTable() {
-    for (int dv = -kReach; dv <= kReach; ++dv) {
-      for (int du = -kReach; du <= kReach; ++du) {
-        const int distance2 = du * du + dv * dv;
-        if (distance2 == 0 || distance2 > kReach * kReach) continue;
-        const auto row = static_cast<std::size_t>(dv + kReach);
-        const auto column = static_cast<std::size_t>(du + kReach);
-        u[row][column] = kPullUnit * du / distance2;
-        v[row][column] = kPullUnit * dv / distance2;
-      }
-    }
-  }
-};
-
-constexpr PullTable kPull;
 
 bool inside(const RenderedDepth& image, int u, int v) {
   return u >= 0 && v >= 0 && u < image.width && v < image.height;
@@ -72,27 +46,46 @@ double slope(const RenderedDepth& image, int u, int v, int du, int dv) {
 TangentPlane::TangentPlane(const RenderedDepth& image, int u, int v)
     : slope_u_(slope(image, u, v, 1, 0)), slope_v_(slope(image, u, v, 0, 1)) {}
 
-Eigen::Vector2d outline_normal(const RenderedDepth& image, const TangentPlane& plane, int u, int v,
-                               double step) {
-  const auto depth = static_cast<double>(image.depth[image.index(u, v)]);
-  const int first_u = std::max(-kReach, -u);
-  const int last_u = std::min(kReach, image.width - 1 - u);
-  int pull_u = 0;
-  int pull_v = 0;
-  for (int dv = std::max(-kReach, -v); dv <= std::min(kReach, image.height - 1 - v); ++dv) {
-    const float* row = image.depth.data() + image.index(u, v + dv);
-    const auto& pulls_u = kPull.u[static_cast<std::size_t>(dv + kReach)];
-    const auto& pulls_v = kPull.v[static_cast<std::size_t>(dv + kReach)];
-    for (int du = first_u; du <= last_u; ++du) {
-      // there > depth (1 / nearness + step), without a division
-      const double nearness = plane.relative_nearness(du, dv);
-      const bool is_beyond =
-          static_cast<double>(row[du]) * nearness > depth * (1.0 + step * nearness);
-      pull_u += is_beyond ? pulls_u[static_cast<std::size_t>(du + kReach)] : 0;
-      pull_v += is_beyond ? pulls_v[static_cast<std::size_t>(du + kReach)] : 0;
+namespace {
+
+using kernels::kPullColumns;
+using kernels::kPullReach;
+using kernels::kPullRows;
+
+/// The depths around a pixel near the border of the image: 0, which lies beyond nothing, outside.
+std::array<float, std::size_t{kPullRows} * kPullColumns> with_border(const RenderedDepth& image,
+                                                                     int u, int v) {
+  std::array<float, std::size_t{kPullRows} * kPullColumns> depths{};
+  for (int row = 0; row < kPullRows; ++row) {
+    for (int column = 0; column < kPullRows; ++column) {
+      const int at_u = u + column - kPullReach;
+      const int at_v = v + row - kPullReach;
+      if (!inside(image, at_u, at_v)) continue;
+      depths[static_cast<std::size_t>(row * kPullColumns + column)] =
+          image.depth[image.index(at_u, at_v)];
     }
   }
-  const Eigen::Vector2d normal = Eigen::Vector2d(pull_u, pull_v) / kPullUnit;
+  return depths;
+}
+
+}  // namespace
+
+Eigen::Vector2d outline_normal(const RenderedDepth& image, const TangentPlane& plane, int u, int v,
+                               double step) {
+  const Eigen::Vector2d slopes = plane.slopes();
+  const kernels::PixelPlane pixel{image.depth[image.index(u, v)], static_cast<float>(slopes.x()),
+                                  static_cast<float>(slopes.y())};
+  const bool is_within = inside(image, u - kPullReach, v - kPullReach) &&
+                         inside(image, u - kPullReach + kPullColumns, v + kPullReach);
+  kernels::OutlinePull pull;
+  if (is_within) {
+    pull = kernels::outline_pull(&image.depth[image.index(u - kPullReach, v - kPullReach)],
+                                 image.width, pixel, static_cast<float>(step));
+  } else {
+    const auto depths = with_border(image, u, v);
+    pull = kernels::outline_pull(depths.data(), kPullColumns, pixel, static_cast<float>(step));
+  }
+  const Eigen::Vector2d normal = Eigen::Vector2d(pull.u, pull.v) / kernels::OutlinePull::kUnit;
   const double length = normal.norm();
   return length > kLeastOutline ? Eigen::Vector2d(normal / length) : Eigen::Vector2d::Zero();
 }

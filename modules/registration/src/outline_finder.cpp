@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "lockbox/kernels/outlines.hpp"
+
 namespace lockbox {
 namespace {
 
@@ -38,24 +40,35 @@ OutlineFinder::OutlineFinder(const ArticulatedModel& model, const VisibleSurface
       view_(surface.view()),
       camera_(surface.view_camera()),
       options_(options),
-      points_per_pixel_(std::max(1, surface.reduction() / spacing)) {}
+      points_per_pixel_(std::max(1, surface.reduction() / spacing)),
+      pixels_per_point_(std::max(1, spacing / surface.reduction())) {}
 
-/// Without branches, so that it is done for many pixels at once.
-void OutlineFinder::mark_jumps(int v, std::vector<std::uint8_t>& is_at_jump) const {
-  const auto left = static_cast<std::size_t>(view_.drawn.left);
-  is_at_jump.assign(static_cast<std::size_t>(view_.drawn.width), 0);
+std::span<const std::int32_t> OutlineFinder::find_jumps(int v,
+                                                        std::vector<std::int32_t>& columns) const {
+  const ImageWindow& drawn = view_.drawn;
+  const auto first = static_cast<std::size_t>(std::max(drawn.left, 1));
+  const auto end = static_cast<std::size_t>(std::min(drawn.right(), view_.width - 1));
+  if (first >= end) return {};
+  columns.resize(static_cast<std::size_t>(view_.width) + kernels::kLanes);
+  const float* here = view_.depth.data() + view_.index(0, v);
   const auto dead_zone = static_cast<float>(options_.free_space_dead_zone);
   const float floor = dead_zone * static_cast<float>(options_.noise.depth_floor);
   const float quadratic = dead_zone * static_cast<float>(options_.noise.depth_quadratic);
-  const float* z = view_.depth.data() + view_.index(0, v);
-  const float* above = view_.depth.data() + view_.index(0, v - 1);
-  const float* below = view_.depth.data() + view_.index(0, v + 1);
-  std::uint8_t* __restrict mark = is_at_jump.data();
-  const auto end = static_cast<std::size_t>(std::min(view_.drawn.right(), view_.width - 1));
-  for (std::size_t u = std::max<std::size_t>(left, 1); u < end; ++u) {
-    const float farthest = std::max(std::max(z[u - 1], z[u + 1]), std::max(above[u], below[u]));
-    mark[u - left] = static_cast<std::uint8_t>(farthest > z[u] + floor + quadratic * z[u] * z[u]);
+  const std::size_t count = kernels::find_jumps({here - view_.width, here, here + view_.width},
+                                                first, end, floor, quadratic, columns.data());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_wanted(columns[i], v)) columns[kept++] = columns[i];
   }
+  return {columns.data(), kept};
+}
+
+/// Of outlines that run down the view every n-th row, of those that run along it every n-th column.
+bool OutlineFinder::is_wanted(int u, int v) const {
+  if (pixels_per_point_ == 1) return true;
+  const double here = depth(u, v);
+  const bool runs_down = std::max(depth(u - 1, v), depth(u + 1, v)) > here + zone(here);
+  return (runs_down ? v : u) % pixels_per_point_ == 0;
 }
 
 std::optional<OutlinePixel> OutlineFinder::look_beside(int u, int v) const {
@@ -116,13 +129,14 @@ std::optional<OutlinePoint> OutlineFinder::point(const OutlinePixel& pixel,
     return std::nullopt;
   }
   const double here = depth(pixel.u, pixel.v);
-  return OutlinePoint{touch,
-                      across_body.normalized(),
-                      pixel.plane.slopes().dot(outwards.head<2>().normalized()) * camera_.fx / here,
-                      pixel.plane.steepness() / surface_.reduction(),
-                      std::max(0.0, outline.z() - here),
-                      static_cast<double>(surface_.reduction()) / points_per_pixel_,
-                      pixel.body};
+  return OutlinePoint{
+      touch,
+      across_body.normalized(),
+      pixel.plane.slopes().dot(outwards.head<2>().normalized()) * camera_.fx / here,
+      pixel.plane.steepness() / surface_.reduction(),
+      std::max(0.0, outline.z() - here),
+      static_cast<double>(surface_.reduction()) * pixels_per_point_ / points_per_pixel_,
+      pixel.body};
 }
 
 /// Depths that differ by less may be noise, metres.

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lockbox/model/articulated_model.hpp"
@@ -31,9 +32,9 @@ class OutlineFinder {
   OutlineFinder(const ArticulatedModel& model, const VisibleSurface& surface, int spacing,
                 const RegistrationOptions& options);
 
-  /// Of row v, marks the pixels of the drawn columns that have a neighbour which lies farther away
-  /// by more than noise.
-  void mark_jumps(int v, std::vector<std::uint8_t>& is_at_jump) const;
+  /// Of row v, the columns of the pixels to look beside: they have a neighbour which lies farther
+  /// away by more than noise. In memory of the caller's.
+  std::span<const std::int32_t> find_jumps(int v, std::vector<std::int32_t>& columns) const;
 
   /// What lies beside a pixel that shows a body, if that is an outline.
   std::optional<OutlinePixel> look_beside(int u, int v) const;
@@ -57,6 +58,7 @@ class OutlineFinder {
   double depth(int u, int v) const { return static_cast<double>(view_.depth[view_.index(u, v)]); }
   double zone(double depth) const;
   double aside(const OutlinePixel& pixel) const;
+  bool is_wanted(int u, int v) const;
   bool ends_beside(const TangentPlane& plane, int u, int v, double jump) const;
   bool stands_out(const Eigen::Vector3d& p, const Eigen::Vector3d& outwards) const;
 
@@ -66,6 +68,7 @@ class OutlineFinder {
   const PinholeCamera& camera_;
   const RegistrationOptions& options_;
   int points_per_pixel_;
+  int pixels_per_point_;
 };
 
 }  // namespace lockbox

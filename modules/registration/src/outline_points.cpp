@@ -78,12 +78,8 @@ class Band {
   void find_pixels(const OutlineFinder& finder, const ImageWindow& rows) {
     pixels_.clear();
     for (int v = rows.top; v < rows.bottom(); ++v) {
-      finder.mark_jumps(v, is_at_jump_);
-      for (std::size_t i = 0; i < is_at_jump_.size(); ++i) {
-        if (is_at_jump_[i] == 0) continue;
-        if (const auto pixel = finder.look_beside(rows.left + static_cast<int>(i), v)) {
-          pixels_.push_back(*pixel);
-        }
+      for (const std::int32_t u : finder.find_jumps(v, columns_)) {
+        if (const auto pixel = finder.look_beside(u, v)) pixels_.push_back(*pixel);
       }
     }
     std::sort(pixels_.begin(), pixels_.end(), [](const OutlinePixel& a, const OutlinePixel& b) {
@@ -128,7 +124,7 @@ class Band {
     }
   }
 
-  std::vector<std::uint8_t> is_at_jump_;  ///< by drawn column, of the row that is looked at
+  std::vector<std::int32_t> columns_;  ///< of the row that is looked at
   std::vector<OutlinePixel> pixels_;
   std::vector<Eigen::Vector3d> normals_;  ///< of the outline beside the pixels_ of one body
   TouchingRays rays_;

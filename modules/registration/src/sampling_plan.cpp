@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "lockbox/kernels/outlines.hpp"
 
 namespace lockbox {
 namespace {
@@ -29,17 +32,27 @@ constexpr std::uint8_t kCoarsest = kCell;
 constexpr std::array<Spacing, 7> kSpacings{
     {{8, kCoarsest}, {4, kCoarsest}, {4, 4}, {2, 4}, {2, 2}, {1, 2}, {1, 1}}};
 
-/// Whether the depth bends or jumps from one neighbour to the opposite one. Next to nothing it does
-/// neither: there the bodies differ.
-int has_relief(float before, float here, float after) {
-  return static_cast<int>(std::abs(before - 2.0F * here + after) > kRelief * here);
-}
-
 /// The body in the pixel, or next to it where the pixel shows nothing.
 std::int16_t body_at(const RenderedDepth& view, int u, int v) {
   return std::max({view.id[view.index(u, v)], view.id[view.index(u - 1, v)],
                    view.id[view.index(u + 1, v)], view.id[view.index(u, std::max(v - 1, 0))],
                    view.id[view.index(u, std::min(v + 1, view.height - 1))]});
+}
+
+/// The columns of the pixels at edges, in memory of the caller's.
+std::span<const std::int32_t> edges_in_row(const RenderedDepth& view, int v, int first_column,
+                                           int end_column, std::vector<std::int32_t>& columns) {
+  columns.resize(static_cast<std::size_t>(view.width) + kernels::kLanes);
+  const std::size_t above = view.index(0, std::max(v - 1, 0));
+  const std::size_t here = view.index(0, v);
+  const std::size_t below = view.index(0, std::min(v + 1, view.height - 1));
+  const float* z = view.depth.data();
+  const std::int16_t* label = view.id.data();
+  const std::size_t count = kernels::find_edges(
+      {z + above, z + here, z + below}, {label + above, label + here, label + below},
+      static_cast<std::size_t>(first_column), static_cast<std::size_t>(end_column), kRelief,
+      columns.data());
+  return {columns.data(), count};
 }
 
 }  // namespace
@@ -62,27 +75,8 @@ void SamplingPlan::plan(const RenderedDepth& view, int scale, double fx, double 
   spend(budget);
 }
 
-/// Of row v of the view: where bodies end, and where their depth bends. Without branches, so that
-/// it is done for many pixels at once. An edge at the border of the image is seen from within.
-void SamplingPlan::mark_edges(const RenderedDepth& view, int v, Band& band) {
-  const std::int16_t* id = view.id.data() + view.index(0, v);
-  const std::int16_t* id_above = view.id.data() + view.index(0, std::max(v - 1, 0));
-  const std::int16_t* id_below = view.id.data() + view.index(0, std::min(v + 1, view.height - 1));
-  const float* z = view.depth.data() + view.index(0, v);
-  const float* z_above = view.depth.data() + view.index(0, std::max(v - 1, 0));
-  const float* z_below = view.depth.data() + view.index(0, std::min(v + 1, view.height - 1));
-  std::int16_t* __restrict ends = band.ends.data();
-  int* __restrict bends = band.bends.data();
-  for (std::size_t u = band.first_column; u < band.end_column; ++u) {
-    ends[u] = static_cast<std::int16_t>((id[u] ^ id[u - 1]) | (id[u] ^ id[u + 1]) |
-                                        (id[u] ^ id_above[u]) | (id[u] ^ id_below[u]));
-  }
-  for (std::size_t u = band.first_column; u < band.end_column; ++u) {
-    bends[u] = has_relief(z[u - 1], z[u], z[u + 1]) | has_relief(z_above[u], z[u], z_below[u]);
-  }
-}
-
-/// They lie where the view is drawn, or right beside.
+/// Where bodies end, and where their depth bends: there the view is drawn, or right beside. An edge
+/// at the border of the image is seen from within.
 void SamplingPlan::find_edges(const RenderedDepth& view, std::size_t row_of_cells) {
   Band& band = bands_[row_of_cells];
   band.edges.clear();
@@ -91,35 +85,24 @@ void SamplingPlan::find_edges(const RenderedDepth& view, std::size_t row_of_cell
   const int first = static_cast<int>(row_of_cells) * kCell;
   const int first_row = std::max(first, drawn.top - 1);
   const int end_row = std::min({first + kCell, drawn.bottom() + 1, view.height});
-  if (drawn.width == 0 || first_row >= end_row) return;
-  band.first_column = static_cast<std::size_t>(std::max(drawn.left - 1, 1));
-  band.end_column = static_cast<std::size_t>(std::min(drawn.right() + 1, view.width - 1));
-  const std::size_t padded_width = static_cast<std::size_t>(density_.columns) * kCell;
-  band.ends.assign(padded_width, 0);
-  band.bends.assign(padded_width, 0);
-  const std::size_t first_cell = row_of_cells * static_cast<std::size_t>(density_.columns);
-  const std::size_t first_begin = (band.first_column - 1) / kCell * kCell;
+  const int first_column = std::max(drawn.left - 1, 1);
+  const int end_column = std::min(drawn.right() + 1, view.width - 1);
+  if (drawn.width == 0 || first_row >= end_row || first_column >= end_column) return;
+  std::uint8_t* const shows_model =
+      &shows_model_[row_of_cells * static_cast<std::size_t>(density_.columns)];
+  const auto first_cell = static_cast<std::uint32_t>(shows_model - shows_model_.data());
   for (int v = first_row; v < end_row; ++v) {
-    mark_edges(view, v, band);
-    const std::int16_t* id = view.id.data() + view.index(0, v);
-    for (std::size_t begin = first_begin; begin < band.end_column + 1; begin += kCell) {
-      const std::size_t cell = first_cell + begin / kCell;
-      int any = 0;
-      for (std::size_t u = begin; u < begin + kCell; ++u) any |= band.ends[u] | band.bends[u];
-      // Without an edge all pixels of the cell's row show the same.
-      shows_model_[cell] |= static_cast<std::uint8_t>(any != 0 || id[begin] != kNothing);
-      if (any != 0) collect_edges(view, v, begin, static_cast<std::uint32_t>(cell), band);
+    // Without an edge all pixels of the cell's row show the same.
+    const std::int16_t* const id = view.id.data() + view.index(0, v);
+    for (int u = (first_column - 1) / kCell * kCell; u <= end_column; u += kCell) {
+      shows_model[u / kCell] |= static_cast<std::uint8_t>(id[u] != kNothing);
     }
-  }
-}
-
-void SamplingPlan::collect_edges(const RenderedDepth& view, int v, std::size_t begin,
-                                 std::uint32_t cell, Band& band) {
-  for (std::size_t u = begin; u < begin + kCell; ++u) {
-    if ((band.ends[u] | band.bends[u]) == 0) continue;
-    const auto column = static_cast<int>(u);
-    band.edges.push_back({cell, body_at(view, column, v)});
-    band.nearest = std::min(band.nearest, view.depth[view.index(column, v)]);
+    for (const int u : edges_in_row(view, v, first_column, end_column, band.columns)) {
+      shows_model[u / kCell] = 1;
+      band.edges.push_back(
+          {first_cell + static_cast<std::uint32_t>(u / kCell), body_at(view, u, v)});
+      band.nearest = std::min(band.nearest, view.depth[view.index(u, v)]);
+    }
   }
 }
 

@@ -34,16 +34,10 @@ class SamplingPlan {
   /// A row of cells.
   struct Band {
     std::vector<Edge> edges;
-    std::size_t first_column = 0;  ///< of those that may be edges
-    std::size_t end_column = 0;
-    std::vector<std::int16_t> ends;  ///< by column of the row of pixels in hand: not 0 at an end
-    std::vector<int> bends;
-    float nearest = 0.0F;  ///< metres, of its edges
+    std::vector<std::int32_t> columns;  ///< of the row of pixels in hand: those at edges
+    float nearest = 0.0F;               ///< metres, of its edges
   };
 
-  static void mark_edges(const RenderedDepth& view, int v, Band& band);
-  static void collect_edges(const RenderedDepth& view, int v, std::size_t begin, std::uint32_t cell,
-                            Band& band);
   void find_edges(const RenderedDepth& view, std::size_t row_of_cells);
   void score_cells();
   void mark_cells_beside(int cells);

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/kernels/outlines.hpp"
+
+#include <array>
+#include <cstdint>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "outlines.cpp"
+#include "hwy/foreach_target.h"
+// After foreach_target, which includes this file once for each instruction set.
+#include "hwy/highway.h"
+#include "pull_table.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace lockbox::kernels::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Calls find(tag, column), which returns the lanes that are wanted, for all columns in
+/// [first, end): many at once, and one by one what is left.
+template <typename Find>
+HWY_INLINE std::size_t collect(std::size_t first, std::size_t end, const Find& find,
+                               std::int32_t* columns) {
+  std::size_t count = 0;
+  const auto collect_with = [&](auto df, std::size_t u) {
+    const hn::RebindToSigned<decltype(df)> di;
+    const auto wanted = find(df, u);
+    if (hn::AllFalse(df, wanted)) return;  // mostly
+    count += hn::CompressStore(hn::Iota(di, static_cast<std::int32_t>(u)),
+                               hn::RebindMask(di, wanted), di, columns + count);
+  };
+  const hn::CappedTag<float, kLanes> many;
+  std::size_t u = first;
+  for (; u + hn::Lanes(many) <= end; u += hn::Lanes(many)) collect_with(many, u);
+  for (; u < end; ++u) collect_with(hn::CappedTag<float, 1>(), u);
+  return count;
+}
+
+std::size_t find_jumps_in_row(const DepthRows& rows, std::size_t first, std::size_t end,
+                              float floor, float quadratic, std::int32_t* columns) {
+  const auto jumps = [&](auto df, std::size_t u) HWY_ATTR {
+    const auto z = hn::LoadU(df, rows.here + u);
+    const auto beside = hn::Max(hn::LoadU(df, rows.here + u - 1), hn::LoadU(df, rows.here + u + 1));
+    const auto across = hn::Max(hn::LoadU(df, rows.above + u), hn::LoadU(df, rows.below + u));
+    const auto zone = hn::MulAdd(hn::Set(df, quadratic), hn::Mul(z, z), hn::Set(df, floor));
+    return hn::Gt(hn::Max(beside, across), hn::Add(z, zone));
+  };
+  return collect(first, end, jumps, columns);
+}
+
+std::size_t find_edges_in_row(const DepthRows& depths, const LabelRows& labels, std::size_t first,
+                              std::size_t end, float relief, std::int32_t* columns) {
+  const auto edges = [&](auto df, std::size_t u) HWY_ATTR {
+    const auto z = hn::LoadU(df, depths.here + u);
+    const auto has_relief = [&](const float* before, const float* after) HWY_ATTR {
+      const auto bend =
+          hn::NegMulAdd(hn::Set(df, 2.0F), z, hn::Add(hn::LoadU(df, before), hn::LoadU(df, after)));
+      return hn::Gt(hn::Abs(bend), hn::Mul(hn::Set(df, relief), z));
+    };
+    const auto bends = hn::Or(has_relief(depths.here + u - 1, depths.here + u + 1),
+                              has_relief(depths.above + u, depths.below + u));
+    const hn::Rebind<std::int16_t, decltype(df)> ds;
+    const auto label = hn::LoadU(ds, labels.here + u);
+    const auto other = [&](const std::int16_t* neighbour)
+                           HWY_ATTR { return hn::Xor(label, hn::LoadU(ds, neighbour)); };
+    const auto others = hn::Or(hn::Or(other(labels.here + u - 1), other(labels.here + u + 1)),
+                               hn::Or(other(labels.above + u), other(labels.below + u)));
+    const hn::RebindToSigned<decltype(df)> di;
+    const auto ends = hn::Ne(hn::PromoteTo(di, others), hn::Zero(di));
+    return hn::Or(bends, hn::RebindMask(df, ends));
+  };
+  return collect(first, end, edges, columns);
+}
+
+OutlinePull pull_of(const float* corner, std::ptrdiff_t stride, const PixelPlane& plane,
+                    float step) {
+  const hn::CappedTag<float, kPullColumns> df;
+  const hn::RebindToSigned<decltype(df)> di;
+  constexpr float kHorizon = 0.1F;  // of the relative nearness: the plane is seen edge on beyond it
+  auto sum_u = hn::Zero(di);
+  auto sum_v = hn::Zero(di);
+  for (std::size_t row = 0; row < kPullRows; ++row) {
+    const float* depths = corner + static_cast<std::ptrdiff_t>(row) * stride;
+    const float dv = static_cast<float>(row) - static_cast<float>(kPullReach);
+    for (std::size_t column = 0; column < kPullColumns; column += hn::Lanes(df)) {
+      const auto du = hn::Iota(df, static_cast<float>(column) - static_cast<float>(kPullReach));
+      // there > depth (1 / nearness + step), without a division
+      const auto nearness = hn::Max(
+          hn::Set(df, kHorizon),
+          hn::MulAdd(hn::Set(df, plane.slope_u), du, hn::Set(df, 1.0F + plane.slope_v * dv)));
+      const auto there = hn::Mul(hn::LoadU(df, depths + column), nearness);
+      const auto here =
+          hn::MulAdd(hn::Set(df, plane.depth * step), nearness, hn::Set(df, plane.depth));
+      const auto is_beyond = hn::RebindMask(di, hn::Gt(there, here));
+      sum_u = hn::Add(
+          sum_u, hn::IfThenElseZero(is_beyond, hn::LoadU(di, kPullTable.u[row].data() + column)));
+      sum_v = hn::Add(
+          sum_v, hn::IfThenElseZero(is_beyond, hn::LoadU(di, kPullTable.v[row].data() + column)));
+    }
+  }
+  return {hn::GetLane(hn::SumOfLanes(di, sum_u)), hn::GetLane(hn::SumOfLanes(di, sum_v))};
+}
+
+}  // namespace lockbox::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lockbox::kernels {
+
+HWY_EXPORT(find_jumps_in_row);
+HWY_EXPORT(find_edges_in_row);
+HWY_EXPORT(pull_of);
+
+std::size_t find_jumps(const DepthRows& rows, std::size_t first, std::size_t end, float floor,
+                       float quadratic, std::int32_t* columns) {
+  return HWY_DYNAMIC_DISPATCH(find_jumps_in_row)(rows, first, end, floor, quadratic, columns);
+}
+
+std::size_t find_edges(const DepthRows& depths, const LabelRows& labels, std::size_t first,
+                       std::size_t end, float relief, std::int32_t* columns) {
+  return HWY_DYNAMIC_DISPATCH(find_edges_in_row)(depths, labels, first, end, relief, columns);
+}
+
+OutlinePull outline_pull(const float* corner, std::ptrdiff_t stride, const PixelPlane& plane,
+                         float step) {
+  return HWY_DYNAMIC_DISPATCH(pull_of)(corner, stride, plane, step);
+}
+
+}  // namespace lockbox::kernels
+#endif  // HWY_ONCE

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/kernels/outlines.hpp"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace lockbox::kernels {
+namespace {
+
+constexpr float kNothing = std::numeric_limits<float>::infinity();
+constexpr float kDepth = 1.2F;
+constexpr float kStep = 0.01F;
+
+/// A plane that is seen aslant; what `ends` says lies beyond its outline.
+class OutlinePullTest : public ::testing::Test {
+ protected:
+  static constexpr PixelPlane kPlane{kDepth, 0.02F, -0.01F};
+
+  template <typename Ends>
+  void draw(const Ends& ends, float beyond = kNothing) {
+    for (int row = 0; row < kPullRows; ++row) {
+      for (int column = 0; column < kPullColumns; ++column) {
+        const int du = column - kPullReach;
+        const int dv = row - kPullReach;
+        const float there = kDepth / (1.0F + kPlane.slope_u * static_cast<float>(du) +
+                                      kPlane.slope_v * static_cast<float>(dv));
+        depths[static_cast<std::size_t>(row * kPullColumns + column)] =
+            ends(du, dv) ? there + beyond : there;
+      }
+    }
+  }
+
+  OutlinePull pull() const { return outline_pull(depths.data(), kPullColumns, kPlane, kStep); }
+
+  std::array<float, std::size_t{kPullRows} * kPullColumns> depths{};
+};
+
+TEST_F(OutlinePullTest, APlaneThatGoesOnHasNoOutline) {
+  draw([](int, int) { return false; });
+  EXPECT_EQ(pull().u, 0);
+  EXPECT_EQ(pull().v, 0);
+}
+
+TEST_F(OutlinePullTest, PointsToWhereThePlaneEnds) {
+  draw([](int du, int) { return du > 0; });
+  EXPECT_GT(pull().u, OutlinePull::kUnit);
+  EXPECT_EQ(pull().v, 0);
+  draw([](int du, int dv) { return du + dv < -1; });
+  EXPECT_LT(pull().u, 0);
+  EXPECT_EQ(pull().u, pull().v);
+}
+
+TEST_F(OutlinePullTest, NearNeighboursSayMore) {
+  draw([](int du, int dv) { return du == 1 && dv == 0; });
+  EXPECT_EQ(pull().u, OutlinePull::kUnit);
+  draw([](int du, int dv) { return du == 3 && dv == 0; });
+  EXPECT_EQ(pull().u, OutlinePull::kUnit / 3);
+  draw([](int du, int dv) { return du == 3 && dv == 3; });
+  EXPECT_EQ(pull().u, 0) << "beyond reach";
+}
+
+TEST_F(OutlinePullTest, OnlyWhatLiesFartherByTheStepCounts) {
+  const auto right = [](int du, int) { return du > 0; };
+  draw(right, 0.9F * kStep * kDepth);
+  EXPECT_EQ(pull().u, 0);
+  draw(right, 1.1F * kStep * kDepth);
+  EXPECT_GT(pull().u, 0);
+  draw(right, -0.2F);
+  EXPECT_EQ(pull().u, 0) << "nearer";
+}
+
+TEST_F(OutlinePullTest, TheLastColumnDoesNotCount) {
+  draw([](int du, int) { return du == kPullReach + 1; });
+  EXPECT_EQ(pull().u, 0);
+}
+
+/// Rows of a length that no number of lanes divides; some pixels lie 5 % farther away.
+class FindJumpsTest : public ::testing::Test {
+ protected:
+  static constexpr std::size_t kWidth = 53;
+  static constexpr float kFloor = 0.01F;
+  static constexpr float kQuadratic = 0.01F;
+
+  FindJumpsTest() {
+    for (auto& row : rows) row.fill(1.0F);
+    rows[0][7] = rows[1][20] = rows[2][51] = 1.05F;
+    rows[1][0] = 0.95F;      // nearer
+    rows[0][30] = 1.015F;    // within the zone
+    rows[1][40] = kNothing;  // nothing lies beyond nothing
+    rows[2][40] = 1.3F;
+  }
+
+  std::vector<std::int32_t> jumps(std::size_t first, std::size_t end) const {
+    std::vector<std::int32_t> columns(end - first + kLanes);
+    columns.resize(find_jumps({rows[0].data(), rows[1].data(), rows[2].data()}, first, end, kFloor,
+                              kQuadratic, columns.data()));
+    return columns;
+  }
+
+  std::array<std::array<float, kWidth>, 3> rows;
+};
+
+TEST_F(FindJumpsTest, FindsThePixelsBesideWhatLiesFartherAway) {
+  EXPECT_EQ(jumps(1, kWidth - 1), (std::vector<std::int32_t>{7, 19, 21, 39, 41, 51}));
+  EXPECT_EQ(jumps(8, 21), (std::vector<std::int32_t>{19}));
+  EXPECT_TRUE(jumps(5, 5).empty());
+}
+
+TEST_F(FindJumpsTest, EveryInstructionSetFindsTheSame) {
+  const auto first = jumps(1, kWidth - 1);
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    EXPECT_EQ(jumps(1, kWidth - 1), first) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+/// The same rows; labels change at column 33, and right below column 45.
+class FindEdgesTest : public FindJumpsTest {
+ protected:
+  FindEdgesTest() {
+    for (auto& row : rows) row.fill(1.0F);
+    for (auto& row : labels) row.fill(2);
+    rows[1][10] = 1.002F;  // stands out, and its neighbours before and behind it do
+    rows[0][25] = 1.001F;  // less than the relief
+    for (auto& row : labels) std::fill(row.begin() + 33, row.end(), std::int16_t{-1});
+    labels[2][45] = 5;
+  }
+
+  std::vector<std::int32_t> edges(std::size_t first, std::size_t end) const {
+    constexpr float kRelief = 0.0015F;
+    std::vector<std::int32_t> columns(end - first + kLanes);
+    columns.resize(find_edges({rows[0].data(), rows[1].data(), rows[2].data()},
+                              {labels[0].data(), labels[1].data(), labels[2].data()}, first, end,
+                              kRelief, columns.data()));
+    return columns;
+  }
+
+  std::array<std::array<std::int16_t, kWidth>, 3> labels;
+};
+
+TEST_F(FindEdgesTest, FindsWhereLabelsChangeAndDepthBends) {
+  EXPECT_EQ(edges(1, kWidth - 1), (std::vector<std::int32_t>{9, 10, 11, 32, 33, 45}));
+  EXPECT_EQ(edges(12, 33), (std::vector<std::int32_t>{32}));
+}
+
+TEST_F(FindEdgesTest, EveryInstructionSetFindsTheSame) {
+  const auto first = edges(1, kWidth - 1);
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    EXPECT_EQ(edges(1, kWidth - 1), first) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST_F(OutlinePullTest, EveryInstructionSetPullsTheSame) {
+  draw([](int du, int dv) { return 2 * du - dv > 1; });
+  const OutlinePull first = pull();
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    EXPECT_EQ(pull().u, first.u) << hwy::TargetName(target);
+    EXPECT_EQ(pull().v, first.v) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+}  // namespace
+}  // namespace lockbox::kernels
