@@ -15,6 +15,7 @@ constexpr std::size_t kRowsPerChunk = 16;
 constexpr std::size_t kColumnsPerChunk = 64;
 constexpr std::size_t kTilesPerChunk = 64;
 constexpr std::uint8_t kFarthest = 255;
+constexpr float kFarthestLabel = -1.0F - kFarthest;
 
 /// distance <- min(distance, neighbour + 1) for each pixel of a row and its neighbour in another
 /// one. Without a branch, so that it is done for many pixels at once.
@@ -64,15 +65,15 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
                             const PinholeCamera& camera, int most_columns,
                             const Executor& executor) {
   const int reduction = std::max(1, (camera.width + most_columns / 2) / most_columns);
-  if (!(camera == full_camera_)) {
-    full_camera_ = camera;
-    renderers_.clear();
-  }
+  const bool is_known = renderer_ != nullptr && camera == full_camera_ && reduction == reduction_;
+  if (!(camera == full_camera_)) renderers_.clear();
+  full_camera_ = camera;
   reduction_ = reduction;
   renderers_.resize(std::max(renderers_.size(), static_cast<std::size_t>(reduction) + 1));
   std::unique_ptr<DepthRenderer>& own = renderers_[static_cast<std::size_t>(reduction)];
   if (!own) own = std::make_unique<DepthRenderer>(every_nth_pixel(camera, reduction), executor);
   renderer_ = own.get();
+  if (!is_known) find_view_pixels();
   items_.clear();
   for (std::size_t b = 0; b < model.tree.bodies.size(); ++b) {
     if (model.fields[b]) {
@@ -80,25 +81,26 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
     }
   }
   renderer_->render(items_, image_);
-  find_view_pixels();
   T_body_camera_.resize(T_camera_body.size());
   for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
     T_body_camera_[b] = T_camera_body[b].inverse();
   }
   measure_outline_distance(executor);
+  label_pixels(executor);
 }
 
 /// What a reduced view cuts off at the right and below is as its last column and row.
 void VisibleSurface::find_view_pixels() {
-  view_column_.resize(static_cast<std::size_t>(full_camera_.width));
-  view_row_.resize(static_cast<std::size_t>(full_camera_.height));
-  for (int u = 0; u < full_camera_.width; ++u) {
-    view_column_[static_cast<std::size_t>(u)] =
-        static_cast<std::uint32_t>(std::min(u / reduction_, image_.width - 1));
-  }
+  view_pixel_.clear();
+  view_pixel_.reserve(static_cast<std::size_t>(full_camera_.width) *
+                      static_cast<std::size_t>(full_camera_.height));
+  const PinholeCamera& view = view_camera();
   for (int v = 0; v < full_camera_.height; ++v) {
-    view_row_[static_cast<std::size_t>(v)] =
-        static_cast<std::uint32_t>(std::min(v / reduction_, image_.height - 1) * image_.width);
+    const int row = std::min(v / reduction_, view.height - 1) * view.width;
+    for (int u = 0; u < full_camera_.width; ++u) {
+      const int column = std::min(u / reduction_, view.width - 1);
+      view_pixel_.push_back(static_cast<std::uint32_t>(row + column));
+    }
   }
 }
 
@@ -128,47 +130,68 @@ void VisibleSurface::measure_outline_distance(const Executor& executor) {
   });
 }
 
-/// From where nothing is drawn, the way to the nearest pixel leads through the nearest one that is.
-int VisibleSurface::pixels_to_outline(std::size_t pixel) const {
+/// All pixels: numbers of bodies, and outside them how far they are. From where nothing is drawn,
+/// the way to the nearest body leads through the nearest pixel that is.
+void VisibleSurface::label_pixels(const Executor& executor) {
   const ImageWindow& drawn = image_.drawn;
-  if (drawn.width == 0) return kFarthest;
-  const int u = static_cast<int>(pixel) % image_.width;
-  const int v = static_cast<int>(pixel) / image_.width;
-  const int nearest_u = std::clamp(u, drawn.left, drawn.right() - 1);
+  label_.resize(image_.id.size());
+  if (drawn.width == 0) {
+    std::fill(label_.begin(), label_.end(), kFarthestLabel);
+    return;
+  }
+  executor.for_each_chunk(static_cast<std::size_t>(image_.height), kRowsPerChunk,
+                          [&](std::size_t begin, std::size_t end, auto) {
+                            for (std::size_t v = begin; v < end; ++v) {
+                              label_row(static_cast<int>(v));
+                            }
+                          });
+}
+
+void VisibleSurface::label_row(int v) {
+  const ImageWindow& drawn = image_.drawn;
   const int nearest_v = std::clamp(v, drawn.top, drawn.bottom() - 1);
-  const int from_there = outline_distance_[image_.index(nearest_u, nearest_v)];
-  return std::min<int>(kFarthest, std::abs(u - nearest_u) + std::abs(v - nearest_v) + from_there);
+  const int rows = std::abs(v - nearest_v);
+  const std::int16_t* __restrict id = image_.id.data() + image_.index(0, nearest_v);
+  const std::uint8_t* __restrict distance = outline_distance_.data() + image_.index(0, nearest_v);
+  float* __restrict label = label_.data() + image_.index(0, v);
+  const auto beside = [](int pixels) {
+    return std::max(kFarthestLabel, -1.0F - static_cast<float>(pixels));
+  };
+  for (int u = 0; u < drawn.left; ++u) {
+    label[u] = beside(rows + drawn.left - u + distance[drawn.left]);
+  }
+  for (int u = drawn.left; u < drawn.right(); ++u) {
+    const bool shows_body = rows == 0 && id[u] != kNothing;
+    label[u] = shows_body ? static_cast<float>(id[u]) : beside(rows + distance[u]);
+  }
+  for (int u = drawn.right(); u < image_.width; ++u) {
+    label[u] = beside(rows + u - drawn.right() + 1 + distance[drawn.right() - 1]);
+  }
 }
 
 void VisibleSurface::predict(const PointTiles& points, const Executor& executor,
                              PixelPrediction& prediction) const {
   prediction.body.resize(points.x().size());
   prediction.depth.resize(points.x().size());
-  const auto width = static_cast<std::uint32_t>(full_camera_.width);
-  const double row_per_pixel = 1.0 / full_camera_.width;
-  const auto view_pixel = [&](std::uint32_t pixel) {
-    // From the pixel's middle: exact, and faster than to divide integers.
-    const auto v = static_cast<std::uint32_t>((pixel + 0.5) * row_per_pixel);
-    return view_row_[v] + view_column_[pixel - v * width];
-  };
   const auto pixel_size = static_cast<float>(static_cast<double>(reduction_) / full_camera_.fx);
-  const auto predict_one = [&](std::size_t i) {
-    const std::size_t at = view_pixel(points.pixel()[i]);
-    const bool shows_body = image_.id[at] != kNothing;
-    const auto beside = [&] {
-      return static_cast<float>(pixels_to_outline(at)) * pixel_size * points.z()[i];
-    };
-    prediction.body[i] =
-        shows_body ? static_cast<float>(image_.id[at]) : kernels::label_beside(beside());
-    prediction.depth[i] = shows_body ? image_.depth[at] : 0.0F;
+  const auto predict_tile = [&](const Tile& tile) {
+    const std::uint32_t* __restrict pixel = points.pixel().data() + tile.first;
+    const float* __restrict z = points.z().data() + tile.first;
+    float* __restrict body = prediction.body.data() + tile.first;
+    float* __restrict depth = prediction.depth.data() + tile.first;
+    for (std::size_t i = 0; i < tile.padded; ++i) {
+      const std::uint32_t at = view_pixel_[pixel[i]];
+      const float label = label_[at];
+      const float drawn = image_.depth[at];  // there is one, whatever it is: so without a branch
+      const bool shows_body = label >= 0.0F;
+      body[i] = shows_body ? label : kernels::label_beside((-1.0F - label) * pixel_size * z[i]);
+      depth[i] = shows_body ? drawn : 0.0F;
+    }
   };
   executor.for_each_chunk(points.tiles().size(), kTilesPerChunk,
                           [&](std::size_t begin, std::size_t end, auto) {
                             for (std::size_t t = begin; t < end; ++t) {
-                              const Tile& tile = points.tiles()[t];
-                              for (std::size_t i = tile.first; i < tile.first + tile.padded; ++i) {
-                                predict_one(i);
-                              }
+                              predict_tile(points.tiles()[t]);
                             }
                           });
 }

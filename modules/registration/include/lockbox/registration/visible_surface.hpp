@@ -43,7 +43,8 @@ class VisibleSurface {
  private:
   void find_view_pixels();
   void measure_outline_distance(const Executor& executor);
-  int pixels_to_outline(std::size_t pixel) const;
+  void label_pixels(const Executor& executor);
+  void label_row(int v);
 
   PinholeCamera full_camera_;
   std::vector<std::unique_ptr<DepthRenderer>> renderers_;  ///< by reduction
@@ -53,9 +54,10 @@ class VisibleSurface {
   BodyPoses T_body_camera_;
   /// Pixels of the view, up to 255; 0 on the model. Only where the view is drawn.
   std::vector<std::uint8_t> outline_distance_;
+  /// Number of the body, or -1 less the pixels of the view to the nearest that shows one.
+  std::vector<float> label_;
   int reduction_ = 1;
-  std::vector<std::uint32_t> view_column_;  ///< by column of the camera's image
-  std::vector<std::uint32_t> view_row_;     ///< by row of it: where that row of the view begins
+  std::vector<std::uint32_t> view_pixel_;  ///< by pixel of the camera
 };
 
 }  // namespace lockbox
