@@ -89,7 +89,8 @@ RegistrationOptions all_points() {
 void time_registration(benchmark::State& state, const RegistrationScene& scene, int threads,
                        const RegistrationOptions& options) {
   ArticulatedRegistration registration(scene.model, options, Executor(threads));
-  const Annealing annealing{kPredictedSpread, kIterations};
+  const Annealing annealing{
+      .spread = kPredictedSpread, .iterations = kIterations, .is_predicted = true};
   const RegistrationResult* result = nullptr;
   std::size_t i = 0;
   for (auto _ : state) {

@@ -66,6 +66,42 @@ TEST_F(AlignmentTest, RestsWithinASmallPartOfAPixel) {
   EXPECT_LT(std::sqrt(squares / kPhases), 0.1 * kPixel);
 }
 
+/// From a prediction a few points lead to where all of them end, and all say how sure that is.
+TEST_F(AlignmentTest, FromAPredictionComesToRestWhereItDoesFromAnywhere) {
+  RegistrationOptions options;
+  options.point_budget = 0;
+  ArticulatedRegistration registration(model, options, Executor(1));
+  const TiledCloud seen = cloud_of(measured(model, truth, "primesense", 7));
+  Configuration start = truth;
+  start.T_camera_base.pretranslate(Eigen::Vector3d(0.003, -0.002, 0.002));
+  start.q[0] += 0.004;
+  const RegistrationResult whole =
+      registration.align(seen, start, {.spread = 0.005, .iterations = 20, .narrowing = 6});
+  for (const int iterations : {2, 3, 6}) {
+    int reports = 0;
+    const RegistrationResult& predicted =
+        registration.align(seen, start,
+                           {.spread = 0.005,
+                            .iterations = iterations,
+                            .is_predicted = true,
+                            .on_iteration = [&](const Configuration&, bool) {
+                              ++reports;
+                              return true;
+                            }});
+    const Twist base = log_se3(whole.configuration.T_camera_base.inverse() *
+                               predicted.configuration.T_camera_base);
+    for (Eigen::Index i = 0; i < whole.sigma.size(); ++i) {
+      const double off =
+          i < 6 ? base[i] : predicted.configuration.q[i - 6] - whole.configuration.q[i - 6];
+      EXPECT_LT(std::abs(off), 0.7 * whole.sigma[i]) << i << " by " << iterations;
+      EXPECT_NEAR(predicted.sigma[i], whole.sigma[i], 0.25 * whole.sigma[i]) << i;
+    }
+    EXPECT_NEAR(predicted.explained_points, whole.explained_points, 0.01 * whole.explained_points);
+    EXPECT_LE(reports, iterations);
+    EXPECT_EQ(predicted.iterations, reports);
+  }
+}
+
 TEST_F(AlignmentTest, FixedBaseAndLockedJointsDoNotMove) {
   RegistrationOptions options;
   options.fixed_base = true;

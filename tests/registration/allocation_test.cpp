@@ -80,7 +80,7 @@ TEST_P(Allocation, AWarmRegistrationTakesNoMemory) {
   RegistrationOptions options;
   options.point_budget = GetParam();
   ArticulatedRegistration registration(model, options, Executor(1));
-  const Annealing annealing{0.005, 5};
+  const Annealing annealing{.spread = 0.005, .iterations = 5, .is_predicted = true};
   registration.align(second, start, annealing);
   registration.align(first, start, annealing);
   EXPECT_EQ(allocations_of(registration, second, start, annealing), 0);

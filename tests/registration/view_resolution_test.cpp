@@ -20,14 +20,11 @@ ViewResolution at_distance(double metres, std::size_t point_budget) {
   return view_resolution(model, poses, kCamera, point_budget);
 }
 
-TEST(ViewResolution, IsFullForAllPoints) {
-  EXPECT_EQ(at_distance(0.5, 0).columns, 640);
-  EXPECT_EQ(at_distance(0.5, 0).outline_spacing, 1);
-}
-
 TEST(ViewResolution, GrowsWithTheBudget) {
-  EXPECT_EQ(at_distance(0.5, 40000).columns, 640);
+  EXPECT_EQ(at_distance(0.5, 0).columns, 320);
+  EXPECT_EQ(at_distance(0.5, 40000).columns, 320);
   EXPECT_EQ(at_distance(0.5, 20000).columns, 320);
+  EXPECT_EQ(at_distance(0.5, 20000).outline_spacing, 1);
   EXPECT_EQ(at_distance(0.5, 2000).columns, 160);
   EXPECT_EQ(at_distance(0.5, 2000).outline_spacing, 4);
 }
@@ -35,7 +32,9 @@ TEST(ViewResolution, GrowsWithTheBudget) {
 /// The few rays that a far model has are not thinned.
 TEST(ViewResolution, IsFinerForAModelThatIsSmallInTheImage) {
   EXPECT_EQ(at_distance(2.0, 20000).columns, 640);
+  EXPECT_EQ(at_distance(2.0, 0).columns, 640);
   EXPECT_EQ(at_distance(1.2, 2000).columns, 320);
+  EXPECT_EQ(at_distance(1.2, 2000).outline_spacing, 2);
 }
 
 TEST(ViewResolution, CountsWhatReachesBehindTheCameraAsLarge) {

@@ -5,22 +5,17 @@
 #include <cmath>
 #include <limits>
 
-#include "lockbox/kernels/point_to_field.hpp"
-#include "lockbox/registration/view_resolution.hpp"
-
 namespace lockbox {
 namespace {
 
 using Index = Eigen::Index;
 
-/// Metres that surfaces may move before they are drawn again: in a view of every pixel, and at
-/// most.
-constexpr double kStaleView = 0.002;
-constexpr double kMostStaleView = 0.008;
+/// Points that are enough to come near. Of as many as there may be only the last steps tell more.
+constexpr std::size_t kApproachBudget = 3000;
+constexpr double kNearEnough = 0.002;       // metres: what is left is one step, as good as exact
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
-constexpr std::size_t kViewSamples = 40000;  // of the visible surface, where points have no budget
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 
@@ -66,30 +61,16 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   ahead_spread_.reset();
   if (!annealing.goes_on) {
     selected_spread_ = kNeverSelected;
-    look_at(cloud, start, annealing.spread);
+    approach_view_.forget();
+    full_view_.forget();
   }
-  const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
-  bool go_on = true;
-  const auto spread_of = [&](int k) {
-    return k < annealing.iterations ? annealing.spread * spread_share(k, narrowing) : 0.0;
-  };
-  for (int k = 0; k < annealing.iterations && go_on; ++k) {
-    const double cost = linearize(cloud, spread_of(k));
-    ++result_.iterations;
-    const bool moved = improve(cloud, cost, annealing.hold_joints, spread_of(k + 1));
-    const bool is_narrow = spread_of(k) == 0.0;
-    result_.converged = !moved && is_narrow;
-    go_on = !result_.converged;
-    if (annealing.on_iteration) {
-      go_on = annealing.on_iteration(result_.configuration, is_narrow) && go_on;
-    }
-  }
+  approach(cloud, annealing);
   // The covariance, and what the model explains, belong to the solution.
   linearize(cloud, 0.0);
-  result_.at_rest = result_.configuration;
+  find_rest(annealing.hold_joints);
   tile_systems_.clear();
   model_term_.append_tile_systems(tile_systems_);
-  if (options_.lambda_free > 0.0 && cloud.has_image()) {
+  if (takes_last_steps(cloud)) {
     refine(cloud.camera(), annealing.hold_joints);
     if (annealing.iterations > 0 && !annealing.hold_joints) sight_low_relief(cloud);
   }
@@ -107,7 +88,8 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();
   result_.last_move = moves_.of_significant(last_step_, result_.observable, result_.sigma);
-  agreement_.measure(model_, surface_, samples_, poses_, cloud, options_, executor_);
+  agreement_.measure(model_, view_->surface(), view_->samples(), poses_, cloud, options_,
+                     executor_);
   result_.agreement = agreement_.total();
   result_.body_agreement = agreement_.bodies();
   result_.outline = agreement_.outline();
@@ -118,49 +100,84 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   return result_;
 }
 
-/// Draws what the configuration shows, and chooses where to look. What lies farther beside that
-/// than it may be off is something else: the wall that it hangs on, the table that it stands on.
-void ArticulatedRegistration::look_at(const TiledCloud& cloud, const Configuration& configuration,
-                                      double spread) {
-  rendered_ = configuration;
-  points_ = &cloud;
-  if (!cloud.has_image()) {
-    predicted_.body.assign(cloud.x().size(), kernels::label_beside(0.0F));
-    predicted_.depth.assign(cloud.x().size(), 0.0F);
-    return;
+/// The descent; of many points a few are enough for all iterations but the last.
+void ArticulatedRegistration::approach(const TiledCloud& cloud, const Annealing& annealing) {
+  const std::size_t budget = options_.point_budget;
+  const bool is_thinned = annealing.is_predicted && annealing.iterations > 1 &&
+                          takes_last_steps(cloud) && (budget == 0 || budget > kApproachBudget);
+  look_through(is_thinned ? approach_view_ : full_view_, is_thinned ? kApproachBudget : budget);
+  const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
+  const auto spread_of = [&](int k) {
+    return k < annealing.iterations ? annealing.spread * spread_share(k, narrowing) : 0.0;
+  };
+  const int iterations = annealing.iterations - (is_thinned ? 1 : 0);
+  bool go_on = true;
+  for (int k = 0; k < iterations && go_on; ++k) {
+    const double cost = linearize(cloud, spread_of(k));
+    const bool moved = improve(cloud, cost, annealing.hold_joints, spread_of(k + 1));
+    const bool is_narrow = spread_of(k) == 0.0;
+    result_.converged = !moved && is_narrow;
+    go_on = report(annealing, is_narrow) && !result_.converged;
   }
-  forward_kinematics(model_.tree, configuration, poses_);
-  const bool is_thinned = options_.point_budget > 0;
-  const ViewResolution resolution =
-      view_resolution(model_, poses_, cloud.camera(), options_.point_budget);
-  surface_.render(model_, poses_, cloud.camera(), resolution.columns, executor_);
-  plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx,
-             options_.cut * spread, is_thinned ? options_.point_budget : kViewSamples, executor_);
-  samples_.collect(surface_, plan_.density());
-  if (options_.lambda_free > 0.0) {
-    outlines_.collect(model_, surface_, resolution.outline_spacing, options_, executor_);
-  }
-  if (is_thinned) {
-    thinned_.assign(cloud, plan_.density());
-    points_ = &thinned_;
-  }
-  surface_.predict(*points_, executor_, predicted_);
+  if (is_thinned) settle(cloud, annealing, go_on);
 }
 
-double ArticulatedRegistration::stale_view() const {
-  return std::min(kStaleView * surface_.reduction(), kMostStaleView);
+/// The last iteration, of all points: mostly what is left is one step, as good as exact.
+void ArticulatedRegistration::settle(const TiledCloud& cloud, const Annealing& annealing,
+                                     bool is_to_report) {
+  look_through(full_view_, options_.point_budget);
+  bool moves_on = true;
+  for (int k = 0; k < annealing.iterations && moves_on; ++k) {
+    const double cost = linearize(cloud, 0.0);
+    moves_on = moves_.of(next_step(annealing.hold_joints)) > kNearEnough &&
+               improve(cloud, cost, annealing.hold_joints, 0.0);
+  }
+  if (!moves_on) last_step_.setZero();
+  if (is_to_report) report(annealing, true);
+}
+
+/// The undamped one, from the last linearisation.
+const Eigen::VectorXd& ArticulatedRegistration::next_step(bool hold_joints) {
+  set_step_limits(hold_joints);
+  return solver_.solve(equations_, 0.0, limits_, scale_);
+}
+
+/// Where the descent would end, if it is near.
+void ArticulatedRegistration::find_rest(bool hold_joints) {
+  result_.at_rest = result_.configuration;
+  const Eigen::VectorXd& step = next_step(hold_joints);
+  if (!(moves_.of(step) > kNearEnough)) apply_step(step, result_.at_rest);
+}
+
+/// An iteration; false if it is to be the last.
+bool ArticulatedRegistration::report(const Annealing& annealing, bool is_narrow) {
+  ++result_.iterations;
+  return !annealing.on_iteration || annealing.on_iteration(result_.configuration, is_narrow);
+}
+
+bool ArticulatedRegistration::takes_last_steps(const TiledCloud& cloud) const {
+  return options_.lambda_free > 0.0 && cloud.has_image();
+}
+
+void ArticulatedRegistration::look_through(PredictedView& view, std::size_t point_budget) {
+  if (view_ != &view) selected_spread_ = kNeverSelected;
+  view_ = &view;
+  view_budget_ = point_budget;
+  linearized_spread_.reset();
+  ahead_spread_.reset();
 }
 
 ModelTerm::Scene ArticulatedRegistration::scene(const TiledCloud& cloud) const {
-  return {model_, *points_, cloud.camera(), predicted_, options_, executor_};
+  return {model_, view_->points(), cloud.camera(), view_->prediction(), options_, executor_};
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
   if (linearized_spread_ == spread) {
     return cost_;  // the last step was not taken
   }
-  if (moves_.between(rendered_, result_.configuration) > stale_view()) {
-    look_at(cloud, result_.configuration, spread);
+  if (!view_->shows(result_.configuration, moves_)) {
+    view_->look_at(cloud, model_, result_.configuration, view_budget_, options_.cut * spread,
+                   options_, executor_);
   }
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
@@ -193,8 +210,9 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
       moves_.between(selected_, result_.configuration) < kStaleSelection) {
     return;
   }
-  free_term_.select({model_, surface_, samples_, outlines_, cloud, options_, executor_}, poses_,
-                    spread);
+  free_term_.select(
+      {model_, view_->surface(), view_->samples(), view_->outlines(), cloud, options_, executor_},
+      poses_, spread);
   selected_ = result_.configuration;
   selected_spread_ = spread;
 }
@@ -226,7 +244,7 @@ bool ArticulatedRegistration::improve(const TiledCloud& cloud, double cost, bool
     }
     candidate_ = result_.configuration;
     apply_step(step, candidate_);
-    const bool looks_ahead = trial == 0 && moves_.between(rendered_, candidate_) <= stale_view();
+    const bool looks_ahead = trial == 0 && view_->shows(candidate_, moves_);
     const auto spread_ahead = looks_ahead ? std::optional(next_spread) : std::nullopt;
     if (cost_at(cloud, candidate_, spread_ahead) < cost) {
       result_.configuration = candidate_;

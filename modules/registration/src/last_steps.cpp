@@ -31,10 +31,9 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
     }
   }
   // Thinned points have tiles of their own.
-  const std::size_t first_tile = points_ == &thinned_ ? thinned_.tiles().size() : 0;
+  const std::size_t first_tile = view_->is_thinned() ? view_->points().tiles().size() : 0;
   free_term_.append_tile_systems(poses_, first_tile, outline_weight, tile_systems_);
-  set_step_limits(hold_joints);
-  const Eigen::VectorXd& step = solver_.solve(equations_, 0.0, limits_, scale_);
+  const Eigen::VectorXd& step = next_step(hold_joints);
   if (moves_.of(step) > surfaces_seen_to_move(camera)) return;
   apply_step(step, result_.configuration);
   for (TileSystem& tile : tile_systems_) {
@@ -59,8 +58,7 @@ void ArticulatedRegistration::refine_at_edges(const TiledCloud& cloud, bool hold
   equations_.hessian = equations_.information;
   equations_.gradient = edge_equations_.gradient;
   collision_.evaluate(model_, poses_, &equations_);
-  set_step_limits(hold_joints);
-  const Eigen::VectorXd& step = solver_.solve(equations_, 0.0, limits_, scale_);
+  const Eigen::VectorXd& step = next_step(hold_joints);
   if (moves_.of(step) > surfaces_seen_to_move(cloud.camera())) return;
   apply_step(step, result_.configuration);
   edge_equations_.information *= kOverlap;

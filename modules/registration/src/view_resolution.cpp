@@ -12,8 +12,8 @@ struct Step {
   ViewResolution resolution;
 };
 constexpr int kFinest = 640;  // columns: one ray a pixel for common sensors
-constexpr std::array<Step, 3> kSteps{
-    {{30000, {kFinest, 1, true}}, {4000, {320, 1, true}}, {0, {160, 4, false}}}};
+constexpr std::array<Step, 2> kSteps{{{4000, {320, 1, true}}, {0, {160, 4, false}}}};
+constexpr std::size_t kEnoughPoints = 20000;  // more tell where they are, but nothing of the view
 constexpr double kRaysToPoints = 2.0;
 
 /// Pixels of the rectangle around all that the image may show of the model.
@@ -40,17 +40,21 @@ double pixels_around(const ArticulatedModel& model, const BodyPoses& T_camera_bo
 
 ViewResolution view_resolution(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                                const PinholeCamera& camera, std::size_t point_budget) {
-  if (point_budget == 0) return kSteps.front().resolution;
+  const std::size_t points =
+      point_budget > 0 ? std::min(point_budget, kEnoughPoints) : kEnoughPoints;
   ViewResolution chosen = std::find_if(kSteps.begin(), kSteps.end(), [=](const Step& step) {
-                            return point_budget >= step.least_budget;
+                            return points >= step.least_budget;
                           })->resolution;
   const double pixels = pixels_around(model, T_camera_body, camera);
-  const double wanted = kRaysToPoints * static_cast<double>(point_budget);
+  const double wanted = kRaysToPoints * static_cast<double>(points);
   const auto rays = [&](int columns) {
     const double share = static_cast<double>(columns) / camera.width;
     return pixels * share * share;
   };
-  while (chosen.columns < kFinest && rays(chosen.columns) < wanted) chosen.columns *= 2;
+  while (chosen.columns < kFinest && rays(chosen.columns) < wanted) {
+    chosen.columns *= 2;
+    chosen.outline_spacing = std::max(1, chosen.outline_spacing / 2);
+  }
   return chosen;
 }
 

@@ -53,8 +53,11 @@ const TrackingResult& Tracker::process(const DepthFrame& frame) {
 
 void Tracker::follow(const DepthFrame& frame) {
   const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
-  const RegistrationResult& registered = registration_.align(
-      cloud_, prediction, {predictor_.spread(), options_.registration.max_iterations});
+  const RegistrationResult& registered =
+      registration_.align(cloud_, prediction,
+                          {.spread = predictor_.spread(),
+                           .iterations = options_.registration.max_iterations,
+                           .is_predicted = result_.status == TrackingStatus::tracking});
   const RegistrationResult& followed = has_leapt(registered)
                                            ? with_leap_followed(frame, prediction, registered)
                                            : come_to_rest(prediction, registered);

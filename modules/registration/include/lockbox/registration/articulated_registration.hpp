@@ -23,12 +23,9 @@
 #include "lockbox/registration/free_space_term.hpp"
 #include "lockbox/registration/low_relief.hpp"
 #include "lockbox/registration/model_term.hpp"
-#include "lockbox/registration/outline_points.hpp"
+#include "lockbox/registration/predicted_view.hpp"
 #include "lockbox/registration/registration_options.hpp"
-#include "lockbox/registration/sampling_plan.hpp"
 #include "lockbox/registration/surface_moves.hpp"
-#include "lockbox/registration/view_samples.hpp"
-#include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
 
@@ -38,6 +35,8 @@ struct Annealing {
   int iterations = 3;        ///< linearisations, at most
   bool hold_joints = false;  ///< move the base only
   int narrowing = 0;         ///< linearisations until the spread is gone; 0: all of them
+  /// The start is a prediction: of many points a few are enough for all iterations but the last.
+  bool is_predicted = false;
   /// Sees the configuration after each linearisation, and whether the gates are narrow by then; may
   /// end the alignment by returning false.
   std::function<bool(const Configuration& configuration, bool is_narrow)> on_iteration = nullptr;
@@ -87,8 +86,13 @@ class ArticulatedRegistration {
   const SurfaceMoves& moves() const { return moves_; }
 
  private:
-  void look_at(const TiledCloud& cloud, const Configuration& configuration, double spread);
-  double stale_view() const;
+  void approach(const TiledCloud& cloud, const Annealing& annealing);
+  void settle(const TiledCloud& cloud, const Annealing& annealing, bool is_to_report);
+  bool report(const Annealing& annealing, bool is_narrow);
+  const Eigen::VectorXd& next_step(bool hold_joints);
+  void find_rest(bool hold_joints);
+  bool takes_last_steps(const TiledCloud& cloud) const;
+  void look_through(PredictedView& view, std::size_t point_budget);
   ModelTerm::Scene scene(const TiledCloud& cloud) const;
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
@@ -112,24 +116,20 @@ class ArticulatedRegistration {
   CollisionTerm collision_;
   LowRelief low_relief_;
   EdgeTerm edges_;
-  VisibleSurface surface_;
-  SamplingPlan plan_;
-  ViewSamples samples_;                 ///< of surface_
-  OutlinePoints outlines_;              ///< of surface_
-  ThinnedPoints thinned_;               ///< of the cloud, if there is a point budget
-  const PointTiles* points_ = nullptr;  ///< of the cloud: all, or the thinned ones
+  PredictedView approach_view_;
+  PredictedView full_view_;
+  PredictedView* view_ = nullptr;  ///< the one in hand
+  std::size_t view_budget_ = 0;    ///< points of it
   StepScale scale_;
   SurfaceMoves moves_;
 
   RegistrationResult result_;
   Eigen::VectorXd start_;   ///< joint variables
-  Configuration rendered_;  ///< what surface_ shows
   Configuration selected_;  ///< where the free-space term made its selection
   double selected_spread_ = 0.0;
   std::optional<double> linearized_spread_;  ///< if all terms stand at result_.configuration
   std::optional<double> ahead_spread_;       ///< if the model term was linearised there already
   double cost_ = 0.0;                        ///< of the last linearisation
-  PixelPrediction predicted_;
   BodyPoses poses_;
   BodyPoses trial_poses_;
   std::vector<BodyJacobian> jacobians_;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a configuration shows the camera, and where the image is looked at for it.
+#pragma once
+
+#include <cstddef>
+
+#include "lockbox/cloud/thinned_points.hpp"
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/model_term.hpp"
+#include "lockbox/registration/outline_points.hpp"
+#include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/sampling_plan.hpp"
+#include "lockbox/registration/surface_moves.hpp"
+#include "lockbox/registration/view_samples.hpp"
+#include "lockbox/registration/visible_surface.hpp"
+
+namespace lockbox {
+
+/// Reuses its buffers.
+class PredictedView {
+ public:
+  /// Draws the model, and chooses points of the cloud, about so many; 0: all of them. What lies
+  /// farther beside the model than reach (metres) is something else: the wall that it hangs on, the
+  /// table that it stands on. The cloud must outlive the view.
+  void look_at(const TiledCloud& cloud, const ArticulatedModel& model,
+               const Configuration& configuration, std::size_t point_budget, double reach,
+               const RegistrationOptions& options, const Executor& executor);
+
+  /// Until it looks again, it shows nothing.
+  void forget() { is_drawn_ = false; }
+
+  /// Whether the model would still look like this.
+  bool shows(const Configuration& configuration, const SurfaceMoves& moves) const;
+
+  /// Those of the cloud that were chosen.
+  const PointTiles& points() const { return *points_; }
+  bool is_thinned() const { return points_ == &thinned_; }
+  const PixelPrediction& prediction() const { return prediction_; }  ///< of the points
+  const VisibleSurface& surface() const { return surface_; }
+  const ViewSamples& samples() const { return samples_; }      ///< of the surface
+  const OutlinePoints& outlines() const { return outlines_; }  ///< of the surface
+
+ private:
+  bool is_drawn_ = false;
+  Configuration configuration_;  ///< as it was drawn
+  VisibleSurface surface_;
+  SamplingPlan plan_;
+  ViewSamples samples_;
+  OutlinePoints outlines_;
+  ThinnedPoints thinned_;
+  const PointTiles* points_ = nullptr;
+  PixelPrediction prediction_;
+  BodyPoses poses_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/registration/predicted_view.hpp"
+
+#include <algorithm>
+
+#include "lockbox/kernels/point_to_field.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/registration/view_resolution.hpp"
+
+namespace lockbox {
+namespace {
+
+/// Metres that surfaces may move before they are drawn again: in a view of every pixel, and at
+/// most.
+constexpr double kStaleView = 0.002;
+constexpr double kMostStaleView = 0.008;
+constexpr std::size_t kViewSamples = 20000;  // of the visible surface, where points have no budget
+
+}  // namespace
+
+void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& model,
+                            const Configuration& configuration, std::size_t point_budget,
+                            double reach, const RegistrationOptions& options,
+                            const Executor& executor) {
+  is_drawn_ = true;
+  configuration_ = configuration;
+  points_ = &cloud;
+  if (!cloud.has_image()) {
+    prediction_.body.assign(cloud.x().size(), kernels::label_beside(0.0F));
+    prediction_.depth.assign(cloud.x().size(), 0.0F);
+    return;
+  }
+  forward_kinematics(model.tree, configuration, poses_);
+  const bool is_thinned = point_budget > 0;
+  const ViewResolution resolution = view_resolution(model, poses_, cloud.camera(), point_budget);
+  surface_.render(model, poses_, cloud.camera(), resolution.columns, executor);
+  plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx, reach,
+             is_thinned ? point_budget : kViewSamples, executor);
+  samples_.collect(surface_, plan_.density());
+  if (options.lambda_free > 0.0) {
+    outlines_.collect(model, surface_, resolution.outline_spacing, options, executor);
+  }
+  if (is_thinned) {
+    thinned_.assign(cloud, plan_.density());
+    points_ = &thinned_;
+  }
+  surface_.predict(*points_, executor, prediction_);
+}
+
+bool PredictedView::shows(const Configuration& configuration, const SurfaceMoves& moves) const {
+  if (!is_drawn_) return false;
+  const double stale = std::min(kStaleView * surface_.reduction(), kMostStaleView);
+  return moves.between(configuration_, configuration) <= stale;
+}
+
+}  // namespace lockbox
