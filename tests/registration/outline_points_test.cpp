@@ -104,17 +104,17 @@ TEST_F(OutlinePointsTest, StandForTheWholeLengthOfTheOutline) {
   EXPECT_NEAR(fine, 2.0 * coarse, 0.1 * fine);
 }
 
-/// A view has as many points of the outline as it is asked for.
+/// A view of fewer pixels has as many points of the outline as it is asked for.
 TEST_F(OutlinePointsTest, StandForTheSameLengthInAViewOfFewerPixels) {
   const PinholeCamera camera = refined(kCamera, 4);
   const auto [length, count] = length_of(outlines_seen_by(camera), 0);
-  for (const int reduction : {1, 2, 4}) {
-    for (const int spacing : {1, 2, 4}) {
+  for (const int reduction : {2, 4}) {
+    for (const int spacing : {1, 4}) {
       const auto [own_length, own_count] =
           length_of(outlines_seen_by(camera, camera.width / reduction, spacing), 0);
       EXPECT_NEAR(own_length, length, 0.1 * length) << reduction << ", " << spacing;
-      EXPECT_NEAR(own_count, count / spacing, 0.1 * count / spacing)
-          << reduction << ", " << spacing;
+      const int apart = std::min(spacing, reduction);
+      EXPECT_NEAR(own_count, count / apart, 0.1 * count / apart) << reduction << ", " << spacing;
     }
   }
 }

@@ -34,7 +34,6 @@ TEST(ViewResolution, IsFinerForAModelThatIsSmallInTheImage) {
   EXPECT_EQ(at_distance(2.0, 20000).columns, 640);
   EXPECT_EQ(at_distance(2.0, 0).columns, 640);
   EXPECT_EQ(at_distance(1.2, 2000).columns, 320);
-  EXPECT_EQ(at_distance(1.2, 2000).outline_spacing, 2);
 }
 
 TEST(ViewResolution, CountsWhatReachesBehindTheCameraAsLarge) {

@@ -40,8 +40,7 @@ OutlineFinder::OutlineFinder(const ArticulatedModel& model, const VisibleSurface
       view_(surface.view()),
       camera_(surface.view_camera()),
       options_(options),
-      points_per_pixel_(std::max(1, surface.reduction() / spacing)),
-      pixels_per_point_(std::max(1, spacing / surface.reduction())) {}
+      points_per_pixel_(std::max(1, surface.reduction() / spacing)) {}
 
 std::span<const std::int32_t> OutlineFinder::find_jumps(int v,
                                                         std::vector<std::int32_t>& columns) const {
@@ -56,19 +55,7 @@ std::span<const std::int32_t> OutlineFinder::find_jumps(int v,
   const float quadratic = dead_zone * static_cast<float>(options_.noise.depth_quadratic);
   const std::size_t count = kernels::find_jumps({here - view_.width, here, here + view_.width},
                                                 first, end, floor, quadratic, columns.data());
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (is_wanted(columns[i], v)) columns[kept++] = columns[i];
-  }
-  return {columns.data(), kept};
-}
-
-/// Of outlines that run down the view every n-th row, of those that run along it every n-th column.
-bool OutlineFinder::is_wanted(int u, int v) const {
-  if (pixels_per_point_ == 1) return true;
-  const double here = depth(u, v);
-  const bool runs_down = std::max(depth(u - 1, v), depth(u + 1, v)) > here + zone(here);
-  return (runs_down ? v : u) % pixels_per_point_ == 0;
+  return {columns.data(), count};
 }
 
 std::optional<OutlinePixel> OutlineFinder::look_beside(int u, int v) const {
@@ -129,14 +116,13 @@ std::optional<OutlinePoint> OutlineFinder::point(const OutlinePixel& pixel,
     return std::nullopt;
   }
   const double here = depth(pixel.u, pixel.v);
-  return OutlinePoint{
-      touch,
-      across_body.normalized(),
-      pixel.plane.slopes().dot(outwards.head<2>().normalized()) * camera_.fx / here,
-      pixel.plane.steepness() / surface_.reduction(),
-      std::max(0.0, outline.z() - here),
-      static_cast<double>(surface_.reduction()) * pixels_per_point_ / points_per_pixel_,
-      pixel.body};
+  return OutlinePoint{touch,
+                      across_body.normalized(),
+                      pixel.plane.slopes().dot(outwards.head<2>().normalized()) * camera_.fx / here,
+                      pixel.plane.steepness() / surface_.reduction(),
+                      std::max(0.0, outline.z() - here),
+                      static_cast<double>(surface_.reduction()) / points_per_pixel_,
+                      pixel.body};
 }
 
 /// Depths that differ by less may be noise, metres.

@@ -58,7 +58,6 @@ class OutlineFinder {
   double depth(int u, int v) const { return static_cast<double>(view_.depth[view_.index(u, v)]); }
   double zone(double depth) const;
   double aside(const OutlinePixel& pixel) const;
-  bool is_wanted(int u, int v) const;
   bool ends_beside(const TangentPlane& plane, int u, int v, double jump) const;
   bool stands_out(const Eigen::Vector3d& p, const Eigen::Vector3d& outwards) const;
 
@@ -68,7 +67,6 @@ class OutlineFinder {
   const PinholeCamera& camera_;
   const RegistrationOptions& options_;
   int points_per_pixel_;
-  int pixels_per_point_;
 };
 
 }  // namespace lockbox

@@ -51,10 +51,7 @@ ViewResolution view_resolution(const ArticulatedModel& model, const BodyPoses& T
     const double share = static_cast<double>(columns) / camera.width;
     return pixels * share * share;
   };
-  while (chosen.columns < kFinest && rays(chosen.columns) < wanted) {
-    chosen.columns *= 2;
-    chosen.outline_spacing = std::max(1, chosen.outline_spacing / 2);
-  }
+  while (chosen.columns < kFinest && rays(chosen.columns) < wanted) chosen.columns *= 2;
   return chosen;
 }
 
