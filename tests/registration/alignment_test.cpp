@@ -66,39 +66,63 @@ TEST_F(AlignmentTest, RestsWithinASmallPartOfAPixel) {
   EXPECT_LT(std::sqrt(squares / kPhases), 0.1 * kPixel);
 }
 
-/// From a prediction a few points lead to where all of them end, and all say how sure that is.
-TEST_F(AlignmentTest, FromAPredictionComesToRestWhereItDoesFromAnywhere) {
+/// Squares of errors against the truth, in the reported standard deviations.
+double squared_errors(const RegistrationResult& found, const Configuration& truth) {
+  Eigen::VectorXd off(found.sigma.size());
+  off << log_se3(truth.T_camera_base.inverse() * found.configuration.T_camera_base),
+      found.configuration.q - truth.q;
+  return off.cwiseQuotient(found.sigma).squaredNorm();
+}
+
+/// From a prediction a few points lead near, and the last step is that of all of them: near enough,
+/// or several millimetres off still.
+TEST_F(AlignmentTest, FromAPredictionErrsAndIsSureAsFromAnywhere) {
   RegistrationOptions options;
   options.point_budget = 0;
   ArticulatedRegistration registration(model, options, Executor(1));
+  for (const double off : {0.002, 0.012}) {
+    Configuration start = truth;
+    start.T_camera_base.pretranslate(Eigen::Vector3d(off, -off, off));
+    start.q[0] += off;
+    double usual = 0.0;
+    double predicted = 0.0;
+    Eigen::VectorXd usual_sigma = Eigen::VectorXd::Zero(6 + truth.q.size());
+    Eigen::VectorXd predicted_sigma = usual_sigma;
+    for (std::uint64_t frame = 0; frame < 8; ++frame) {
+      const TiledCloud seen = cloud_of(measured(model, truth, "primesense", 7 + frame));
+      const RegistrationResult whole =
+          registration.align(seen, start, {.spread = off, .iterations = 20, .narrowing = 6});
+      const RegistrationResult& by_few =
+          registration.align(seen, start, {.spread = off, .iterations = 3, .is_predicted = true});
+      usual += squared_errors(whole, truth);
+      usual_sigma += whole.sigma;
+      predicted += squared_errors(by_few, truth);
+      predicted_sigma += by_few.sigma;
+      EXPECT_TRUE(by_few.converged);
+      EXPECT_EQ(by_few.last_move, 0.0);
+      EXPECT_NEAR(by_few.explained_points, whole.explained_points, 0.01 * whole.explained_points);
+    }
+    EXPECT_LT(predicted, 1.2 * usual) << off;
+    for (Eigen::Index i = 0; i < usual_sigma.size(); ++i) {
+      EXPECT_NEAR(predicted_sigma[i], usual_sigma[i], 0.15 * usual_sigma[i]) << i << ", " << off;
+    }
+  }
+}
+
+/// The iteration that takes all points counts, and is reported, like the others.
+TEST_F(AlignmentTest, FromAPredictionMakesNoMoreIterationsThanAllowed) {
+  ArticulatedRegistration registration(model, {}, Executor(1));
   const TiledCloud seen = cloud_of(measured(model, truth, "primesense", 7));
   Configuration start = truth;
-  start.T_camera_base.pretranslate(Eigen::Vector3d(0.003, -0.002, 0.002));
   start.q[0] += 0.004;
-  const RegistrationResult whole =
-      registration.align(seen, start, {.spread = 0.005, .iterations = 20, .narrowing = 6});
-  for (const int iterations : {2, 3, 6}) {
+  for (const int iterations : {1, 2, 3}) {
     int reports = 0;
-    const RegistrationResult& predicted =
-        registration.align(seen, start,
-                           {.spread = 0.005,
-                            .iterations = iterations,
-                            .is_predicted = true,
-                            .on_iteration = [&](const Configuration&, bool) {
-                              ++reports;
-                              return true;
-                            }});
-    const Twist base = log_se3(whole.configuration.T_camera_base.inverse() *
-                               predicted.configuration.T_camera_base);
-    for (Eigen::Index i = 0; i < whole.sigma.size(); ++i) {
-      const double off =
-          i < 6 ? base[i] : predicted.configuration.q[i - 6] - whole.configuration.q[i - 6];
-      EXPECT_LT(std::abs(off), 0.7 * whole.sigma[i]) << i << " by " << iterations;
-      EXPECT_NEAR(predicted.sigma[i], whole.sigma[i], 0.25 * whole.sigma[i]) << i;
-    }
-    EXPECT_NEAR(predicted.explained_points, whole.explained_points, 0.01 * whole.explained_points);
-    EXPECT_LE(reports, iterations);
-    EXPECT_EQ(predicted.iterations, reports);
+    const auto count = [&](const Configuration&, bool) { return ++reports > 0; };
+    const RegistrationResult& found = registration.align(
+        seen, start,
+        {.spread = 0.005, .iterations = iterations, .is_predicted = true, .on_iteration = count});
+    EXPECT_EQ(found.iterations, iterations);
+    EXPECT_EQ(reports, iterations);
   }
 }
 

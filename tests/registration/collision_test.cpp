@@ -48,6 +48,15 @@ TEST_F(CollisionTest, CostDoesNotDependOnWhatWasAskedBefore) {
     CollisionTerm other = fresh;
     const double expected = other.evaluate(model, poses, nullptr);
     EXPECT_EQ(used.evaluate(model, poses, nullptr), expected);
+    NormalEquations asked_again;
+    NormalEquations asked_first;
+    for (NormalEquations* equations : {&asked_again, &asked_first}) {
+      equations->set_zero(6 + model.tree.variables());
+    }
+    EXPECT_EQ(used.evaluate(model, poses, &asked_again), expected);
+    CollisionTerm(fresh).evaluate(model, poses, &asked_first);
+    EXPECT_EQ(asked_again.hessian, asked_first.hessian);
+    EXPECT_EQ(asked_again.gradient, asked_first.gradient);
     penetrated += expected > 0.0 ? 1 : 0;
   }
   EXPECT_GT(penetrated, 5);

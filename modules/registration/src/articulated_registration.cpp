@@ -100,7 +100,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   return result_;
 }
 
-/// The descent; of many points a few are enough for all iterations but the last.
+/// The descent; from a prediction, of many points a few are enough for all iterations but the last.
 void ArticulatedRegistration::approach(const TiledCloud& cloud, const Annealing& annealing) {
   const std::size_t budget = options_.point_budget;
   const bool is_thinned = annealing.is_predicted && annealing.iterations > 1 &&
@@ -132,6 +132,7 @@ void ArticulatedRegistration::settle(const TiledCloud& cloud, const Annealing& a
     moves_on = moves_.of(next_step(annealing.hold_joints)) > kNearEnough &&
                improve(cloud, cost, annealing.hold_joints, 0.0);
   }
+  result_.converged = !moves_on;
   if (!moves_on) last_step_.setZero();
   if (is_to_report) report(annealing, true);
 }

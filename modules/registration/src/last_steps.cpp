@@ -34,7 +34,10 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
   const std::size_t first_tile = view_->is_thinned() ? view_->points().tiles().size() : 0;
   free_term_.append_tile_systems(poses_, first_tile, outline_weight, tile_systems_);
   const Eigen::VectorXd& step = next_step(hold_joints);
-  if (moves_.of(step) > surfaces_seen_to_move(camera)) return;
+  if (moves_.of(step) > surfaces_seen_to_move(camera)) {
+    result_.configuration = result_.at_rest;
+    return;
+  }
   apply_step(step, result_.configuration);
   for (TileSystem& tile : tile_systems_) {
     tile.gradient += tile.hessian * (jacobians_[static_cast<std::size_t>(tile.body)] * step).eval();
