@@ -39,6 +39,8 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
       collision_(model, options, executor),
       low_relief_(model, options, executor),
       edges_(model.tree, options, executor),
+      approach_view_(kApproachBudget),
+      full_view_(options.point_budget),
       scale_(step_scale(model.tree)),
       moves_(model.tree) {
   options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
@@ -64,7 +66,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
     approach_view_.forget();
     full_view_.forget();
   }
-  approach(cloud, annealing);
+  descend(cloud, annealing);
   // The covariance, and what the model explains, belong to the solution.
   linearize(cloud, 0.0);
   find_rest(annealing.hold_joints);
@@ -101,11 +103,11 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
 }
 
 /// The descent; from a prediction, of many points a few are enough for all iterations but the last.
-void ArticulatedRegistration::approach(const TiledCloud& cloud, const Annealing& annealing) {
+void ArticulatedRegistration::descend(const TiledCloud& cloud, const Annealing& annealing) {
   const std::size_t budget = options_.point_budget;
   const bool is_thinned = annealing.is_predicted && annealing.iterations > 1 &&
                           takes_last_steps(cloud) && (budget == 0 || budget > kApproachBudget);
-  look_through(is_thinned ? approach_view_ : full_view_, is_thinned ? kApproachBudget : budget);
+  look_through(is_thinned ? approach_view_ : full_view_);
   const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
   const auto spread_of = [&](int k) {
     return k < annealing.iterations ? annealing.spread * spread_share(k, narrowing) : 0.0;
@@ -125,7 +127,7 @@ void ArticulatedRegistration::approach(const TiledCloud& cloud, const Annealing&
 /// The last iteration, of all points: mostly what is left is one step, as good as exact.
 void ArticulatedRegistration::settle(const TiledCloud& cloud, const Annealing& annealing,
                                      bool is_to_report) {
-  look_through(full_view_, options_.point_budget);
+  look_through(full_view_);
   bool moves_on = true;
   for (int k = 0; k < annealing.iterations && moves_on; ++k) {
     const double cost = linearize(cloud, 0.0);
@@ -160,10 +162,9 @@ bool ArticulatedRegistration::takes_last_steps(const TiledCloud& cloud) const {
   return options_.lambda_free > 0.0 && cloud.has_image();
 }
 
-void ArticulatedRegistration::look_through(PredictedView& view, std::size_t point_budget) {
+void ArticulatedRegistration::look_through(PredictedView& view) {
   if (view_ != &view) selected_spread_ = kNeverSelected;
   view_ = &view;
-  view_budget_ = point_budget;
   linearized_spread_.reset();
   ahead_spread_.reset();
 }
@@ -177,8 +178,8 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
     return cost_;  // the last step was not taken
   }
   if (!view_->shows(result_.configuration, moves_)) {
-    view_->look_at(cloud, model_, result_.configuration, view_budget_, options_.cut * spread,
-                   options_, executor_);
+    view_->look_at(cloud, model_, result_.configuration, options_.cut * spread, options_,
+                   executor_);
   }
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);

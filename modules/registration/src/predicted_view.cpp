@@ -19,9 +19,8 @@ constexpr std::size_t kViewSamples = 20000;  // of the visible surface, where po
 }  // namespace
 
 void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& model,
-                            const Configuration& configuration, std::size_t point_budget,
-                            double reach, const RegistrationOptions& options,
-                            const Executor& executor) {
+                            const Configuration& configuration, double reach,
+                            const RegistrationOptions& options, const Executor& executor) {
   is_drawn_ = true;
   configuration_ = configuration;
   points_ = &cloud;
@@ -31,11 +30,11 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
     return;
   }
   forward_kinematics(model.tree, configuration, poses_);
-  const bool is_thinned = point_budget > 0;
-  const ViewResolution resolution = view_resolution(model, poses_, cloud.camera(), point_budget);
+  const bool is_thinned = point_budget_ > 0;
+  const ViewResolution resolution = view_resolution(model, poses_, cloud.camera(), point_budget_);
   surface_.render(model, poses_, cloud.camera(), resolution.columns, executor);
   plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx, reach,
-             is_thinned ? point_budget : kViewSamples, executor);
+             is_thinned ? point_budget_ : kViewSamples, executor);
   samples_.collect(surface_, plan_.density());
   if (options.lambda_free > 0.0) {
     outlines_.collect(model, surface_, resolution.outline_spacing, options, executor);

@@ -36,6 +36,7 @@ struct Annealing {
   bool hold_joints = false;  ///< move the base only
   int narrowing = 0;         ///< linearisations until the spread is gone; 0: all of them
   /// The start is a prediction: of many points a few are enough for all iterations but the last.
+  /// Where these leave more than a step, the last one may take as many linearisations again.
   bool is_predicted = false;
   /// Sees the configuration after each linearisation, and whether the gates are narrow by then; may
   /// end the alignment by returning false.
@@ -86,13 +87,13 @@ class ArticulatedRegistration {
   const SurfaceMoves& moves() const { return moves_; }
 
  private:
-  void approach(const TiledCloud& cloud, const Annealing& annealing);
+  void descend(const TiledCloud& cloud, const Annealing& annealing);
   void settle(const TiledCloud& cloud, const Annealing& annealing, bool is_to_report);
   bool report(const Annealing& annealing, bool is_narrow);
   const Eigen::VectorXd& next_step(bool hold_joints);
   void find_rest(bool hold_joints);
   bool takes_last_steps(const TiledCloud& cloud) const;
-  void look_through(PredictedView& view, std::size_t point_budget);
+  void look_through(PredictedView& view);
   ModelTerm::Scene scene(const TiledCloud& cloud) const;
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
@@ -119,7 +120,6 @@ class ArticulatedRegistration {
   PredictedView approach_view_;
   PredictedView full_view_;
   PredictedView* view_ = nullptr;  ///< the one in hand
-  std::size_t view_budget_ = 0;    ///< points of it
   StepScale scale_;
   SurfaceMoves moves_;
 

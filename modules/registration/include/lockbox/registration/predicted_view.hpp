@@ -21,12 +21,15 @@ namespace lockbox {
 /// Reuses its buffers.
 class PredictedView {
  public:
-  /// Draws the model, and chooses points of the cloud, about so many; 0: all of them. What lies
-  /// farther beside the model than reach (metres) is something else: the wall that it hangs on, the
-  /// table that it stands on. The cloud must outlive the view.
+  /// point_budget: points of a cloud that it chooses, about; 0: all of them.
+  explicit PredictedView(std::size_t point_budget) : point_budget_(point_budget) {}
+
+  /// Draws the model, and chooses points of the cloud. What lies farther beside the model than
+  /// reach (metres) is something else: the wall that it hangs on, the table that it stands on. The
+  /// cloud must outlive the view.
   void look_at(const TiledCloud& cloud, const ArticulatedModel& model,
-               const Configuration& configuration, std::size_t point_budget, double reach,
-               const RegistrationOptions& options, const Executor& executor);
+               const Configuration& configuration, double reach, const RegistrationOptions& options,
+               const Executor& executor);
 
   /// Until it looks again, it shows nothing.
   void forget() { is_drawn_ = false; }
@@ -43,6 +46,7 @@ class PredictedView {
   const OutlinePoints& outlines() const { return outlines_; }  ///< of the surface
 
  private:
+  std::size_t point_budget_;
   bool is_drawn_ = false;
   Configuration configuration_;  ///< as it was drawn
   VisibleSurface surface_;
