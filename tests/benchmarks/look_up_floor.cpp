@@ -16,7 +16,7 @@ constexpr std::size_t kChunkPoints = 4096;
 
 }  // namespace
 
-LookUpFloor::LookUpFloor(const RegistrationScene& scene) : scene_(scene) {
+LookUpFloor::LookUpFloor(const RegistrationScene& scene, std::size_t points) : scene_(scene) {
   const auto& fields = scene.model.fields;
   const View& view = scene.views.front();
   BodyPoses poses;
@@ -43,16 +43,22 @@ LookUpFloor::LookUpFloor(const RegistrationScene& scene) : scene_(scene) {
       }
     }
   }
+  std::size_t found = 0;
+  for (const auto& own : by_body) found += own.size();
+  points = std::min(points, found);
+  std::size_t seen = 0;
   for (std::size_t b = 0; b < by_body.size(); ++b) {
     body_from_camera_.push_back(to_rigid_motion(poses[b].inverse()));
-    points_ += by_body[b].size();
     const std::size_t first = x_.size();
     for (const Eigen::Vector3f& p : by_body[b]) {
+      ++seen;
+      if (seen * points / found == (seen - 1) * points / found) continue;
       x_.push_back(p.x());
       y_.push_back(p.y());
       z_.push_back(p.z());
     }
-    const std::size_t end = first + kernels::padded(by_body[b].size());
+    points_ += x_.size() - first;
+    const std::size_t end = first + kernels::padded(x_.size() - first);
     for (std::vector<float>* axis : {&x_, &y_, &z_}) {
       axis->resize(end, kernels::kPadding);
     }

@@ -12,10 +12,11 @@
 
 namespace lockbox {
 
-/// The points of a scene's first view that lie at a body, body by body.
+/// Points of a scene's first view that lie at a body, body by body: so many of them, evenly
+/// distributed, or all if there are fewer.
 class LookUpFloor {
  public:
-  explicit LookUpFloor(const RegistrationScene& scene);
+  LookUpFloor(const RegistrationScene& scene, std::size_t points);
 
   std::size_t points() const { return points_; }
 

@@ -18,8 +18,9 @@ inline const std::string kLockboxFile = LOCKBOX_SHARE_DIRECTORY "/models/lockbox
 inline constexpr PinholeCamera kPrimeSense{640, 480, 575.8, 575.8, 319.5, 239.5};
 
 /// What the tracker allows itself between frames: surfaces up to 3 mm off, three iterations.
-inline constexpr double kPredictedSpread = 0.003;
 inline constexpr int kIterations = 3;
+inline const Annealing kFromPrediction{
+    .spread = 0.003, .iterations = kIterations, .is_predicted = true};
 
 struct View {
   Configuration truth;

@@ -144,13 +144,14 @@ double associate_points_with(const Candidates& candidates, std::span<float* cons
         hn::StoreU(share, df, weight[l] + i);
       }
     }
+    const Float pooled = hn::LoadU(df, candidates.pooled + i);
     const Float gain = hn::Add(hn::Log(df, sum), c);
-    total = hn::Sub(total, gain);
+    total = hn::NegMulAdd(pooled, gain, total);
     if constexpr (WithWeights) {
-      const Float inverse_sum = hn::Div(one, sum);
+      const Float share_of_sum = hn::Div(pooled, sum);
       for (std::size_t l = 0; l < candidates.distance.size(); ++l) {
         const Float iv = hn::LoadU(df, candidates.inverse_variance[l] + i);
-        const Float w = hn::Mul(hn::LoadU(df, weight[l] + i), hn::Mul(inverse_sum, iv));
+        const Float w = hn::Mul(hn::LoadU(df, weight[l] + i), hn::Mul(share_of_sum, iv));
         hn::StoreU(w, df, weight[l] + i);
       }
     }

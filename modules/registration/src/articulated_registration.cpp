@@ -13,6 +13,7 @@ using Index = Eigen::Index;
 /// Points that are enough to come near. Of as many as there may be only the last steps tell more.
 constexpr std::size_t kApproachBudget = 3000;
 constexpr double kNearEnough = 0.002;       // metres: what is left is one step, as good as exact
+constexpr int kMostToSettle = 2;            // times the iterations, if more than a step is left
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
@@ -55,6 +56,7 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
                                                          const Annealing& annealing) {
   result_.configuration = start;
   start_ = start.q;
+  is_predicted_ = annealing.is_predicted;
   sightings_.assign(static_cast<std::size_t>(model_.tree.variables()), std::nullopt);
   result_.converged = false;
   result_.iterations = 0;
@@ -129,7 +131,7 @@ void ArticulatedRegistration::settle(const TiledCloud& cloud, const Annealing& a
                                      bool is_to_report) {
   look_through(full_view_);
   bool moves_on = true;
-  for (int k = 0; k < annealing.iterations && moves_on; ++k) {
+  for (int k = 0; k < kMostToSettle * annealing.iterations && moves_on; ++k) {
     const double cost = linearize(cloud, 0.0);
     moves_on = moves_.of(next_step(annealing.hold_joints)) > kNearEnough &&
                improve(cloud, cost, annealing.hold_joints, 0.0);
@@ -178,8 +180,8 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
     return cost_;  // the last step was not taken
   }
   if (!view_->shows(result_.configuration, moves_)) {
-    view_->look_at(cloud, model_, result_.configuration, options_.cut * spread, options_,
-                   executor_);
+    view_->look_at(cloud, model_, result_.configuration, options_.cut * spread, is_predicted_,
+                   options_, executor_);
   }
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);

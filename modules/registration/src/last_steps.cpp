@@ -30,8 +30,7 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
       equations->add(systems_[b], jacobians_[b], 1.0 / options_.noise_correlation);
     }
   }
-  // Thinned points have tiles of their own.
-  const std::size_t first_tile = view_->is_thinned() ? view_->points().tiles().size() : 0;
+  const std::size_t first_tile = view_->has_own_tiles() ? view_->points().tiles().size() : 0;
   free_term_.append_tile_systems(poses_, first_tile, outline_weight, tile_systems_);
   const Eigen::VectorXd& step = next_step(hold_joints);
   if (moves_.of(step) > surfaces_seen_to_move(camera)) {

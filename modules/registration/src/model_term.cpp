@@ -89,6 +89,7 @@ struct ModelTerm::Scratch {
             {inverse_variance_.data(), count},
             {chunk.body_numbers.data() + first, count},
             scene.predicted.body.data() + tile.first,
+            scene.points.pooled().data() + tile.first,
             static_cast<float>(scene.options.cut * chunk.spread),
             static_cast<float>(scene.options.cut),
             static_cast<float>(scene.options.visible_odds)};
@@ -232,7 +233,8 @@ void ModelTerm::linearize_tile(const Scene& scene, std::size_t tile_index,
     sum_of(chunk.sums, body) += system;
     chunk.tile_systems[first + l] = {tile_index, body, tile.weight, system.hessian,
                                      system.gradient};
-    chunk.totals.weighted_squares += tile.weight * tile_sums.weighted_squares;
+    chunk.totals.weighted_squares +=
+        tile.weight * (tile_sums.weighted_squares + tile.scatter * tile_sums.weight);
     chunk.totals.points += tile.weight * tile_sums.weight;
   }
 }

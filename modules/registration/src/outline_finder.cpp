@@ -81,18 +81,26 @@ Eigen::Vector3d OutlineFinder::beside(const OutlinePixel& pixel) const {
   return p + aside(pixel) * (T_body_camera.linear() * pixel.outwards);
 }
 
-Eigen::Vector3d OutlineFinder::beside(const OutlinePixel& pixel, const Eigen::Vector3d& normal,
-                                      int number) const {
+Eigen::Vector3d OutlineFinder::beside(const OutlinePixel& pixel,
+                                      const Eigen::Vector3d& normal) const {
   const auto body = static_cast<std::size_t>(pixel.body);
   const Eigen::Isometry3d& T_body_camera = surface_.T_body_camera()[body];
   const double here = depth(pixel.u, pixel.v);
   const Eigen::Vector3d p = T_body_camera * camera_.back_project(pixel.u, pixel.v, here);
-  const Eigen::Vector3d ray = p - T_body_camera.translation();
-  const Eigen::Vector3d outwards = across(ray, normal).normalized();
-  const Eigen::Vector3d along = outwards.cross(ray.normalized());
-  const double pixels_off =
-      (number + 0.5) / points_per_pixel_ - 0.5;  // from the pixel's middle, along the outline
-  return p + aside(pixel) * outwards + pixels_off * here / camera_.fx * along;
+  return p + aside(pixel) * across(p - T_body_camera.translation(), normal).normalized();
+}
+
+void OutlineFinder::spread(const OutlinePoint& point, std::vector<OutlinePoint>& points) const {
+  const Eigen::Isometry3d& T_body_camera =
+      surface_.T_body_camera()[static_cast<std::size_t>(point.body)];
+  const Eigen::Vector3d ray = point.p_body - T_body_camera.translation();
+  const Eigen::Vector3d pixel_along =
+      point.normal_body.cross(ray) / (camera_.fx);  // about a pixel of the view, for ray ~ depth
+  for (int k = 0; k < points_per_pixel_; ++k) {
+    const double pixels_off = (k + 0.5) / points_per_pixel_ - 0.5;
+    points.push_back(point);
+    points.back().p_body += pixels_off * pixel_along;
+  }
 }
 
 double OutlineFinder::aside(const OutlinePixel& pixel) const {

@@ -43,16 +43,16 @@ class OutlineFinder {
   /// edge tri-linear distances and gradients err, the nearer the more.
   Eigen::Vector3d beside(const OutlinePixel& pixel) const;
 
-  /// The same once the field has told the surface's normal there, body frame: for the points beside
-  /// the pixel one after the other along the outline.
-  Eigen::Vector3d beside(const OutlinePixel& pixel, const Eigen::Vector3d& normal,
-                         int number) const;
-  int points_per_pixel() const { return points_per_pixel_; }
+  /// The same once the field has told the surface's normal there, body frame.
+  Eigen::Vector3d beside(const OutlinePixel& pixel, const Eigen::Vector3d& normal) const;
 
   /// touch, normal: where such a ray touches the surface, body frame. Nothing where that disagrees
   /// with the pixels.
   std::optional<OutlinePoint> point(const OutlinePixel& pixel, const Eigen::Vector3d& touch,
                                     const Eigen::Vector3d& normal) const;
+
+  /// Adds those beside one pixel of the view, along the outline from one that lies amidst them.
+  void spread(const OutlinePoint& point, std::vector<OutlinePoint>& points) const;
 
  private:
   double depth(int u, int v) const { return static_cast<double>(view_.depth[view_.index(u, v)]); }

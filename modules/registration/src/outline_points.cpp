@@ -112,15 +112,12 @@ class Band {
     rays_.find_normals(field);
     normals_.clear();
     for (std::size_t i = 0; i < own.size(); ++i) normals_.push_back(rays_.normal(i));
-    const auto per_pixel = static_cast<std::size_t>(finder.points_per_pixel());
-    rays_.aim(per_pixel * own.size(), camera, [&](std::size_t i) {
-      return finder.beside(own[i / per_pixel], normals_[i / per_pixel],
-                           static_cast<int>(i % per_pixel));
-    });
+    rays_.aim(own.size(), camera,
+              [&](std::size_t i) { return finder.beside(own[i], normals_[i]); });
     rays_.touch(field);
-    for (std::size_t i = 0; i < per_pixel * own.size(); ++i) {
-      const auto point = finder.point(own[i / per_pixel], rays_.p(i), rays_.normal(i));
-      if (point) points_.push_back(*point);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const auto point = finder.point(own[i], rays_.p(i), rays_.normal(i));
+      if (point) finder.spread(*point, points_);
     }
   }
 

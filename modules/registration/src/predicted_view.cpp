@@ -19,7 +19,7 @@ constexpr std::size_t kViewSamples = 20000;  // of the visible surface, where po
 }  // namespace
 
 void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& model,
-                            const Configuration& configuration, double reach,
+                            const Configuration& configuration, double reach, bool is_predicted,
                             const RegistrationOptions& options, const Executor& executor) {
   is_drawn_ = true;
   configuration_ = configuration;
@@ -39,7 +39,10 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   if (options.lambda_free > 0.0) {
     outlines_.collect(model, surface_, resolution.outline_spacing, options, executor);
   }
-  if (is_thinned) {
+  if (is_predicted && !cloud.is_masked()) {
+    pooled_.assign(cloud, surface_, plan_.density(), options, executor);
+    points_ = &pooled_;
+  } else if (is_thinned) {
     thinned_.assign(cloud, plan_.density());
     points_ = &thinned_;
   }

@@ -21,6 +21,7 @@ struct Tile {
   std::size_t padded = 0;
   Eigen::AlignedBox3f bounds;  ///< of the valid points, camera frame
   double weight = 1.0;         ///< pixels that each of its points stands for
+  double scatter = 0.0;  ///< variance of pixels around the points that are their means, whitened
 };
 
 class PointTiles {
@@ -31,6 +32,8 @@ class PointTiles {
   const std::vector<float>& z() const { return z_; }
   /// Image index (v * width + u) of each point.
   const std::vector<std::uint32_t>& pixel() const { return pixel_; }
+  /// How many pixels each point is the mean of.
+  const std::vector<float>& pooled() const { return pooled_; }
   std::size_t valid_points() const;
 
  protected:
@@ -48,6 +51,7 @@ class PointTiles {
   std::vector<float> y_;
   std::vector<float> z_;
   std::vector<std::uint32_t> pixel_;
+  std::vector<float> pooled_;
 };
 
 }  // namespace lockbox

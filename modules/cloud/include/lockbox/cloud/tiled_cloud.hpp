@@ -47,6 +47,8 @@ class TiledCloud : public PointTiles {
   const PinholeCamera& camera() const { return camera_; }
   /// Filtered depth image in metres, 0 where nothing is known; width * height.
   const std::vector<float>& depth() const { return depth_; }
+  /// Whether keep() was called.
+  bool is_masked() const { return !mask_.empty(); }
   /// Whether the points of that pixel were kept; all are unless keep() was called.
   bool keeps(std::size_t pixel) const { return mask_.empty() || mask_[pixel] != 0; }
 

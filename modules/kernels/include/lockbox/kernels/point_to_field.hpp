@@ -116,6 +116,7 @@ struct Candidates {
   std::span<const float* const> inverse_variance;  ///< by candidate
   std::span<const float> body;                     ///< by candidate: its number
   const float* visible;                            ///< by point: PredictedPixels::body
+  const float* pooled;                             ///< by point: pixels that it is the mean of
   float reach;  ///< metres beside the predicted bodies where points may still be theirs
   float cut;
   float visible_odds;
@@ -131,8 +132,8 @@ struct Candidates {
 /// pixel shows has odds `visible_odds`, others 1: where two bodies meet, both are near, and only
 /// visibility tells which one was measured. Points beyond reach have odds 0: no body can be there.
 ///
-/// Returns sum (E - c) over the points, so that an unexplained point counts zero, and writes
-/// weight[l][i] = 2 dE / d(distance_l^2), the weight of the point in body l's normal equations.
+/// Returns sum pooled (E - c) over the points, so that an unexplained point counts zero, and writes
+/// weight[l][i] = 2 pooled dE / d(distance_l^2), its weight in body l's normal equations.
 double associate(const Candidates& candidates, std::span<float* const> weight);
 
 /// The cost alone, as associate returns it.

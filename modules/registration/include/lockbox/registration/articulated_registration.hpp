@@ -36,7 +36,8 @@ struct Annealing {
   bool hold_joints = false;  ///< move the base only
   int narrowing = 0;         ///< linearisations until the spread is gone; 0: all of them
   /// The start is a prediction: of many points a few are enough for all iterations but the last.
-  /// Where these leave more than a step, the last one may take as many linearisations again.
+  /// Where these leave more than a step, the last one may take twice as many linearisations again.
+  /// Of flat faces, points are pooled (pooled_points.hpp).
   bool is_predicted = false;
   /// Sees the configuration after each linearisation, and whether the gates are narrow by then; may
   /// end the alignment by returning false.
@@ -58,9 +59,9 @@ struct RegistrationResult {
   Agreement agreement;
   std::vector<Agreement> body_agreement;  ///< by body
   OutlineAgreement outline;
-  double residual_rms = 0.0;  ///< whitened: 1 where the sensor errs as assumed
-  double explained_points = 0.0;
-  double model_cost = 0.0;  ///< relative to explaining nothing
+  double residual_rms = 0.0;      ///< whitened: 1 where the sensor errs as assumed
+  double explained_points = 0.0;  ///< pixels, where points are means of such
+  double model_cost = 0.0;        ///< relative to explaining nothing
   double free_cost = 0.0;
   double collision_cost = 0.0;
   int iterations = 0;
@@ -127,6 +128,7 @@ class ArticulatedRegistration {
   Eigen::VectorXd start_;   ///< joint variables
   Configuration selected_;  ///< where the free-space term made its selection
   double selected_spread_ = 0.0;
+  bool is_predicted_ = false;                ///< the start
   std::optional<double> linearized_spread_;  ///< if all terms stand at result_.configuration
   std::optional<double> ahead_spread_;       ///< if the model term was linearised there already
   double cost_ = 0.0;                        ///< of the last linearisation

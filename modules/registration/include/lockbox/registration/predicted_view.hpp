@@ -10,6 +10,7 @@
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/model_term.hpp"
 #include "lockbox/registration/outline_points.hpp"
+#include "lockbox/registration/pooled_points.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/sampling_plan.hpp"
 #include "lockbox/registration/surface_moves.hpp"
@@ -25,11 +26,11 @@ class PredictedView {
   explicit PredictedView(std::size_t point_budget) : point_budget_(point_budget) {}
 
   /// Draws the model, and chooses points of the cloud. What lies farther beside the model than
-  /// reach (metres) is something else: the wall that it hangs on, the table that it stands on. The
-  /// cloud must outlive the view.
+  /// reach (metres) is something else: the wall that it hangs on, the table that it stands on.
+  /// is_predicted: points may be pooled. The cloud must outlive the view.
   void look_at(const TiledCloud& cloud, const ArticulatedModel& model,
-               const Configuration& configuration, double reach, const RegistrationOptions& options,
-               const Executor& executor);
+               const Configuration& configuration, double reach, bool is_predicted,
+               const RegistrationOptions& options, const Executor& executor);
 
   /// Until it looks again, it shows nothing.
   void forget() { is_drawn_ = false; }
@@ -39,7 +40,8 @@ class PredictedView {
 
   /// Those of the cloud that were chosen.
   const PointTiles& points() const { return *points_; }
-  bool is_thinned() const { return points_ == &thinned_; }
+  /// Whether their tiles are not those of the cloud.
+  bool has_own_tiles() const { return points_ == &thinned_ || points_ == &pooled_; }
   const PixelPrediction& prediction() const { return prediction_; }  ///< of the points
   const VisibleSurface& surface() const { return surface_; }
   const ViewSamples& samples() const { return samples_; }      ///< of the surface
@@ -54,6 +56,7 @@ class PredictedView {
   ViewSamples samples_;
   OutlinePoints outlines_;
   ThinnedPoints thinned_;
+  PooledPoints pooled_;
   const PointTiles* points_ = nullptr;
   PixelPrediction prediction_;
   BodyPoses poses_;

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/kernels/pooling.hpp"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pooling.cpp"
+#include "hwy/foreach_target.h"
+// After foreach_target, which includes this file once for each instruction set.
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lockbox::kernels::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// (1 / before + 1 / after - 2 / z) z^2 within the bend, without a division.
+template <typename D, typename V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_straight(const D df, const V z, const float* before, const float* after,
+                                   const float bend) {
+  const V a = hn::LoadU(df, before);
+  const V b = hn::LoadU(df, after);
+  const V product = hn::Mul(a, b);
+  const V bends = hn::NegMulAdd(hn::Set(df, 2.0F), product, hn::Mul(z, hn::Add(a, b)));
+  return hn::Le(hn::Mul(hn::Abs(bends), z), hn::Mul(hn::Set(df, bend), product));
+}
+
+void find_flat_in_row(const DepthRows& depths, const LabelRows& labels, std::size_t first,
+                      std::size_t end, float bend, std::uint8_t* flat) {
+  const auto find_with = [&](auto df, std::size_t u) HWY_ATTR {
+    const auto z = hn::LoadU(df, depths.here + u);
+    const auto straight =
+        hn::And(is_straight(df, z, depths.here + u - 1, depths.here + u + 1, bend),
+                is_straight(df, z, depths.above + u, depths.below + u, bend));
+    const hn::Rebind<std::int16_t, decltype(df)> ds;
+    const auto label = hn::LoadU(ds, labels.here + u);
+    const auto same = [&](const std::int16_t* neighbour)
+                          HWY_ATTR { return hn::Eq(label, hn::LoadU(ds, neighbour)); };
+    const auto shows_one =
+        hn::And(hn::Gt(label, hn::Set(ds, -1)),
+                hn::And(hn::And(same(labels.here + u - 1), same(labels.here + u + 1)),
+                        hn::And(same(labels.above + u), same(labels.below + u))));
+    const hn::RebindToSigned<decltype(df)> di;
+    const auto one = hn::PromoteTo(di, hn::IfThenElseZero(shows_one, hn::Set(ds, 1)));
+    const hn::Rebind<std::uint8_t, decltype(df)> db;
+    hn::StoreU(hn::DemoteTo(db, hn::IfThenElseZero(hn::RebindMask(di, straight), one)), db,
+               flat + (u - first));
+  };
+  const hn::CappedTag<float, kLanes> many;
+  std::size_t u = first;
+  for (; u + hn::Lanes(many) <= end; u += hn::Lanes(many)) find_with(many, u);
+  for (; u < end; ++u) find_with(hn::CappedTag<float, 1>(), u);
+}
+
+/// Calls visit(deviation) for all pixels, many at once; unmeasured ones deviate by -1.
+template <typename D, typename Visit>
+HWY_INLINE void for_each_deviation(const D df, const DepthBlock& block, const NearnessPlane& plane,
+                                   const Visit& visit) {
+  for (std::size_t row = 0; row < block.height; ++row) {
+    const float* const depths = block.first + row * block.stride;
+    const auto first = hn::Set(df, plane.first + plane.per_row * static_cast<float>(row));
+    for (std::size_t column = 0; column < block.width; column += hn::Lanes(df)) {
+      const auto z = hn::LoadU(df, depths + column);
+      const auto nearness = hn::MulAdd(hn::Set(df, plane.per_column),
+                                       hn::Iota(df, static_cast<float>(column)), first);
+      visit(hn::MulSub(z, nearness, hn::Set(df, 1.0F)));
+    }
+  }
+}
+
+/// Lanes: of vectors, at most; divides the block's width.
+template <std::size_t Lanes>
+PooledDeviation pool_by(const DepthBlock& block, const NearnessPlane& plane, float reach,
+                        float gate) {
+  const hn::CappedTag<float, Lanes> df;
+  const auto one = hn::Set(df, 1.0F);
+  const auto total = [df](auto lanes) HWY_ATTR { return hn::GetLane(hn::SumOfLanes(df, lanes)); };
+  auto count = hn::Zero(df);
+  auto sum = hn::Zero(df);
+  for_each_deviation(df, block, plane, [&](auto deviation) HWY_ATTR {
+    const auto is_near = hn::Lt(hn::Abs(deviation), hn::Set(df, reach));
+    count = hn::Add(count, hn::IfThenElseZero(is_near, one));
+    sum = hn::Add(sum, hn::IfThenElseZero(is_near, deviation));
+  });
+  const float near = total(count);
+  if (near == 0.0F) return {};
+  const float center = total(sum) / near;
+  auto squares = hn::Zero(df);
+  count = hn::Zero(df);
+  sum = hn::Zero(df);
+  for_each_deviation(df, block, plane, [&](auto deviation) HWY_ATTR {
+    const auto off = hn::Sub(deviation, hn::Set(df, center));
+    const auto is_near = hn::Lt(hn::Abs(off), hn::Set(df, gate));
+    const auto counted = hn::IfThenElseZero(is_near, off);
+    count = hn::Add(count, hn::IfThenElseZero(is_near, one));
+    sum = hn::Add(sum, counted);
+    squares = hn::MulAdd(counted, counted, squares);
+  });
+  const float pixels = total(count);
+  if (pixels == 0.0F) return {};
+  const float off = total(sum) / pixels;
+  return {pixels, center + off, std::max(0.0F, total(squares) / pixels - off * off)};
+}
+
+PooledDeviation pool_block(const DepthBlock& block, const NearnessPlane& plane, float reach,
+                           float gate) {
+  if (block.width % kLanes == 0) return pool_by<kLanes>(block, plane, reach, gate);
+  if (block.width % 8 == 0) return pool_by<8>(block, plane, reach, gate);
+  if (block.width % 4 == 0) return pool_by<4>(block, plane, reach, gate);
+  if (block.width % 2 == 0) return pool_by<2>(block, plane, reach, gate);
+  return pool_by<1>(block, plane, reach, gate);
+}
+
+}  // namespace lockbox::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lockbox::kernels {
+
+HWY_EXPORT(find_flat_in_row);
+HWY_EXPORT(pool_block);
+
+void find_flat(const DepthRows& depths, const LabelRows& labels, std::size_t first, std::size_t end,
+               float bend, std::uint8_t* flat) {
+  HWY_DYNAMIC_DISPATCH(find_flat_in_row)(depths, labels, first, end, bend, flat);
+}
+
+PooledDeviation pool_deviations(const DepthBlock& block, const NearnessPlane& plane, float reach,
+                                float gate) {
+  return HWY_DYNAMIC_DISPATCH(pool_block)(block, plane, reach, gate);
+}
+
+}  // namespace lockbox::kernels
+#endif  // HWY_ONCE
