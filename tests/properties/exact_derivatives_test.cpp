@@ -106,7 +106,7 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   SamplingPlan plan;
   plan.plan(surface.view(), 1, cloud.camera().fx, 0.0, surface.view().id.size(), executor);
   ViewSamples samples;
-  samples.collect(surface, plan.density());
+  samples.collect(surface, plan.density(), 1, executor);
   OutlinePoints outlines;
   outlines.collect(model, surface, 1, options, executor);
   FreeSpaceTerm term;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lockbox/kernels/point_to_field.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pooling.cpp"
 #include "hwy/foreach_target.h"
@@ -12,44 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// (1 / before + 1 / after - 2 / z) z^2 within the bend, without a division.
-template <typename D, typename V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> is_straight(const D df, const V z, const float* before, const float* after,
-                                   const float bend) {
-  const V a = hn::LoadU(df, before);
-  const V b = hn::LoadU(df, after);
-  const V product = hn::Mul(a, b);
-  const V bends = hn::NegMulAdd(hn::Set(df, 2.0F), product, hn::Mul(z, hn::Add(a, b)));
-  return hn::Le(hn::Mul(hn::Abs(bends), z), hn::Mul(hn::Set(df, bend), product));
-}
-
-void find_flat_in_row(const DepthRows& depths, const LabelRows& labels, std::size_t first,
-                      std::size_t end, float bend, std::uint8_t* flat) {
-  const auto find_with = [&](auto df, std::size_t u) HWY_ATTR {
-    const auto z = hn::LoadU(df, depths.here + u);
-    const auto straight =
-        hn::And(is_straight(df, z, depths.here + u - 1, depths.here + u + 1, bend),
-                is_straight(df, z, depths.above + u, depths.below + u, bend));
-    const hn::Rebind<std::int16_t, decltype(df)> ds;
-    const auto label = hn::LoadU(ds, labels.here + u);
-    const auto same = [&](const std::int16_t* neighbour)
-                          HWY_ATTR { return hn::Eq(label, hn::LoadU(ds, neighbour)); };
-    const auto shows_one =
-        hn::And(hn::Gt(label, hn::Set(ds, -1)),
-                hn::And(hn::And(same(labels.here + u - 1), same(labels.here + u + 1)),
-                        hn::And(same(labels.above + u), same(labels.below + u))));
-    const hn::RebindToSigned<decltype(df)> di;
-    const auto one = hn::PromoteTo(di, hn::IfThenElseZero(shows_one, hn::Set(ds, 1)));
-    const hn::Rebind<std::uint8_t, decltype(df)> db;
-    hn::StoreU(hn::DemoteTo(db, hn::IfThenElseZero(hn::RebindMask(di, straight), one)), db,
-               flat + (u - first));
-  };
-  const hn::CappedTag<float, kLanes> many;
-  std::size_t u = first;
-  for (; u + hn::Lanes(many) <= end; u += hn::Lanes(many)) find_with(many, u);
-  for (; u < end; ++u) find_with(hn::CappedTag<float, 1>(), u);
-}
 
 /// Calls visit(deviation) for all pixels, many at once; unmeasured ones deviate by -1.
 template <typename D, typename Visit>
@@ -116,13 +80,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lockbox::kernels {
 
-HWY_EXPORT(find_flat_in_row);
 HWY_EXPORT(pool_block);
-
-void find_flat(const DepthRows& depths, const LabelRows& labels, std::size_t first, std::size_t end,
-               float bend, std::uint8_t* flat) {
-  HWY_DYNAMIC_DISPATCH(find_flat_in_row)(depths, labels, first, end, bend, flat);
-}
 
 PooledDeviation pool_deviations(const DepthBlock& block, const NearnessPlane& plane, float reach,
                                 float gate) {

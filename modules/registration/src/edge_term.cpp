@@ -9,6 +9,7 @@
 #include <span>
 
 #include "edge_worker.hpp"
+#include "lockbox/kernels/flatness.hpp"
 #include "lockbox/rendering/body_item.hpp"
 
 namespace lockbox {
@@ -147,27 +148,14 @@ void EdgeTerm::express_in_camera(const std::vector<Eigen::Isometry3d>& T_camera_
 void EdgeTerm::find_bends() {
   const auto width = static_cast<std::size_t>(crop_.width());
   const auto height = static_cast<std::size_t>(crop_.height());
-  centres_.resize(width * height);
   has_bend_.assign(width * height, 0);
-  executor_.for_each(height, [&](std::size_t v) {
-    for (std::size_t i = v * width; i < (v + 1) * width; ++i) {
-      centres_[i] = 1.0F / view_.depth[i];  // 1 / infinity = 0
-    }
-  });
   const float least =
       kLeastBend * static_cast<float>(options_.noise.own_share * options_.noise.depth_quadratic);
-  executor_.for_each(height - 2, [this, width, least](std::size_t before) {
-    const float* const above = &centres_[before * width];
-    const float* const at = above + width;
-    const float* const below = at + width;
-    std::uint8_t* const bends = &has_bend_[(before + 1) * width];
-    const std::size_t end = width - 1;
-    for (std::size_t u = 1; u < end; ++u) {
-      const float along_row = std::abs(at[u - 1] + at[u + 1] - 2.0F * at[u]);
-      const float along_column = std::abs(above[u] + below[u] - 2.0F * at[u]);
-      const int shows_model = at[u] > 0.0F ? 1 : 0;
-      const int is_bent = std::max(along_row, along_column) > least ? 1 : 0;
-      bends[u] = static_cast<std::uint8_t>(shows_model * is_bent);  // no branch: many at once
+  executor_.for_each_chunk(height - 2, kSide, [&](std::size_t begin, std::size_t end, auto) {
+    for (std::size_t v = begin + 1; v < end + 1; ++v) {
+      const float* const z = view_.depth.data() + v * width;
+      kernels::find_bends({z - width, z, z + width}, 1, width - 1, least,
+                          &has_bend_[v * width + 1]);
     }
   });
 }

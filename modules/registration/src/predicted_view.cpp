@@ -14,6 +14,8 @@ namespace {
 /// most.
 constexpr double kStaleView = 0.002;
 constexpr double kMostStaleView = 0.008;
+/// Pixels of the view between samples of the surface: closer ones tell the same from a prediction.
+constexpr int kSampleSpacing = 2;
 constexpr std::size_t kViewSamples = 20000;  // of the visible surface, where points have no budget
 
 }  // namespace
@@ -35,11 +37,12 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   surface_.render(model, poses_, cloud.camera(), resolution.columns, executor);
   plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx, reach,
              is_thinned ? point_budget_ : kViewSamples, executor);
-  samples_.collect(surface_, plan_.density());
+  const bool is_pooled = is_predicted && !cloud.is_masked();
+  samples_.collect(surface_, plan_.density(), is_pooled ? kSampleSpacing : 1, executor);
   if (options.lambda_free > 0.0) {
     outlines_.collect(model, surface_, resolution.outline_spacing, options, executor);
   }
-  if (is_predicted && !cloud.is_masked()) {
+  if (is_pooled) {
     pooled_.assign(cloud, surface_, plan_.density(), options, executor);
     points_ = &pooled_;
   } else if (is_thinned) {

@@ -6,50 +6,70 @@
 #include "lockbox/registration/rigid_motion.hpp"
 
 namespace lockbox {
-namespace {
+void ViewSamples::collect(const VisibleSurface& surface, const SamplingDensity& density,
+                          int least_spacing, const Executor& executor) {
+  scale_ = surface.reduction();
+  rows_.resize(static_cast<std::size_t>(density.rows));
+  executor.for_each(rows_.size(), [&](std::size_t row) {
+    rows_[row].next.assign(surface.T_body_camera().size(), 0);
+    choose(surface.view(), density, least_spacing, static_cast<int>(row), rows_[row]);
+  });
+  lay_out(surface.T_body_camera().size());
+  executor.for_each(rows_.size(), [&](std::size_t row) { place(surface, rows_[row]); });
+}
 
-/// Calls visit(u, v, spacing) for each sample of a density, at a pixel of the view.
-template <typename Visit>
-void for_each_sample(const SamplingDensity& density, const RenderedDepth& view,
-                     const Visit& visit) {
+void ViewSamples::choose(const RenderedDepth& view, const SamplingDensity& density,
+                         int least_spacing, int row_of_cells, Row& row) {
   constexpr int kSize = SamplingDensity::kCellSize;
-  std::size_t cell = 0;
-  for (int row = 0; row < density.rows; ++row) {
-    for (int column = 0; column < density.columns; ++column, ++cell) {
-      const int spacing = density.spacing[cell];
-      if (spacing == 0) continue;
-      const int first = SamplingDensity::first_sample(spacing);
-      const int last_v = std::min((row + 1) * kSize, view.height);
-      const int last_u = std::min((column + 1) * kSize, view.width);
-      for (int v = row * kSize + first; v < last_v; v += spacing) {
-        for (int u = column * kSize + first; u < last_u; u += spacing) {
-          visit(u, v, spacing);
-        }
+  row.chosen.clear();
+  const std::uint8_t* const spacings =
+      density.spacing.data() + static_cast<std::ptrdiff_t>(row_of_cells) * density.columns;
+  for (int column = 0; column < density.columns; ++column) {
+    if (spacings[column] == 0) continue;
+    const int spacing = std::max<int>(spacings[column], least_spacing);
+    const int first = SamplingDensity::first_sample(spacing);
+    const int end_v = std::min((row_of_cells + 1) * kSize, view.height);
+    const int end_u = std::min((column + 1) * kSize, view.width);
+    for (int v = row_of_cells * kSize + first; v < end_v; v += spacing) {
+      for (int u = column * kSize + first; u < end_u; u += spacing) {
+        const std::int16_t body = view.id[view.index(u, v)];
+        if (body == kNothing) continue;
+        row.chosen.push_back({{u, v}, spacing});
+        ++row.next[static_cast<std::size_t>(body)];
       }
     }
   }
 }
 
-}  // namespace
+/// Makes room for the samples of each body, row after row, padded for the kernels.
+void ViewSamples::lay_out(std::size_t bodies) {
+  chunks_.clear();
+  std::size_t end = 0;
+  for (std::size_t body = 0; body < bodies; ++body) {
+    std::size_t count = 0;
+    for (Row& row : rows_) {
+      const std::size_t own = row.next[body];
+      row.next[body] = end + count;
+      count += own;
+    }
+    for (std::size_t begin = 0; begin < count; begin += kMostInChunk) {
+      chunks_.push_back(
+          {static_cast<int>(body), end + begin, std::min(kMostInChunk, count - begin)});
+    }
+    end += kernels::padded(count);
+  }
+  for (auto* axis : {&x_, &y_, &z_}) axis->assign(end, kernels::kPadding);
+  places_.resize(end);
+}
 
-void ViewSamples::collect(const VisibleSurface& surface, const SamplingDensity& density) {
+void ViewSamples::place(const VisibleSurface& surface, Row& row) {
   const RenderedDepth& view = surface.view();
-  scale_ = surface.reduction();
-  chosen_.clear();
-  next_.assign(surface.T_body_camera().size(), 0);
-  for_each_sample(density, view, [&](int u, int v, int spacing) {
-    const std::int16_t body = view.id[view.index(u, v)];
-    if (body == kNothing) return;
-    chosen_.push_back({{u, v}, spacing});
-    ++next_[static_cast<std::size_t>(body)];
-  });
-  lay_out();
   const PinholeCamera& camera = surface.view_camera();
-  for (const Place& place : chosen_) {
+  for (const Place& place : row.chosen) {
     const auto [u, v] = place.pixel;
     const std::size_t pixel = view.index(u, v);
     const auto body = static_cast<std::size_t>(view.id[pixel]);
-    const std::size_t number = next_[body]++;
+    const std::size_t number = row.next[body]++;
     const Eigen::Vector3f p = (surface.T_body_camera()[body] *
                                camera.back_project(u, v, static_cast<double>(view.depth[pixel])))
                                   .cast<float>();
@@ -58,24 +78,6 @@ void ViewSamples::collect(const VisibleSurface& surface, const SamplingDensity& 
     z_[number] = p.z();
     places_[number] = place;
   }
-}
-
-/// Makes room for the samples of each body, as many as next_ says, and lets next_ say where they
-/// begin.
-void ViewSamples::lay_out() {
-  chunks_.clear();
-  std::size_t end = 0;
-  for (std::size_t body = 0; body < next_.size(); ++body) {
-    const std::size_t first = end;
-    for (std::size_t begin = 0; begin < next_[body]; begin += kMostInChunk) {
-      chunks_.push_back(
-          {static_cast<int>(body), first + begin, std::min(kMostInChunk, next_[body] - begin)});
-    }
-    end += kernels::padded(next_[body]);
-    next_[body] = first;
-  }
-  for (auto* axis : {&x_, &y_, &z_}) axis->assign(end, kernels::kPadding);
-  places_.resize(end);
 }
 
 ViewSample ViewSamples::sample(int body, std::size_t number) const {

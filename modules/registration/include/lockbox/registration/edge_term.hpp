@@ -93,7 +93,6 @@ class EdgeTerm {
   Crop crop_{};
   std::vector<RenderItem> items_;
   RenderedDepth view_;
-  std::vector<float> centres_;          ///< by pixel: inverse depth at its centre
   std::vector<std::uint8_t> has_bend_;  ///< by pixel: whether the surface bends or breaks there
   std::vector<BodyJacobian> screws_;    ///< by body: to its twist in the camera's frame
   std::vector<std::vector<int>> variables_;  ///< by body: those that move it

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lockbox/registration/observed_outline.hpp"
 #include "lockbox/registration/outline_points.hpp"
 #include "lockbox/registration/pull_set.hpp"
 #include "lockbox/registration/registration_options.hpp"
@@ -78,6 +79,7 @@ class FreeSpaceTerm {
   PullSet seen_through_;
   PullSet outlines_;
   SampleLandings landings_;
+  std::vector<ObservedOutline> observed_outlines_;  ///< by worker
 };
 
 }  // namespace lockbox

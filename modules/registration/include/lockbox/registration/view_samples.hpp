@@ -34,8 +34,10 @@ class ViewSamples {
     std::size_t count;
   };
 
-  /// Of the surface as it was drawn; the density must be one for its view.
-  void collect(const VisibleSurface& surface, const SamplingDensity& density);
+  /// Of the surface as it was drawn; the density must be one for its view. Samples are not closer
+  /// than least_spacing, pixels of the view.
+  void collect(const VisibleSurface& surface, const SamplingDensity& density, int least_spacing,
+               const Executor& executor);
 
   const std::vector<Chunk>& chunks() const { return chunks_; }
   kernels::PointSpan points(const Chunk& chunk) const {
@@ -49,7 +51,15 @@ class ViewSamples {
     Pixel pixel;  ///< of the view
     int spacing;
   };
-  void lay_out();
+  /// Samples of a row of cells.
+  struct Row {
+    std::vector<Place> chosen;      ///< cell by cell
+    std::vector<std::size_t> next;  ///< by body: how many, then the number of the next one
+  };
+  static void choose(const RenderedDepth& view, const SamplingDensity& density, int least_spacing,
+                     int row_of_cells, Row& row);
+  void lay_out(std::size_t bodies);
+  void place(const VisibleSurface& surface, Row& row);
 
   std::vector<float> x_;  ///< by number, metres, body frame
   std::vector<float> y_;
@@ -57,9 +67,7 @@ class ViewSamples {
   std::vector<Place> places_;
   std::vector<Chunk> chunks_;
   int scale_ = 1;
-
-  std::vector<Place> chosen_;      ///< cell by cell
-  std::vector<std::size_t> next_;  ///< by body: the number of its next sample
+  std::vector<Row> rows_;
 };
 
 /// Where a chunk of samples lands in the image: memory of its own for each worker.
