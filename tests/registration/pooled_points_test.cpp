@@ -33,7 +33,7 @@ class PooledPointsTest : public ::testing::Test {
     SamplingPlan plan;
     plan.plan(surface.view(), surface.reduction(), surface.view_camera().fx, 0.0, budget, executor);
     PooledPoints points;
-    points.assign(cloud, surface, plan.density(), RegistrationOptions{}, executor);
+    points.assign(cloud, surface, plan.density(), 1, RegistrationOptions{}, executor);
     return points;
   }
 

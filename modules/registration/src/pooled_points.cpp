@@ -43,6 +43,7 @@ struct PooledPoints::Scene {
   const TiledCloud& cloud;
   const VisibleSurface& surface;
   const SamplingDensity& density;
+  int least_spacing;
   const std::vector<std::uint8_t>& flat;
   const RegistrationOptions& options;
 };
@@ -108,7 +109,7 @@ class PooledPoints::Band {
     for (int i = 0; i < kCell; ++i) {
       mask_ |= gather_bits(flat + static_cast<std::size_t>(i) * stride) << (8 * i);
     }
-    split(scene, 0, 0, kCell, spacing);
+    split(scene, 0, 0, kCell, std::max(spacing, scene.least_spacing));
   }
 
   /// A block of the cell.
@@ -243,9 +244,9 @@ void PooledPoints::find_flat(const RenderedDepth& view, int row_of_cells) {
 }
 
 void PooledPoints::assign(const TiledCloud& cloud, const VisibleSurface& surface,
-                          const SamplingDensity& density, const RegistrationOptions& options,
-                          const Executor& executor) {
-  const Scene scene{cloud, surface, density, flat_, options};
+                          const SamplingDensity& density, int least_spacing,
+                          const RegistrationOptions& options, const Executor& executor) {
+  const Scene scene{cloud, surface, density, least_spacing, flat_, options};
   flat_.resize(static_cast<std::size_t>(density.columns * kCell) *
                static_cast<std::size_t>(density.rows * kCell));
   const int bands = (density.rows + kRowsOfCells - 1) / kRowsOfCells;

@@ -14,8 +14,9 @@ namespace {
 /// most.
 constexpr double kStaleView = 0.002;
 constexpr double kMostStaleView = 0.008;
-/// Pixels of the view between samples of the surface: closer ones tell the same from a prediction.
-constexpr int kSampleSpacing = 2;
+/// From a prediction: pixels of the view between samples of the surface, and blocks of pixels that
+/// are pooled, at least, if points have a budget. Closer and smaller ones tell the same.
+constexpr int kLeastSpacing = 2;
 constexpr std::size_t kViewSamples = 20000;  // of the visible surface, where points have no budget
 
 }  // namespace
@@ -38,12 +39,13 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx, reach,
              is_thinned ? point_budget_ : kViewSamples, executor);
   const bool is_pooled = is_predicted && !cloud.is_masked();
-  samples_.collect(surface_, plan_.density(), is_pooled ? kSampleSpacing : 1, executor);
+  samples_.collect(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
   if (options.lambda_free > 0.0) {
     outlines_.collect(model, surface_, resolution.outline_spacing, options, executor);
   }
   if (is_pooled) {
-    pooled_.assign(cloud, surface_, plan_.density(), options, executor);
+    pooled_.assign(cloud, surface_, plan_.density(), is_thinned ? kLeastSpacing : 1, options,
+                   executor);
     points_ = &pooled_;
   } else if (is_thinned) {
     thinned_.assign(cloud, plan_.density());

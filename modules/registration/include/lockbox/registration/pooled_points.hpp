@@ -27,11 +27,12 @@ class PooledPoints : public PointTiles {
   PooledPoints(PooledPoints&&) noexcept;
   PooledPoints& operator=(PooledPoints&&) noexcept;
 
-  /// Blocks are as large as faces allow, from a cell of the density down to its spacing; a block of
-  /// its spacing that shows more than one face gives the pixel in its middle. The cloud must have
+  /// Blocks are as large as faces allow, from a cell of the density down to its spacing, or to
+  /// least_spacing pixels of the view; one of the smallest that shows more than one face gives the
+  /// pixel in its middle. The cloud must have
   /// an image, all of it (TiledCloud::is_masked), seen by the camera that the surface is seen by.
   void assign(const TiledCloud& cloud, const VisibleSurface& surface,
-              const SamplingDensity& density, const RegistrationOptions& options,
+              const SamplingDensity& density, int least_spacing, const RegistrationOptions& options,
               const Executor& executor);
 
  private:
