@@ -8,6 +8,7 @@
 #include "hwy/foreach_target.h"
 // After foreach_target, which includes this file once for each instruction set.
 #include "hwy/highway.h"
+#include "label_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
@@ -54,16 +55,12 @@ void find_flat_in_row(const DepthRows& depths, const LabelRows& labels, std::siz
                       std::size_t end, float bend, std::uint8_t* flat) {
   for_columns(first, end, [&](auto df, std::size_t u) HWY_ATTR {
     const hn::Rebind<std::int16_t, decltype(df)> ds;
-    const auto label = hn::LoadU(ds, labels.here + u);
-    const auto other = [&](const std::int16_t* neighbour)
-                           HWY_ATTR { return hn::Xor(label, hn::LoadU(ds, neighbour)); };
-    const auto others = hn::Or(hn::Or(other(labels.here + u - 1), other(labels.here + u + 1)),
-                               hn::Or(other(labels.above + u), other(labels.below + u)));
     const hn::RebindToSigned<decltype(df)> di;
-    const auto is_one_body = hn::And(hn::Eq(hn::PromoteTo(di, others), hn::Zero(di)),
-                                     hn::Gt(hn::PromoteTo(di, label), hn::Set(di, -1)));
-    store_bytes(df, hn::And(is_plane(df, depths, u, bend), hn::RebindMask(df, is_one_body)),
-                flat + (u - first));
+    const auto shows_body =
+        hn::Gt(hn::PromoteTo(di, hn::LoadU(ds, labels.here + u)), hn::Set(di, -1));
+    const auto is_one_body =
+        hn::AndNot(shows_others_beside(df, labels, u), hn::RebindMask(df, shows_body));
+    store_bytes(df, hn::And(is_plane(df, depths, u, bend), is_one_body), flat + (u - first));
   });
 }
 

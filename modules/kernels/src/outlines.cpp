@@ -9,6 +9,7 @@
 #include "hwy/foreach_target.h"
 // After foreach_target, which includes this file once for each instruction set.
 #include "hwy/highway.h"
+#include "label_rows-inl.hpp"
 #include "pull_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -58,15 +59,7 @@ std::size_t find_edges_in_row(const DepthRows& depths, const LabelRows& labels, 
     };
     const auto bends = hn::Or(has_relief(depths.here + u - 1, depths.here + u + 1),
                               has_relief(depths.above + u, depths.below + u));
-    const hn::Rebind<std::int16_t, decltype(df)> ds;
-    const auto label = hn::LoadU(ds, labels.here + u);
-    const auto other = [&](const std::int16_t* neighbour)
-                           HWY_ATTR { return hn::Xor(label, hn::LoadU(ds, neighbour)); };
-    const auto others = hn::Or(hn::Or(other(labels.here + u - 1), other(labels.here + u + 1)),
-                               hn::Or(other(labels.above + u), other(labels.below + u)));
-    const hn::RebindToSigned<decltype(df)> di;
-    const auto ends = hn::Ne(hn::PromoteTo(di, others), hn::Zero(di));
-    return hn::Or(bends, hn::RebindMask(df, ends));
+    return hn::Or(bends, shows_others_beside(df, labels, u));
   };
   return collect(first, end, edges, columns);
 }

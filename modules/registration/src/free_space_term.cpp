@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image_tile.hpp"
 #include "lockbox/registration/rigid_motion.hpp"
 #include "observed_surface.hpp"
 #include "outline.hpp"
@@ -24,29 +25,6 @@ double gaussian_share(double residual, double inverse_variance, double cut) {
 }
 
 constexpr double kAnyDirection = 1.0 / 3.0;  // of a random unit vector's square, along each axis
-
-/// Of the cloud.
-std::size_t tile_of(const Pixel& pixel, const PinholeCamera& camera) {
-  const int columns = (camera.width + kTileSize - 1) / kTileSize;
-  return static_cast<std::size_t>(pixel.v / kTileSize * columns + pixel.u / kTileSize);
-}
-
-/// Pulls of outline points of one body to where the camera saw them.
-void append_sightings(std::span<const OutlinePoint> points, const Eigen::Isometry3d& T_camera_body,
-                      const PinholeCamera& camera, const ObservedOutline& observed,
-                      std::vector<FreeSpacePull>& pulls) {
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (!observed.is_seen(k)) continue;
-    const OutlinePoint& point = points[k];
-    const Eigen::Vector3d expected = T_camera_body * point.p_body;
-    const auto pixel = camera.pixel_of(expected);
-    if (!pixel) continue;
-    const Eigen::Vector3d normal = T_camera_body.linear() * point.normal_body;
-    pulls.push_back({point.p_body, expected + observed.offset_of(k) * normal, normal,
-                     observed.variance_of(k), kNormalVariance, point.pixels, point.body,
-                     tile_of(*pixel, camera)});
-  }
-}
 
 /// Selects and aims the pulls of samples away from outlines.
 class PullFinder {
@@ -186,27 +164,6 @@ void FreeSpaceTerm::append_chunk_pulls(std::size_t chunks) {
   for (std::size_t i = 0; i < chunks; ++i) {
     pulls_.insert(pulls_.end(), chunk_pulls_[i].begin(), chunk_pulls_[i].end());
   }
-}
-
-/// Towards where the camera saw them.
-void FreeSpaceTerm::aim_outlines(const Scene& scene, const BodyPoses& T_camera_body,
-                                 double spread) {
-  chunk_pulls_.resize(std::max(chunk_pulls_.size(), scene.outlines.bands()));
-  observed_outlines_.resize(static_cast<std::size_t>(scene.executor.threads()) + 1);
-  scene.executor.for_each(scene.outlines.bands(), [&](std::size_t i) {
-    ObservedOutline& observed = observed_outlines_[Executor::worker()];
-    chunk_pulls_[i].clear();
-    for (std::span<const OutlinePoint> rest(scene.outlines.band(i)); !rest.empty();) {
-      const int body = rest.front().body;
-      const auto end = std::find_if(rest.begin(), rest.end(),
-                                    [body](const OutlinePoint& p) { return p.body != body; });
-      const auto own = rest.first(static_cast<std::size_t>(end - rest.begin()));
-      rest = rest.subspan(own.size());
-      const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(body)];
-      observed.look(own, T, scene.cloud, scene.options, spread);
-      append_sightings(own, T, scene.cloud.camera(), observed, chunk_pulls_[i]);
-    }
-  });
 }
 
 /// Which samples the camera sees through, chunk by chunk.
