@@ -99,7 +99,7 @@ class TrackCommand : public Command {
         ->check(positive());
     options
         .add_option("--point-budget", registration.point_budget,
-                    "Points used a frame, about, those that tell most; 0: all")
+                    "Points used a frame, at most about, those that tell most; 0: all")
         ->check(not_negative());
     options.add_flag("--fixed-base", registration.fixed_base, "The base does not move");
     options.add_option("--lock-joint", locked_joints_, "Hold this joint (repeatable)")

@@ -14,13 +14,11 @@ namespace {
 constexpr double kNear = 0.015;  // metres from the surface: four deviations of the sensor
 constexpr std::size_t kChunkPoints = 4096;
 
-}  // namespace
-
-LookUpFloor::LookUpFloor(const RegistrationScene& scene, std::size_t points) : scene_(scene) {
-  const auto& fields = scene.model.fields;
-  const View& view = scene.views.front();
-  BodyPoses poses;
-  forward_kinematics(scene.model.tree, view.truth, poses);
+/// Of a view, by body: those that lie nearest to it, in the camera's frame.
+std::vector<std::vector<Eigen::Vector3f>> points_at_bodies(const View& view,
+                                                           const ArticulatedModel& model,
+                                                           const BodyPoses& poses) {
+  const auto& fields = model.fields;
   std::vector<std::vector<Eigen::Vector3f>> by_body(fields.size());
   for (const Tile& tile : view.cloud.tiles()) {
     for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
@@ -28,21 +26,28 @@ LookUpFloor::LookUpFloor(const RegistrationScene& scene, std::size_t points) : s
       std::size_t nearest = fields.size();
       double least = kNear;
       for (std::size_t b = 0; b < fields.size(); ++b) {
+        if (!fields[b]) continue;
         const Eigen::Vector3d p_body = poses[b].inverse() * p.cast<double>();
         const double distance =
-            fields[b]
-                ? std::abs(static_cast<double>(fields[b]->sample(p_body.cast<float>()).distance))
-                : least;
+            std::abs(static_cast<double>(fields[b]->sample(p_body.cast<float>()).distance));
         if (distance < least) {
           least = distance;
           nearest = b;
         }
       }
-      if (nearest < fields.size()) {
-        by_body[nearest].push_back(p);
-      }
+      if (nearest < fields.size()) by_body[nearest].push_back(p);
     }
   }
+  return by_body;
+}
+
+}  // namespace
+
+LookUpFloor::LookUpFloor(const RegistrationScene& scene, std::size_t points) : scene_(scene) {
+  const View& view = scene.views.front();
+  BodyPoses poses;
+  forward_kinematics(scene.model.tree, view.truth, poses);
+  const auto by_body = points_at_bodies(view, scene.model, poses);
   std::size_t found = 0;
   for (const auto& own : by_body) found += own.size();
   points = std::min(points, found);

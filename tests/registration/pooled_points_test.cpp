@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/registration/predicted_view.hpp"
 #include "lockbox/registration/sampling_plan.hpp"
 #include "mechanism.hpp"
 
@@ -94,6 +95,7 @@ TEST_F(PooledPointsTest, MostPixelsOfTheObjectAreInTheMeansOfFewPoints) {
   EXPECT_LT(static_cast<double>(points.valid_points()), 0.15 * on_object);
 }
 
+/// To what is left of depths in whole millimetres.
 TEST_F(PooledPointsTest, MeansLieOnTheFaces) {
   EXPECT_LT(mean_distance(pooled(seen("ideal"), truth)), 5e-5);
 }
@@ -119,7 +121,12 @@ TEST_F(PooledPointsTest, NoiseIsAveraged) {
   const double pixel = std::sqrt(squares / count);
   const PooledPoints points = pooled(cloud, truth);
   EXPECT_LT(mean_distance(points), 0.25 * pixel);
-  for (const Tile& tile : points.tiles()) EXPECT_LT(tile.scatter, 2.0);
+  double scatter = 0.0;
+  for (const Tile& tile : points.tiles()) {
+    EXPECT_LT(tile.scatter, 2.0);
+    scatter += tile.scatter * static_cast<double>(tile.count);
+  }
+  EXPECT_GT(scatter / static_cast<double>(points.valid_points()), 0.1);
 }
 
 TEST_F(PooledPointsTest, WhatStandsBeforeAFaceIsNotPartOfIt) {
@@ -153,6 +160,18 @@ TEST_F(PooledPointsTest, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(again.pooled(), first.pooled());
     ASSERT_EQ(again.tiles().size(), first.tiles().size());
   }
+}
+
+/// Pixels that were left out are still in the image, and must not come back in a mean.
+TEST_F(PooledPointsTest, OfACloudOfWhichSomeWasLeftOutAreNotUsed) {
+  TiledCloud cloud = seen("ideal");
+  PredictedView view(0);
+  view.look_at(cloud, model, truth, 0.0, true, {}, Executor(1));
+  EXPECT_NE(&view.points(), &static_cast<const PointTiles&>(cloud));
+  EXPECT_TRUE(view.has_own_tiles());
+  cloud.keep(std::vector<std::uint8_t>(cloud.depth().size(), 1));
+  view.look_at(cloud, model, truth, 0.0, true, {}, Executor(1));
+  EXPECT_EQ(&view.points(), &static_cast<const PointTiles&>(cloud));
 }
 
 }  // namespace

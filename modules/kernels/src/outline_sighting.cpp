@@ -141,6 +141,48 @@ HWY_INLINE void aim(const OutlineImage& image, const Number p[3], const Number n
   walks.depth = p[2];
 }
 
+/// What outlines at points p, camera's frame, are to the search.
+struct Limits {
+  Number lateral2;  // variance across the ray, m^2
+  Number zone;      // metres along the ray that are no step
+  Number reach;     // metres along the normal that are searched
+  Number last;      // the same in whole pixels
+};
+
+HWY_INLINE Limits limits_of(const OutlineImage& image, const OutlineSearch& search,
+                            const Number steepness, const Walks& walks) {
+  const Number z = walks.depth;
+  const Number lateral2 =
+      square(hn::Mul(constant(search.lateral_pixels / image.focal_length[0]), z));
+  const Number sigma =
+      hn::MulAdd(constant(search.depth_quadratic), square(z), constant(search.depth_floor));
+  const Number blur = hn::Mul(hn::Mul(constant(search.lateral_pixels), steepness), z);
+  const Number reach = hn::Mul(
+      constant(search.cut), hn::Sqrt(hn::Add(lateral2, constant(search.spread * search.spread))));
+  return {lateral2,
+          hn::Mul(constant(search.dead_zone), hn::Sqrt(hn::MulAdd(sigma, sigma, square(blur)))),
+          reach, hn::Ceil(hn::Min(hn::Div(reach, walks.pixel_size), constant(kFarthest)))};
+}
+
+/// Between the last pixel of the surface and the next known one, which shows what lies beyond.
+HWY_INLINE void store(const Walks& walks, const OutlineImage& image, const Limits& limits,
+                      const Found& surface, double* offset, double* variance) {
+  const Tag tag;
+  const Number next = hn::Add(surface.k, constant(1.0));
+  const Mask is_gap = walks.look(image, next, limits.zone).unknown;
+  const Number from = walks.position(surface.k);
+  const Number to = walks.position(hn::IfThenElse(is_gap, hn::Add(next, constant(1.0)), next));
+  const Number gap = hn::Max(hn::Zero(tag), hn::Sub(hn::Sub(to, from), walks.pixel_size));
+  const Number passes = hn::Mul(constant(0.5), hn::Add(from, to));
+  hn::StoreU(
+      hn::IfThenElse(surface.is_wanted, passes, hn::Mul(constant(-kSurelyInside), limits.reach)),
+      tag, offset);
+  const Number whole_variance = hn::MulAdd(hn::IfThenElseZero(surface.is_wanted, square(gap)),
+                                           constant(1.0 / 12.0), limits.lateral2);
+  hn::StoreU(hn::IfThenElseZero(hn::Or(surface.is_wanted, surface.at_end), whole_variance), tag,
+             variance);
+}
+
 void sight(const OutlineSpan& points, std::size_t i, const OutlinePose& camera_from_body,
            const OutlineImage& image, const OutlineSearch& search,
            const OutlineSightings& sightings) {
@@ -155,36 +197,16 @@ void sight(const OutlineSpan& points, std::size_t i, const OutlinePose& camera_f
   Walks walks;
   aim(image, p, n, walks);
   walks.slope = hn::Mul(load(points.slope), walks.pixel_size);
-  const Number lateral2 =
-      square(hn::Mul(constant(search.lateral_pixels / image.focal_length[0]), p[2]));
-  const Number sigma =
-      hn::MulAdd(constant(search.depth_quadratic), square(p[2]), constant(search.depth_floor));
-  const Number blur =
-      hn::Mul(hn::Mul(constant(search.lateral_pixels), load(points.steepness)), p[2]);
-  const Number zone =
-      hn::Mul(constant(search.dead_zone), hn::Sqrt(hn::MulAdd(sigma, sigma, square(blur))));
-  walks.nearer = hn::Add(zone, load(points.rise));
-  const Number reach = hn::Mul(
-      constant(search.cut), hn::Sqrt(hn::Add(lateral2, constant(search.spread * search.spread))));
-  const Number last = hn::Ceil(hn::Min(hn::Div(reach, walks.pixel_size), constant(kFarthest)));
-  const Mask is_in_front = hn::And(hn::Gt(p[2], hn::Zero(tag)), hn::Ge(last, hn::Zero(tag)));
-  const Found beyond = seek<true>(walks, image, hn::Zero(tag), last, 1.0, zone, is_in_front);
+  const Limits limits = limits_of(image, search, load(points.steepness), walks);
+  walks.nearer = hn::Add(limits.zone, load(points.rise));
+  const Number zero = hn::Zero(tag);
+  const Mask is_in_front = hn::And(hn::Gt(p[2], zero), hn::Ge(limits.last, zero));
+  const Found beyond = seek<true>(walks, image, zero, limits.last, 1.0, limits.zone, is_in_front);
   // Halfway to what is seen there, lest noise speaks for one side only.
-  const Number halfway = hn::Min(zone, hn::Mul(constant(0.5), beyond.behind));
+  const Number halfway = hn::Min(limits.zone, hn::Mul(constant(0.5), beyond.behind));
   const Found surface =
-      seek<false>(walks, image, beyond.k, hn::Neg(last), -1.0, halfway, beyond.is_wanted);
-  const Number next = hn::Add(surface.k, constant(1.0));
-  const Mask is_gap = walks.look(image, next, halfway).unknown;
-  const Number from = walks.position(surface.k);
-  const Number to = walks.position(hn::IfThenElse(is_gap, hn::Add(next, constant(1.0)), next));
-  const Number gap = hn::Max(hn::Zero(tag), hn::Sub(hn::Sub(to, from), walks.pixel_size));
-  const Number passes = hn::Mul(constant(0.5), hn::Add(from, to));
-  hn::StoreU(hn::IfThenElse(surface.is_wanted, passes, hn::Mul(constant(-kSurelyInside), reach)),
-             tag, sightings.offset + i);
-  const Number variance = hn::MulAdd(hn::IfThenElseZero(surface.is_wanted, square(gap)),
-                                     constant(1.0 / 12.0), lateral2);
-  hn::StoreU(hn::IfThenElseZero(hn::Or(surface.is_wanted, surface.at_end), variance), tag,
-             sightings.variance + i);
+      seek<false>(walks, image, beyond.k, hn::Neg(limits.last), -1.0, halfway, beyond.is_wanted);
+  store(walks, image, limits, surface, sightings.offset + i, sightings.variance + i);
 }
 
 void sight_all_outlines(const OutlineSpan& points, const OutlinePose& camera_from_body,

@@ -90,6 +90,7 @@ class PooledPoints::Band {
     pixel_.clear();
     tiles_.clear();
     first_ = 0;
+    pixels_ = 0.0;
     squares_ = 0.0;
     bounds_.setEmpty();
   }

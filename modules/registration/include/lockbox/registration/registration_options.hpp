@@ -33,7 +33,8 @@ enum class CollisionMode { off, literal, eroded };
 /// (docs/mathematics.md).
 struct RegistrationOptions {
   int max_iterations = 3;  ///< linearisations
-  /// Points of an image that are used, about, chosen for what they tell; 0: all. A cloud without an
+  /// Points of an image that are used, at most about, chosen for what they tell; 0: all. From a
+  /// prediction, means of pixels where faces are flat, so that few are needed. A cloud without an
   /// image is used whole.
   std::size_t point_budget = 20000;
   SensorNoise noise;
