@@ -19,8 +19,8 @@ constexpr std::size_t kMostRegions = 32;
 /// What scores less is sought with the smaller planes of the finer view, too (kPossible: what is
 /// kept then).
 constexpr double kConvincing = 36.0;
-constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}};
-constexpr Breadth kWide{32, {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 2}};
+constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, false};
+constexpr Breadth kWide{32, {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 2}, true};
 
 PlanarScene planes(const CoarseView& view, double noise) {
   return {view, noise, find_planar_regions(view, noise, kLeastSamples, kMostRegions)};

@@ -135,6 +135,12 @@ void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses, const Bre
     for (int round = 0; round < kRounds; ++round) align_coarsely(0.015, 8, refined.configuration);
     refined.score = judge_closely(refined.configuration, 0.006);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
+    if (!breadth.climbs) return;
+    Hypothesis climbed = hypothesis;
+    climb_far(climbed.configuration);
+    align_coarsely(0.005, 6, climbed.configuration);
+    climbed.score = judge_closely(climbed.configuration, 0.006);
+    if (climbed.score > hypothesis.score) hypothesis = std::move(climbed);
   });
   hypotheses = best_apart(std::move(hypotheses), breadth.posed, levers);
 }
@@ -149,8 +155,7 @@ void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses, const Brea
     refined.score = judge_closely(refined.configuration, kFineSlack);
     // What stands before the object may pull a registration along it, but not a drawing.
     Hypothesis climbed = hypothesis;
-    climb(model.tree, levers, variables, std::span(&score(), 1), Executor(1), kClimbFar,
-          climbed.configuration);
+    climb_far(climbed.configuration);
     climbed.score = judge_closely(climbed.configuration, kFineSlack);
     hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
@@ -234,6 +239,12 @@ void Initializer::Workspace::align_coarsely(double spread, int iterations,
       surroundings.left_out_of(coarse_cloud, configuration, view_noise(), parts[worker]);
   configuration =
       coarse[worker].align(object, configuration, {spread, iterations, hold_joints}).configuration;
+}
+
+/// To where the drawing in the coarse view fits best.
+void Initializer::Workspace::climb_far(Configuration& configuration) {
+  climb(model.tree, levers, variables, std::span(&score(), 1), Executor(1), kClimbFar,
+        configuration);
 }
 
 double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance) {

@@ -27,6 +27,7 @@ struct Breadth {
   Selection matched;
   Selection placed;
   Selection posed;
+  bool climbs;  ///< poses are improved by the drawing, too, before all but the best are left out
 };
 
 /// The memory of the search, and its stages in their order.
@@ -88,6 +89,7 @@ struct Initializer::Workspace {
   void align_exactly(const TiledCloud& cloud, Configuration& configuration);
   void align_coarsely(double spread, int iterations, Configuration& configuration,
                       bool hold_joints = false);
+  void climb_far(Configuration& configuration);
   double judge(const Hypothesis& hypothesis, double slack, double tolerance);
   double judge_closely(const Configuration& configuration, double slack);
   static constexpr double kFineSlack = 0.003;  ///< metres that surfaces may be off at last
