@@ -103,9 +103,8 @@ std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body
   return surfaces_.size() - 1;
 }
 
-void CollisionTerm::evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface,
-                                  int other, double erosion, const Eigen::Isometry3d& T_other_body,
-                                  Half& half) {
+void CollisionTerm::compare(const ArticulatedModel& model, const ErodedSurface& surface, int other,
+                            double erosion, const Eigen::Isometry3d& T_other_body, Half& half) {
   const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(other)];
   half.cost = 0.0;
   half.system = {};
@@ -164,8 +163,8 @@ double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T
                                NormalEquations* equations) {
   if (!stands_at(T_camera_body)) {
     halves_.resize(2 * pairs_.size());
-    executor_.for_each(pairs_.size(),
-                       [&](std::size_t i) { evaluate_pair(model, T_camera_body, i); });
+    executor_.for_each(halves_.size(),
+                       [&](std::size_t i) { evaluate_half(model, T_camera_body, i); });
     evaluated_ = T_camera_body;
   }
   double cost = 0.0;
@@ -191,23 +190,25 @@ bool CollisionTerm::stands_at(const BodyPoses& T_camera_body) const {
                     });
 }
 
-/// a moves against b, in b's frame; and b against a, in a's.
-void CollisionTerm::evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+/// a moves against b, in b's frame; or b against a, in a's.
+void CollisionTerm::evaluate_half(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                                   std::size_t i) {
-  const CollisionPair& pair = pairs_[i];
+  const CollisionPair& pair = pairs_[i / 2];
   const auto a = static_cast<std::size_t>(pair.a);
   const auto b = static_cast<std::size_t>(pair.b);
-  Half& first = halves_[2 * i];
-  Half& second = halves_[2 * i + 1];
-  first.cost = second.cost = 0.0;
+  Half& half = halves_[i];
+  half.cost = 0.0;
   const Eigen::Isometry3d T_b_a = T_camera_body[b].inverse() * T_camera_body[a];
   const Eigen::AlignedBox3d box_a = model.fields[a]->bounds().transformed(T_b_a);
   if (!box_a.intersects(model.fields[b]->bounds())) {
     return;
   }
-  evaluate_half(model, surfaces_[pair_surfaces_[i].first], pair.b, pair.erosion, T_b_a, first);
-  evaluate_half(model, surfaces_[pair_surfaces_[i].second], pair.a, pair.erosion, T_b_a.inverse(),
-                second);
+  const auto& [surface_a, surface_b] = pair_surfaces_[i / 2];
+  if (i % 2 == 0) {
+    compare(model, surfaces_[surface_a], pair.b, pair.erosion, T_b_a, half);
+  } else {
+    compare(model, surfaces_[surface_b], pair.a, pair.erosion, T_b_a.inverse(), half);
+  }
 }
 
 }  // namespace lockbox

@@ -122,16 +122,11 @@ class PullFinder {
 void FreeSpaceTerm::select(const Scene& scene, const BodyPoses& T_camera_body, double spread) {
   lambda_ = scene.options.lambda_free;
   cut_ = scene.options.cut;
-  pulls_.clear();
   collect_seen_through(scene, T_camera_body);
   aim_seen_through(scene, T_camera_body, spread);
-  append_chunk_pulls(scene.samples.chunks().size());
-  first_outline_ = pulls_.size();
   aim_outlines(scene, T_camera_body, spread);
-  append_chunk_pulls(scene.outlines.bands());
-  const std::span<const FreeSpacePull> all(pulls_);
-  seen_through_.assign(all.first(first_outline_), T_camera_body.size());
-  outlines_.assign(all.subspan(first_outline_), T_camera_body.size());
+  seen_through_.finish(T_camera_body.size());
+  outlines_.finish(T_camera_body.size());
 }
 
 /// Towards what the camera saw around them.
@@ -145,25 +140,18 @@ void FreeSpaceTerm::aim_seen_through(const Scene& scene, const BodyPoses& T_came
   }
   const PullFinder finder(scene, T_body_camera_, spread);
   const std::size_t chunks = scene.samples.chunks().size();
-  chunk_pulls_.resize(std::max(chunk_pulls_.size(), chunks));
+  seen_through_.begin(chunks);
   scene.executor.for_each(chunks, [&](std::size_t i) {
     const ViewSamples::Chunk& chunk = scene.samples.chunks()[i];
     const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(chunk.body)];
-    chunk_pulls_[i].clear();
     const std::size_t skipped = (stride - chunk_begins_[i] % stride) % stride;
     for (std::size_t k = skipped; k < chunk_seen_[i].size(); k += stride) {
       const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + chunk_seen_[i][k]);
       if (const auto pull = finder.find(sample, static_cast<double>(stride), T)) {
-        chunk_pulls_[i].push_back(*pull);
+        seen_through_.chunk(i).push_back(*pull);
       }
     }
   });
-}
-
-void FreeSpaceTerm::append_chunk_pulls(std::size_t chunks) {
-  for (std::size_t i = 0; i < chunks; ++i) {
-    pulls_.insert(pulls_.end(), chunk_pulls_[i].begin(), chunk_pulls_[i].end());
-  }
 }
 
 /// Which samples the camera sees through, chunk by chunk.
@@ -229,20 +217,36 @@ kernels::PullLoss FreeSpaceTerm::pull_loss() const {
   return {static_cast<float>(spread2_), static_cast<float>(cut_)};
 }
 
-/// Neighbours mostly follow each other.
 void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
-                                        double outline_weight,
-                                        std::vector<TileSystem>& systems) const {
-  const std::size_t first_system = systems.size();
-  for (std::size_t i = 0; i < pulls_.size(); ++i) {
-    const FreeSpacePull& pull = pulls_[i];
+                                        double outline_weight, const Executor& executor,
+                                        std::vector<TileSystem>& systems) {
+  const auto seen_through = seen_through_.chunks();
+  const auto outlines = outlines_.chunks();
+  const std::size_t chunks = seen_through.size() + outlines.size();
+  chunk_systems_.resize(std::max(chunk_systems_.size(), chunks));
+  executor.for_each(chunks, [&](std::size_t i) {
+    const bool is_outline = i >= seen_through.size();
+    find_tile_systems(is_outline ? outlines[i - seen_through.size()] : seen_through[i],
+                      T_camera_body, first_tile, is_outline ? outline_weight : lambda_,
+                      chunk_systems_[i]);
+  });
+  for (const auto& chunk : std::span(chunk_systems_.data(), chunks)) {
+    systems.insert(systems.end(), chunk.begin(), chunk.end());
+  }
+}
+
+/// Neighbours mostly follow each other.
+void FreeSpaceTerm::find_tile_systems(std::span<const FreeSpacePull> pulls,
+                                      const BodyPoses& T_camera_body, std::size_t first_tile,
+                                      double weight, std::vector<TileSystem>& systems) const {
+  systems.clear();
+  for (const FreeSpacePull& pull : pulls) {
     const std::size_t tile = first_tile + pull.tile;
-    if (systems.size() == first_system || systems.back().tile != tile ||
-        systems.back().body != pull.body || systems.back().pixels != pull.pixels) {
+    if (systems.empty() || systems.back().tile != tile || systems.back().body != pull.body ||
+        systems.back().pixels != pull.pixels) {
       systems.push_back({tile, pull.body, pull.pixels, Matrix6::Zero(), Twist::Zero()});
     }
-    add_to(systems.back(), pull, T_camera_body[static_cast<std::size_t>(pull.body)],
-           i < first_outline_ ? lambda_ : outline_weight);
+    add_to(systems.back(), pull, T_camera_body[static_cast<std::size_t>(pull.body)], weight);
   }
 }
 

@@ -31,15 +31,19 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
     }
   }
   const std::size_t first_tile = view_->has_own_tiles() ? view_->points().tiles().size() : 0;
-  free_term_.append_tile_systems(poses_, first_tile, outline_weight, tile_systems_);
+  free_term_.append_tile_systems(poses_, first_tile, outline_weight, executor_, tile_systems_);
   const Eigen::VectorXd& step = next_step(hold_joints);
   if (moves_.of(step) > surfaces_seen_to_move(camera)) {
     result_.configuration = result_.at_rest;
     return;
   }
   apply_step(step, result_.configuration);
+  body_steps_.resize(jacobians_.size());
+  for (std::size_t b = 0; b < jacobians_.size(); ++b) {
+    body_steps_[b].noalias() = jacobians_[b] * step;
+  }
   for (TileSystem& tile : tile_systems_) {
-    tile.gradient += tile.hessian * (jacobians_[static_cast<std::size_t>(tile.body)] * step).eval();
+    tile.gradient.noalias() += tile.hessian * body_steps_[static_cast<std::size_t>(tile.body)];
   }
 }
 

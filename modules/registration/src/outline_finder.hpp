@@ -36,6 +36,9 @@ class OutlineFinder {
   /// away by more than noise. In memory of the caller's.
   std::span<const std::int32_t> find_jumps(int v, std::vector<std::int32_t>& columns) const;
 
+  /// That the pixel shows.
+  int body(int u, int v) const { return view_.id[view_.index(u, v)]; }
+
   /// What lies beside a pixel that shows a body, if that is an outline.
   std::optional<OutlinePixel> look_beside(int u, int v) const;
 

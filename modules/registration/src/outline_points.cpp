@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <span>
-#include <tuple>
 
 #include "lockbox/kernels/ray_touch.hpp"
 #include "outline_finder.hpp"
@@ -75,18 +75,18 @@ class Band {
   const std::vector<OutlinePoint>& points() const { return points_; }
 
   /// Pixels beside which outlines pass, body by body, in a part of the view.
-  void find_pixels(const OutlineFinder& finder, const ImageWindow& rows) {
-    pixels_.clear();
+  void find_pixels(const OutlineFinder& finder, std::size_t bodies, const ImageWindow& rows) {
+    jumps_.clear();
     for (int v = rows.top; v < rows.bottom(); ++v) {
       for (const std::int32_t u : finder.find_jumps(v, columns_)) {
-        if (const auto pixel = finder.look_beside(u, v)) pixels_.push_back(*pixel);
+        jumps_.push_back({u, v});
       }
     }
-    std::sort(pixels_.begin(), pixels_.end(), [](const OutlinePixel& a, const OutlinePixel& b) {
-      const int column_a = a.u / kColumnsTogether;
-      const int column_b = b.u / kColumnsTogether;
-      return std::tie(a.body, column_a, a.v, a.u) < std::tie(b.body, column_b, b.v, b.u);
-    });
+    bring_together(finder, bodies, rows.right());
+    pixels_.clear();
+    for (const Pixel& jump : sorted_jumps_) {
+      if (const auto pixel = finder.look_beside(jump.u, jump.v)) pixels_.push_back(*pixel);
+    }
   }
 
   void find_points(const OutlineFinder& finder, const ArticulatedModel& model,
@@ -103,9 +103,23 @@ class Band {
   }
 
  private:
-  /// First the normals_ are told by the field, then the points: rays_ that were aimed along the
-  /// normals_ of whole pixels_ would pass the outline at some places more often than at others, and
-  /// these depend on how pixels_ lie.
+  /// Sorts by body, then by groups of columns, within which the order stays.
+  void bring_together(const OutlineFinder& finder, std::size_t bodies, int columns) {
+    const auto groups = static_cast<std::size_t>(columns / kColumnsTogether + 1);
+    const auto group_of = [&](const Pixel& jump) {
+      return static_cast<std::size_t>(finder.body(jump.u, jump.v)) * groups +
+             static_cast<std::size_t>(jump.u / kColumnsTogether);
+    };
+    next_.assign(bodies * groups + 1, 0);
+    for (const Pixel& jump : jumps_) ++next_[group_of(jump) + 1];
+    std::partial_sum(next_.begin(), next_.end(), next_.begin());
+    sorted_jumps_.resize(jumps_.size());
+    for (const Pixel& jump : jumps_) sorted_jumps_[next_[group_of(jump)]++] = jump;
+  }
+
+  /// First the normals are told by the field, then the points: rays that were aimed along the
+  /// normals of whole pixels would pass the outline at some places more often than at others, and
+  /// these depend on how pixels lie.
   void find_points_of_body(const OutlineFinder& finder, std::span<const OutlinePixel> own,
                            const SignedDistanceField& field, const Eigen::Vector3d& camera) {
     rays_.aim(own.size(), camera, [&](std::size_t i) { return finder.beside(own[i]); });
@@ -122,6 +136,9 @@ class Band {
   }
 
   std::vector<std::int32_t> columns_;  ///< of the row that is looked at
+  std::vector<Pixel> jumps_;           ///< row by row
+  std::vector<Pixel> sorted_jumps_;    ///< body by body
+  std::vector<std::size_t> next_;      ///< of them, by body and group of columns
   std::vector<OutlinePixel> pixels_;
   std::vector<Eigen::Vector3d> normals_;  ///< of the outline beside the pixels_ of one body
   TouchingRays rays_;
@@ -151,7 +168,7 @@ void OutlinePoints::collect(const ArticulatedModel& model, const VisibleSurface&
     ImageWindow rows = view.drawn;
     rows.top = std::max({band, 1, view.drawn.top});
     rows.height = std::min({band + kRowsInBand, view.height - 1, view.drawn.bottom()}) - rows.top;
-    bands[i].find_pixels(finder, rows);
+    bands[i].find_pixels(finder, model.fields.size(), rows);
     bands[i].find_points(finder, model, surface.T_body_camera());
   });
 }

@@ -2,6 +2,7 @@
 #include "lockbox/registration/pull_set.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace lockbox {
 namespace {
@@ -10,26 +11,42 @@ constexpr std::size_t kMostInBlock = 256;
 
 }  // namespace
 
-void PullSet::assign(std::span<const FreeSpacePull> pulls, std::size_t bodies) {
-  lay_out(pulls, bodies);
-  for (const FreeSpacePull& pull : pulls) {
-    const std::size_t i = next_[static_cast<std::size_t>(pull.body)]++;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto a = static_cast<Eigen::Index>(axis);
-      arrays_[px + axis][i] = static_cast<float>(pull.p_body[a]);
-      arrays_[tx + axis][i] = static_cast<float>(pull.target[a]);
-      arrays_[dx + axis][i] = static_cast<float>(pull.direction[a]);
-    }
-    arrays_[variance][i] = static_cast<float>(pull.variance);
-    arrays_[direction_variance][i] = static_cast<float>(pull.direction_variance);
-    arrays_[pixels][i] = static_cast<float>(pull.pixels);
-  }
+void PullSet::begin(std::size_t chunks) {
+  count_ = chunks;
+  chunks_.resize(std::max(chunks_.size(), chunks));
+  for (std::vector<FreeSpacePull>& chunk : chunks_) chunk.clear();
 }
 
-/// Makes room for the pulls of each body, and fills it with padding.
-void PullSet::lay_out(std::span<const FreeSpacePull> pulls, std::size_t bodies) {
+std::size_t PullSet::size() const {
+  return std::accumulate(chunks_.begin(), chunks_.end(), std::size_t{0},
+                         [](std::size_t sum, const auto& chunk) { return sum + chunk.size(); });
+}
+
+void PullSet::finish(std::size_t bodies) {
+  lay_out(bodies);
+  for (const std::vector<FreeSpacePull>& chunk : chunks()) {
+    for (const FreeSpacePull& pull : chunk) {
+      const std::size_t i = next_[static_cast<std::size_t>(pull.body)]++;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<Eigen::Index>(axis);
+        arrays_[px + axis][i] = static_cast<float>(pull.p_body[a]);
+        arrays_[tx + axis][i] = static_cast<float>(pull.target[a]);
+        arrays_[dx + axis][i] = static_cast<float>(pull.direction[a]);
+      }
+      arrays_[variance][i] = static_cast<float>(pull.variance);
+      arrays_[direction_variance][i] = static_cast<float>(pull.direction_variance);
+      arrays_[pixels][i] = static_cast<float>(pull.pixels);
+    }
+  }
+  pad();
+}
+
+/// Makes room for the pulls of each body.
+void PullSet::lay_out(std::size_t bodies) {
   next_.assign(bodies, 0);
-  for (const FreeSpacePull& pull : pulls) ++next_[static_cast<std::size_t>(pull.body)];
+  for (const std::vector<FreeSpacePull>& chunk : chunks()) {
+    for (const FreeSpacePull& pull : chunk) ++next_[static_cast<std::size_t>(pull.body)];
+  }
   blocks_.clear();
   std::size_t end = 0;
   for (std::size_t body = 0; body < bodies; ++body) {
@@ -41,8 +58,18 @@ void PullSet::lay_out(std::span<const FreeSpacePull> pulls, std::size_t bodies) 
     }
     end += padded;
   }
-  for (std::vector<float>& array : arrays_) array.assign(end, 0.0F);
-  arrays_[variance].assign(end, 1.0F);
+  for (std::vector<float>& array : arrays_) array.resize(end);
+}
+
+/// What is left of each body's last lanes weighs nothing.
+void PullSet::pad() {
+  for (const std::size_t first : next_) {
+    const std::size_t count = kernels::padded(first) - first;
+    for (std::vector<float>& array : arrays_) {
+      std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0F);
+    }
+    std::fill_n(arrays_[variance].begin() + static_cast<std::ptrdiff_t>(first), count, 1.0F);
+  }
 }
 
 kernels::PullSpan PullSet::span(const Block& block) const {

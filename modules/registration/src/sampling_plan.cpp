@@ -27,6 +27,7 @@ struct Spacing {
     return along * along;
   }
 };
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 constexpr std::uint8_t kCoarsest = kCell;
 /// What more samples are spent on, in order.
 constexpr std::array<Spacing, 7> kSpacings{
@@ -75,11 +76,22 @@ void SamplingPlan::plan(const RenderedDepth& view, int scale, double fx, double 
   spend(budget);
 }
 
+void SamplingPlan::add_edge(std::uint32_t first_cell, int column, std::int16_t body, Band& band) {
+  std::size_t& latest = band.latest[static_cast<std::size_t>(column)];
+  if (latest < band.edges.size() && band.edges[latest].body == body) {
+    ++band.edges[latest].pixels;
+    return;
+  }
+  latest = band.edges.size();
+  band.edges.push_back({first_cell + static_cast<std::uint32_t>(column), body, 1});
+}
+
 /// Where bodies end, and where their depth bends: there the view is drawn, or right beside. An edge
 /// at the border of the image is seen from within.
 void SamplingPlan::find_edges(const RenderedDepth& view, std::size_t row_of_cells) {
   Band& band = bands_[row_of_cells];
   band.edges.clear();
+  band.latest.assign(static_cast<std::size_t>(density_.columns), kNone);
   band.nearest = std::numeric_limits<float>::infinity();
   const ImageWindow& drawn = view.drawn;
   const int first = static_cast<int>(row_of_cells) * kCell;
@@ -99,8 +111,7 @@ void SamplingPlan::find_edges(const RenderedDepth& view, std::size_t row_of_cell
     }
     for (const int u : edges_in_row(view, v, first_column, end_column, band.columns)) {
       shows_model[u / kCell] = 1;
-      band.edges.push_back(
-          {first_cell + static_cast<std::uint32_t>(u / kCell), body_at(view, u, v)});
+      add_edge(first_cell, u / kCell, body_at(view, u, v), band);
       band.nearest = std::min(band.nearest, view.depth[view.index(u, v)]);
     }
   }
@@ -110,19 +121,20 @@ void SamplingPlan::find_edges(const RenderedDepth& view, std::size_t row_of_cell
 void SamplingPlan::score_cells() {
   edges_of_body_.clear();
   for (const Band& band : bands_) {
-    for (const Edge& edge : band.edges) {
-      const auto body = static_cast<std::size_t>(edge.body);
+    for (const Edges& edges : band.edges) {
+      const auto body = static_cast<std::size_t>(edges.body);
       if (body >= edges_of_body_.size()) edges_of_body_.resize(body + 1, 0);
-      ++edges_of_body_[body];
+      edges_of_body_[body] += edges.pixels;
     }
   }
   scores_.assign(shows_model_.size(), 0.0F);
   edge_cells_.clear();
   for (const Band& band : bands_) {
-    for (const Edge& edge : band.edges) {
-      if (scores_[edge.cell] == 0.0F) edge_cells_.push_back(edge.cell);
-      scores_[edge.cell] +=
-          1.0F / static_cast<float>(edges_of_body_[static_cast<std::size_t>(edge.body)]);
+    for (const Edges& edges : band.edges) {
+      if (scores_[edges.cell] == 0.0F) edge_cells_.push_back(edges.cell);
+      scores_[edges.cell] +=
+          static_cast<float>(edges.pixels) /
+          static_cast<float>(edges_of_body_[static_cast<std::size_t>(edges.body)]);
     }
   }
 }

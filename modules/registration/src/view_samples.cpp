@@ -56,10 +56,15 @@ void ViewSamples::lay_out(std::size_t bodies) {
       chunks_.push_back(
           {static_cast<int>(body), end + begin, std::min(kMostInChunk, count - begin)});
     }
-    end += kernels::padded(count);
+    const std::size_t padded = kernels::padded(count);
+    for (auto* axis : {&x_, &y_, &z_}) {
+      axis->resize(std::max(axis->size(), end + padded));
+      std::fill_n(axis->begin() + static_cast<std::ptrdiff_t>(end + count), padded - count,
+                  kernels::kPadding);
+    }
+    end += padded;
   }
-  for (auto* axis : {&x_, &y_, &z_}) axis->assign(end, kernels::kPadding);
-  places_.resize(end);
+  places_.resize(std::max(places_.size(), end));
 }
 
 void ViewSamples::place(const VisibleSurface& surface, Row& row) {

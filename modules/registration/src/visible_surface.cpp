@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kRowsPerChunk = 16;
 constexpr std::size_t kColumnsPerChunk = 64;
-constexpr std::size_t kTilesPerChunk = 64;
+constexpr std::size_t kTilesPerChunk = 8;
 constexpr std::uint8_t kFarthest = 255;
 constexpr float kFarthestLabel = -1.0F - kFarthest;
 

@@ -147,6 +147,7 @@ class ArticulatedRegistration {
   std::vector<std::optional<JointSighting>> sightings_;  ///< by variable
   CovarianceEstimator covariance_;
   std::vector<TileSystem> tile_systems_;
+  std::vector<Twist> body_steps_;  ///< what the last step moves each body by
   AgreementMeter agreement_;
 };
 

@@ -58,9 +58,9 @@ class CollisionTerm {
                 const BodyPoses& rest, int a, int b);
   std::size_t surface_index(const ArticulatedModel& model, int body, double erosion);
   bool stands_at(const BodyPoses& T_camera_body) const;
-  void evaluate_pair(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i);
-  void evaluate_half(const ArticulatedModel& model, const ErodedSurface& surface, int other,
-                     double erosion, const Eigen::Isometry3d& T_other_body, Half& half);
+  void evaluate_half(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i);
+  void compare(const ArticulatedModel& model, const ErodedSurface& surface, int other,
+               double erosion, const Eigen::Isometry3d& T_other_body, Half& half);
   void add_sample(const SignedDistanceField& field, const Eigen::AlignedBox3f& box,
                   const Eigen::Isometry3f& T_other_body, const ErodedSurface::Sample& sample,
                   float erosion, Half& half) const;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lockbox/registration/observed_outline.hpp"
@@ -52,18 +53,21 @@ class FreeSpaceTerm {
   /// Appends what each pull of the last linearisation had to say, with outlines so many times.
   /// first_tile: number of the first tile of the image among the tiles of the systems.
   void append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
-                           double outline_weight, std::vector<TileSystem>& systems) const;
+                           double outline_weight, const Executor& executor,
+                           std::vector<TileSystem>& systems);
 
-  std::size_t pulled_samples() const { return pulls_.size(); }
+  std::size_t pulled_samples() const { return seen_through_.size() + outlines_.size(); }
 
  private:
   void collect_seen_through(const Scene& scene, const BodyPoses& T_camera_body);
   void aim_seen_through(const Scene& scene, const BodyPoses& T_camera_body, double spread);
   void aim_outlines(const Scene& scene, const BodyPoses& T_camera_body, double spread);
-  void append_chunk_pulls(std::size_t chunks);
   void add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
                    std::vector<BodySystem>& systems) const;
   kernels::PullLoss pull_loss() const;
+  void find_tile_systems(std::span<const FreeSpacePull> pulls, const BodyPoses& T_camera_body,
+                         std::size_t first_tile, double weight,
+                         std::vector<TileSystem>& systems) const;
   void add_to(TileSystem& system, const FreeSpacePull& pull, const Eigen::Isometry3d& T_camera_body,
               double weight) const;
 
@@ -73,11 +77,9 @@ class FreeSpaceTerm {
   double spread2_ = 0.0;                                ///< m^2, of the last linearisation
   std::vector<std::vector<std::uint32_t>> chunk_seen_;  ///< seen through: numbers within the chunk
   std::vector<std::size_t> chunk_begins_;               ///< how many before each chunk; all
-  std::vector<std::vector<FreeSpacePull>> chunk_pulls_;
-  std::vector<FreeSpacePull> pulls_;
-  std::size_t first_outline_ = 0;  ///< of pulls_; before it, what is seen through
-  PullSet seen_through_;
-  PullSet outlines_;
+  PullSet seen_through_;                                ///< by chunks of samples
+  PullSet outlines_;                                    ///< by bands of outlines
+  std::vector<std::vector<TileSystem>> chunk_systems_;  ///< of both
   SampleLandings landings_;
   std::vector<ObservedOutline> observed_outlines_;  ///< by worker
 };

@@ -72,7 +72,7 @@ class ModelTerm {
   const Totals& totals() const { return totals_; }
 
  private:
-  static constexpr std::size_t kTilesPerChunk = 16;  // fixed, so that sums do not depend on threads
+  static constexpr std::size_t kTilesPerChunk = 8;  // fixed, so that sums do not depend on threads
   static constexpr std::size_t kPlaneNumbers = 4;
 
   struct Scratch;

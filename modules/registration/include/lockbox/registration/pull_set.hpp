@@ -24,7 +24,7 @@ struct FreeSpacePull {
   std::size_t tile;  ///< of the cloud, that the sample is seen in
 };
 
-/// Reuses its buffers.
+/// Filled chunk by chunk, by whoever finds the pulls. Reuses its buffers.
 class PullSet {
  public:
   /// Pulls of one body, few enough to be summed in single precision.
@@ -34,7 +34,14 @@ class PullSet {
     std::size_t padded;
   };
 
-  void assign(std::span<const FreeSpacePull> pulls, std::size_t bodies);
+  /// So many empty chunks, for pulls to be put into.
+  void begin(std::size_t chunks);
+  std::vector<FreeSpacePull>& chunk(std::size_t i) { return chunks_[i]; }
+  /// Lays out what the chunks contain by now.
+  void finish(std::size_t bodies);
+
+  std::span<const std::vector<FreeSpacePull>> chunks() const { return {chunks_.data(), count_}; }
+  std::size_t size() const;
 
   const std::vector<Block>& blocks() const { return blocks_; }
   kernels::PullSpan span(const Block& block) const;
@@ -42,8 +49,11 @@ class PullSet {
  private:
   enum Number { px, py, pz, tx, ty, tz, dx, dy, dz, variance, direction_variance, pixels, numbers };
 
-  void lay_out(std::span<const FreeSpacePull> pulls, std::size_t bodies);
+  void lay_out(std::size_t bodies);
+  void pad();
 
+  std::vector<std::vector<FreeSpacePull>> chunks_;  ///< more are kept for later
+  std::size_t count_ = 0;                           ///< of them, in use
   std::array<std::vector<float>, numbers> arrays_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> next_;  ///< by body: where its next pull goes

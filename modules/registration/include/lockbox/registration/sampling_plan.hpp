@@ -26,19 +26,22 @@ class SamplingPlan {
   const SamplingDensity& density() const { return density_; }
 
  private:
-  /// A pixel at an edge of that body.
-  struct Edge {
+  /// Pixels of a cell at edges of one body, or some of them.
+  struct Edges {
     std::uint32_t cell;
     std::int16_t body;
+    std::uint16_t pixels;
   };
   /// A row of cells.
   struct Band {
-    std::vector<Edge> edges;
+    std::vector<Edges> edges;
+    std::vector<std::size_t> latest;    ///< of them, by column of cells
     std::vector<std::int32_t> columns;  ///< of the row of pixels in hand: those at edges
     float nearest = 0.0F;               ///< metres, of its edges
   };
 
   void find_edges(const RenderedDepth& view, std::size_t row_of_cells);
+  static void add_edge(std::uint32_t first_cell, int column, std::int16_t body, Band& band);
   void score_cells();
   void mark_cells_beside(int cells);
   void spend(std::size_t budget);

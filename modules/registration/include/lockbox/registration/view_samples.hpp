@@ -25,7 +25,7 @@ struct ViewSample {
 /// Reuses its buffers.
 class ViewSamples {
  public:
-  static constexpr std::size_t kMostInChunk = 1024;
+  static constexpr std::size_t kMostInChunk = 512;
 
   /// Samples of one body: numbers [first, first + count), padded for the kernels.
   struct Chunk {
