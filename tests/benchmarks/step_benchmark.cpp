@@ -60,6 +60,7 @@ BENCHMARK(budgeted_step)
     ->Arg(20000)
     ->Arg(10000)
     ->Arg(5000)
+    ->Arg(1000)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

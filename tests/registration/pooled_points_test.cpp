@@ -165,7 +165,7 @@ TEST_F(PooledPointsTest, AreTheSameForAnyNumberOfThreads) {
 /// Pixels that were left out are still in the image, and must not come back in a mean.
 TEST_F(PooledPointsTest, OfACloudOfWhichSomeWasLeftOutAreNotUsed) {
   TiledCloud cloud = seen("ideal");
-  PredictedView view(0);
+  PredictedView view(0, view_detail(0));
   view.look_at(cloud, model, truth, 0.0, true, {}, Executor(1));
   EXPECT_NE(&view.points(), &static_cast<const PointTiles&>(cloud));
   EXPECT_TRUE(view.has_own_tiles());

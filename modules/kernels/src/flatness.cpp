@@ -33,6 +33,15 @@ HWY_INLINE hn::Mask<D> is_plane(const D df, const DepthRows& depths, const std::
                  is_straight(df, z, depths.above + u, depths.below + u, bend));
 }
 
+/// Of the pixels and their neighbours in row and column.
+template <typename D>
+HWY_INLINE hn::Vec<D> farthest(const D df, const DepthRows& depths, const std::size_t u) {
+  const auto in_row =
+      hn::Max(hn::LoadU(df, depths.here + u - 1), hn::LoadU(df, depths.here + u + 1));
+  const auto in_column = hn::Max(hn::LoadU(df, depths.above + u), hn::LoadU(df, depths.below + u));
+  return hn::Max(hn::LoadU(df, depths.here + u), hn::Max(in_row, in_column));
+}
+
 /// Stores one byte of 0 or 1 for each of the lanes' pixels.
 template <typename D>
 HWY_INLINE void store_bytes(const D /*df*/, const hn::Mask<D> mask, std::uint8_t* bytes) {
@@ -67,10 +76,9 @@ void find_flat_in_row(const DepthRows& depths, const LabelRows& labels, std::siz
 void find_bends_in_row(const DepthRows& depths, std::size_t first, std::size_t end, float bend,
                        std::uint8_t* bends) {
   for_columns(first, end, [&](auto df, std::size_t u) HWY_ATTR {
-    const auto shows_something =
-        hn::Lt(hn::LoadU(df, depths.here + u), hn::Set(df, std::numeric_limits<float>::infinity()));
-    store_bytes(df, hn::AndNot(is_plane(df, depths, u, bend), shows_something),
-                bends + (u - first));
+    const auto show_something =
+        hn::Lt(farthest(df, depths, u), hn::Set(df, std::numeric_limits<float>::infinity()));
+    store_bytes(df, hn::AndNot(is_plane(df, depths, u, bend), show_something), bends + (u - first));
   });
 }
 

@@ -12,6 +12,7 @@ using Index = Eigen::Index;
 
 /// Points that are enough to come near. Of as many as there may be only the last steps tell more.
 constexpr std::size_t kApproachBudget = 3000;
+constexpr ViewDetail kApproachDetail{2 * kApproachBudget, 4, false};
 constexpr double kNearEnough = 0.002;       // metres: what is left is one step, as good as exact
 constexpr int kMostToSettle = 2;            // times the iterations, if more than a step is left
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
@@ -40,8 +41,8 @@ ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
       collision_(model, options, executor),
       low_relief_(model, options, executor),
       edges_(model.tree, options, executor),
-      approach_view_(kApproachBudget),
-      full_view_(options.point_budget),
+      approach_view_(kApproachBudget, kApproachDetail),
+      full_view_(options.point_budget, view_detail(options.point_budget)),
       scale_(step_scale(model.tree)),
       moves_(model.tree) {
   options_.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);

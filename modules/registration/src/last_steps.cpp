@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "lockbox/registration/articulated_registration.hpp"
-#include "lockbox/registration/view_resolution.hpp"
 
 namespace lockbox {
 namespace {
@@ -51,7 +50,7 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
 /// smooth disk has edges, but what they tell about its angle are its facets.
 void ArticulatedRegistration::refine_at_edges(const TiledCloud& cloud, bool hold_joints) {
   if (!options_.refine_at_edges || !cloud.has_image()) return;
-  if (!view_resolution(model_, poses_, cloud.camera(), options_.point_budget).edges) return;
+  if (!view_detail(options_.point_budget).edges) return;
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
   edges_.linearize(cloud, poses_, jacobians_);

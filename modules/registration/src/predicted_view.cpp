@@ -5,7 +5,6 @@
 
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/registration/view_resolution.hpp"
 
 namespace lockbox {
 namespace {
@@ -34,14 +33,14 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   }
   forward_kinematics(model.tree, configuration, poses_);
   const bool is_thinned = point_budget_ > 0;
-  const ViewResolution resolution = view_resolution(model, poses_, cloud.camera(), point_budget_);
-  surface_.render(model, poses_, cloud.camera(), resolution.columns, executor);
+  const int columns = view_columns(detail_.rays, model, poses_, cloud.camera());
+  surface_.render(model, poses_, cloud.camera(), columns, executor);
   plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx, reach,
              is_thinned ? point_budget_ : kViewSamples, executor);
   const bool is_pooled = is_predicted && !cloud.is_masked();
   samples_.collect(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
   if (options.lambda_free > 0.0) {
-    outlines_.collect(model, surface_, resolution.outline_spacing, options, executor);
+    outlines_.collect(model, surface_, detail_.outline_spacing, options, executor);
   }
   if (is_pooled) {
     pooled_.assign(cloud, surface_, plan_.density(), is_thinned ? kLeastSpacing : 1, options,

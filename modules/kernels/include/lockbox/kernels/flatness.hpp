@@ -18,8 +18,8 @@ namespace lockbox::kernels {
 void find_flat(const DepthRows& depths, const LabelRows& labels, std::size_t first, std::size_t end,
                float bend, std::uint8_t* flat);
 
-/// The opposite, whatever bodies are shown: 1 for each pixel that shows something whose 1 / depth
-/// bends by more, also towards where nothing is (an infinite depth).
+/// The opposite, whatever bodies are shown: 1 for each pixel whose 1 / depth bends by more. Where
+/// it or a neighbour shows nothing (an infinite depth), 0.
 void find_bends(const DepthRows& depths, std::size_t first, std::size_t end, float bend,
                 std::uint8_t* bends);
 

@@ -14,6 +14,7 @@
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/sampling_plan.hpp"
 #include "lockbox/registration/surface_moves.hpp"
+#include "lockbox/registration/view_detail.hpp"
 #include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
@@ -23,7 +24,8 @@ namespace lockbox {
 class PredictedView {
  public:
   /// point_budget: points of a cloud that it chooses, about; 0: all of them.
-  explicit PredictedView(std::size_t point_budget) : point_budget_(point_budget) {}
+  PredictedView(std::size_t point_budget, const ViewDetail& detail)
+      : point_budget_(point_budget), detail_(detail) {}
 
   /// Draws the model, and chooses points of the cloud. What lies farther beside the model than
   /// reach (metres) is something else: the wall that it hangs on, the table that it stands on.
@@ -49,6 +51,7 @@ class PredictedView {
 
  private:
   std::size_t point_budget_;
+  ViewDetail detail_;
   bool is_drawn_ = false;
   Configuration configuration_;  ///< as it was drawn
   VisibleSurface surface_;

@@ -60,7 +60,7 @@ struct RegistrationOptions {
   bool sight_low_relief = true;
 
   /// Take a last step by the likelihood of the image at the model's own edges (edge_term.hpp),
-  /// unless the point budget is below 4,000.
+  /// unless the point budget is below 1,000.
   bool refine_at_edges = true;
 
   bool fixed_base = false;

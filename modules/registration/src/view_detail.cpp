@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/registration/view_resolution.hpp"
+#include "lockbox/registration/view_detail.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace lockbox {
 namespace {
 
-struct Step {
-  std::size_t least_budget;
-  ViewResolution resolution;
-};
-constexpr int kFinest = 640;  // columns: one ray a pixel for common sensors
-constexpr std::array<Step, 2> kSteps{{{4000, {320, 1, true}}, {0, {160, 4, false}}}};
+constexpr int kCoarsest = 160;                // columns
+constexpr int kFinest = 640;                  // the same: one ray a pixel for common sensors
 constexpr std::size_t kEnoughPoints = 20000;  // more tell where they are, but nothing of the view
-constexpr double kRaysToPoints = 2.0;
+constexpr std::size_t kRaysToPoints = 2;
+/// With fewer points, which can only be asked for the sake of time, outlines are looked at at every
+/// fourth pixel, and edges not at all.
+constexpr std::size_t kForAccuracy = 1000;
 
 /// Pixels of the rectangle around all that the image may show of the model.
 double pixels_around(const ArticulatedModel& model, const BodyPoses& T_camera_body,
@@ -38,21 +36,25 @@ double pixels_around(const ArticulatedModel& model, const BodyPoses& T_camera_bo
 
 }  // namespace
 
-ViewResolution view_resolution(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                               const PinholeCamera& camera, std::size_t point_budget) {
+ViewDetail view_detail(std::size_t point_budget) {
   const std::size_t points =
       point_budget > 0 ? std::min(point_budget, kEnoughPoints) : kEnoughPoints;
-  ViewResolution chosen = std::find_if(kSteps.begin(), kSteps.end(), [=](const Step& step) {
-                            return points >= step.least_budget;
-                          })->resolution;
+  const std::size_t rays = kRaysToPoints * points;
+  if (points < kForAccuracy) return {rays, 4, false};
+  return {rays, 1, true};
+}
+
+int view_columns(std::size_t rays, const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                 const PinholeCamera& camera) {
   const double pixels = pixels_around(model, T_camera_body, camera);
-  const double wanted = kRaysToPoints * static_cast<double>(points);
-  const auto rays = [&](int columns) {
+  const auto wanted = static_cast<double>(rays);
+  const auto rays_of = [&](int columns) {
     const double share = static_cast<double>(columns) / camera.width;
     return pixels * share * share;
   };
-  while (chosen.columns < kFinest && rays(chosen.columns) < wanted) chosen.columns *= 2;
-  return chosen;
+  int columns = kCoarsest;
+  while (columns < kFinest && rays_of(columns) < wanted) columns *= 2;
+  return columns;
 }
 
 }  // namespace lockbox
