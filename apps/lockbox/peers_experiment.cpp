@@ -31,6 +31,8 @@ class Peers : public Experiment {
         ->check(CLI::Range(2, kPeerFrames));
     options.add_option("--trials", trials_, "Wrong starts of each kind on frame 30")
         ->check(not_negative());
+    options.add_option("--fast-points", fast_points_, "Point budget of the fast setting")
+        ->check(positive());
   }
 
  private:
@@ -58,6 +60,7 @@ class Peers : public Experiment {
     const auto seeds = static_cast<std::size_t>(seeds_);
     Progress progress("peers " + model.tree.name, sequences_.size() * seeds, settings.quiet,
                       "runs");
+    const PeerSetting fast{peer_settings().back().name, fast_points_};
     std::vector<PeerRun> runs;
     std::size_t done = 0;
     for (const PeerSequence& sequence : peer_sequences()) {
@@ -66,7 +69,7 @@ class Peers : public Experiment {
       for (std::size_t i = 0; i < seeds; ++i) {
         const std::uint64_t seed = settings.seed + i;
         const Recording recording = simulate_peer_sequence(model, truth, sequence, seed);
-        for (const PeerSetting& setting : peer_settings()) {
+        for (const PeerSetting& setting : {peer_settings().front(), fast}) {
           runs.push_back(follow_sequence(model, setting, sequence.name, 1, seed, recording));
         }
         if (sequence.name == "moving") add_fast_motion(model, recording, seed, runs);
@@ -115,6 +118,7 @@ class Peers : public Experiment {
   int seeds_ = 5;
   int frames_ = kPeerFrames;
   int trials_ = 20;
+  std::size_t fast_points_ = peer_settings().back().point_budget;
 };
 
 }  // namespace

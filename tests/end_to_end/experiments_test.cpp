@@ -197,9 +197,9 @@ TEST(Accuracy, HasARowForEachUnknownAndContinuesWhereItWasCutOff) {
 
 TEST(Peers, ComparesWithTheFiguresOfTheOtherTracker) {
   const TemporaryFolder folder;
-  const auto summary =
-      run_experiment("peers", "board_door_block", folder / "out",
-                     {"--seeds", "1", "--frames", "6", "--trials", "1", "--sequence", "moving"});
+  const auto summary = run_experiment("peers", "board_door_block", folder / "out",
+                                      {"--seeds", "1", "--frames", "6", "--trials", "1",
+                                       "--sequence", "moving", "--fast-points", "1000"});
   const auto rows = read_rows(folder / "out/peers_board_door_block.csv");
   ASSERT_EQ(rows.size(), 2U * 6U + 3U + 2U);  // all frames twice, every second, every third
   for (const NamedRow& row : rows) {
