@@ -9,6 +9,8 @@
 namespace lockbox {
 namespace {
 
+constexpr int kViewColumns = 320;
+
 void edge_term(benchmark::State& state) {
   const RegistrationScene& scene = shipped_lockbox();
   const View& view = scene.views.front();
@@ -16,8 +18,10 @@ void edge_term(benchmark::State& state) {
   std::vector<BodyJacobian> jacobians;
   forward_kinematics(scene.model.tree, view.truth, poses);
   body_jacobians(scene.model.tree, poses, jacobians);
+  VisibleSurface surface;
+  surface.render(scene.model, poses, view.cloud.camera(), kViewColumns, Executor(1));
   EdgeTerm term(scene.model.tree, {}, Executor(static_cast<int>(state.range(0))));
-  for (auto _ : state) term.linearize(view.cloud, poses, jacobians);
+  for (auto _ : state) term.linearize(view.cloud, surface, kAllTiles, poses, jacobians);
   state.counters["pixels"] = term.pixels();
 }
 

@@ -37,12 +37,15 @@ class LockboxEdges : public ::testing::Test {
     return lockbox::seen(model_, truth_, scene_, number);
   }
 
-  void linearize(EdgeTerm& term, const TiledCloud& cloud, const Configuration& at) const {
-    std::vector<Eigen::Isometry3d> poses;
+  void linearize(EdgeTerm& term, const TiledCloud& cloud, const Configuration& at,
+                 std::size_t tiles_per_joint = kAllTiles, int reduction = 2) const {
+    BodyPoses poses;
     std::vector<BodyJacobian> jacobians;
     forward_kinematics(model_.tree, at, poses);
     body_jacobians(model_.tree, poses, jacobians);
-    term.linearize(cloud, poses, jacobians);
+    VisibleSurface view;
+    view.render(model_, poses, cloud.camera(), cloud.camera().width / reduction, Executor());
+    term.linearize(cloud, view, tiles_per_joint, poses, jacobians);
   }
 
   Eigen::VectorXd step(const EdgeTerm& term) const {
@@ -113,12 +116,44 @@ TEST_F(LockboxEdges, MakeAlignmentsMoreExact) {
 
 TEST_F(LockboxEdges, AreTheSameForAnyNumberOfThreads) {
   const TiledCloud cloud = seen(1);
-  EdgeTerm alone(model_.tree, {}, Executor(1));
-  EdgeTerm three(model_.tree, {}, Executor(3));
-  linearize(alone, cloud, truth_);
-  linearize(three, cloud, truth_);
-  EXPECT_EQ(alone.gradient(), three.gradient());
-  EXPECT_EQ(alone.information(), three.information());
+  for (const std::size_t tiles_per_joint : {kAllTiles, std::size_t{20}}) {
+    EdgeTerm alone(model_.tree, {}, Executor(1));
+    EdgeTerm three(model_.tree, {}, Executor(3));
+    linearize(alone, cloud, truth_, tiles_per_joint);
+    linearize(three, cloud, truth_, tiles_per_joint);
+    EXPECT_EQ(alone.gradient(), three.gradient());
+    EXPECT_EQ(alone.information(), three.information());
+  }
+}
+
+/// They are sought in a view of fewer pixels, whose drawing is not what takes the time.
+TEST_F(LockboxEdges, AreNearlyAllFoundInCoarseViews) {
+  const TiledCloud cloud = seen(0);
+  EdgeTerm term(model_.tree, {}, Executor());
+  linearize(term, cloud, truth_, kAllTiles, 1);
+  const double all = term.pixels();
+  const Eigen::VectorXd told = term.information().diagonal();
+  for (const int reduction : {2, 4}) {
+    linearize(term, cloud, truth_, kAllTiles, reduction);
+    EXPECT_GT(term.pixels(), 0.97 * all) << reduction;
+    EXPECT_GT((term.information().diagonal().array() / told.array()).minCoeff(), 0.95) << reduction;
+  }
+}
+
+TEST_F(LockboxEdges, TellMostOfJointsInFewTiles) {
+  const TiledCloud cloud = seen(0);
+  EdgeTerm term(model_.tree, {}, Executor());
+  linearize(term, cloud, truth_);
+  const double all = term.pixels();
+  const Eigen::ArrayXd told = term.information().diagonal().tail(truth_.q.size());
+  linearize(term, cloud, truth_, 30);
+  const Eigen::ArrayXd by_few = term.information().diagonal().tail(truth_.q.size());
+  EXPECT_LT(term.pixels(), 0.45 * all);
+  EXPECT_GT((by_few / told).minCoeff(), 0.5) << (by_few / told).transpose();
+  // The best ones: twice as many tell less than twice as much.
+  linearize(term, cloud, truth_, 15);
+  const Eigen::ArrayXd by_half = term.information().diagonal().tail(truth_.q.size());
+  EXPECT_GT((by_half / by_few).minCoeff(), 0.55) << (by_half / by_few).transpose();
 }
 
 TEST_F(LockboxEdges, TellNothingWhereNothingIs) {

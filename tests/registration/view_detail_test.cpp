@@ -29,11 +29,13 @@ TEST(ViewDetail, GrowsWithTheBudget) {
 }
 
 TEST(ViewDetail, LeavesEdgesAndOutlinesOutOnlyForTheSakeOfTime) {
-  EXPECT_TRUE(view_detail(0).edges);
+  EXPECT_EQ(view_detail(0).edge_tiles_per_joint, kAllTiles);
   EXPECT_EQ(view_detail(0).outline_spacing, 1);
-  EXPECT_TRUE(view_detail(1000).edges);
+  EXPECT_EQ(view_detail(2000).edge_tiles_per_joint, kAllTiles);
+  EXPECT_GT(view_detail(1000).edge_tiles_per_joint, 0U);
+  EXPECT_LT(view_detail(1000).edge_tiles_per_joint, kAllTiles);
   EXPECT_EQ(view_detail(1000).outline_spacing, 1);
-  EXPECT_FALSE(view_detail(600).edges);
+  EXPECT_EQ(view_detail(600).edge_tiles_per_joint, 0U);
   EXPECT_EQ(view_detail(600).outline_spacing, 4);
 }
 

@@ -15,11 +15,15 @@ HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Calls visit(deviation) for all pixels, many at once; unmeasured ones deviate by -1.
+/// Rows from one to the next that the first mean is taken of: it only tells where the second looks.
+constexpr std::size_t kRowsApart = 4;
+
+/// Calls visit(deviation) for all pixels of these rows, many at once; unmeasured ones deviate by
+/// -1.
 template <typename D, typename Visit>
 HWY_INLINE void for_each_deviation(const D df, const DepthBlock& block, const NearnessPlane& plane,
-                                   const Visit& visit) {
-  for (std::size_t row = 0; row < block.height; ++row) {
+                                   std::size_t rows_apart, const Visit& visit) {
+  for (std::size_t row = 0; row < block.height; row += rows_apart) {
     const float* const depths = block.first + row * block.stride;
     const auto first = hn::Set(df, plane.first + plane.per_row * static_cast<float>(row));
     for (std::size_t column = 0; column < block.width; column += hn::Lanes(df)) {
@@ -40,7 +44,7 @@ PooledDeviation pool_by(const DepthBlock& block, const NearnessPlane& plane, flo
   const auto total = [df](auto lanes) HWY_ATTR { return hn::GetLane(hn::SumOfLanes(df, lanes)); };
   auto count = hn::Zero(df);
   auto sum = hn::Zero(df);
-  for_each_deviation(df, block, plane, [&](auto deviation) HWY_ATTR {
+  for_each_deviation(df, block, plane, kRowsApart, [&](auto deviation) HWY_ATTR {
     const auto is_near = hn::Lt(hn::Abs(deviation), hn::Set(df, reach));
     count = hn::Add(count, hn::IfThenElseZero(is_near, one));
     sum = hn::Add(sum, hn::IfThenElseZero(is_near, deviation));
@@ -51,7 +55,7 @@ PooledDeviation pool_by(const DepthBlock& block, const NearnessPlane& plane, flo
   auto squares = hn::Zero(df);
   count = hn::Zero(df);
   sum = hn::Zero(df);
-  for_each_deviation(df, block, plane, [&](auto deviation) HWY_ATTR {
+  for_each_deviation(df, block, plane, 1, [&](auto deviation) HWY_ATTR {
     const auto off = hn::Sub(deviation, hn::Set(df, center));
     const auto is_near = hn::Lt(hn::Abs(off), hn::Set(df, gate));
     const auto counted = hn::IfThenElseZero(is_near, off);

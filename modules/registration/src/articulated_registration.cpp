@@ -12,7 +12,7 @@ using Index = Eigen::Index;
 
 /// Points that are enough to come near. Of as many as there may be only the last steps tell more.
 constexpr std::size_t kApproachBudget = 3000;
-constexpr ViewDetail kApproachDetail{2 * kApproachBudget, 4, false};
+constexpr ViewDetail kApproachDetail{2 * kApproachBudget, 4, 0};
 constexpr double kNearEnough = 0.002;       // metres: what is left is one step, as good as exact
 constexpr int kMostToSettle = 2;            // times the iterations, if more than a step is left
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew

@@ -85,6 +85,21 @@ bool EdgeTile::add_body(std::int16_t body) {
   return true;
 }
 
+/// Inverse depth is linear in the image of a plane.
+bool EdgeTile::bends(int column, int row, float least) const {
+  constexpr std::size_t kInRow = kernels::kSamplesPerPixel;
+  constexpr std::size_t kInColumn = kernels::kSamplesPerPixel * kernels::kWindowStride;
+  const float* const d =
+      &window_.d[static_cast<std::size_t>(kReach + kSamples * row) * kernels::kWindowStride +
+                 static_cast<std::size_t>(kReach + kSamples * column)];
+  const float left = *(d - kInRow);
+  const float right = *(d + kInRow);
+  const float above = *(d - kInColumn);
+  const float below = *(d + kInColumn);
+  if (std::min({*d, left, right, above, below}) == 0.0F) return false;
+  return std::abs(left + right - 2.0F * *d) > least || std::abs(above + below - 2.0F * *d) > least;
+}
+
 bool EdgeTile::may_show_nothing(int column, int row) const {
   if (!shows_nothing_) return false;
   const auto first_column = static_cast<std::size_t>(kSamples * column);

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,12 +15,6 @@
 
 namespace lockbox {
 
-/// Those of a tile's pixels that measure an edge, row by row.
-struct EdgeTerm::EdgePixels {
-  std::array<std::uint8_t, EdgeTile::kSide * EdgeTile::kSide> cells{};  ///< of the tile
-  std::size_t count = 0;                                                ///< of them
-};
-
 /// The memory of one thread.
 struct EdgeTerm::Worker {
   using Index = Eigen::Index;
@@ -30,7 +23,7 @@ struct EdgeTerm::Worker {
   static constexpr double kFit = 2.0;
 
   Worker(const SensorNoise& sensor, Index unknowns)
-      : row(), samples(), tile(sensor.lateral_pixels), noise(sensor, kSide) {
+      : samples(), tile(sensor.lateral_pixels), noise(sensor, kSide) {
     variables.reserve(static_cast<std::size_t>(unknowns));
   }
 
@@ -90,8 +83,7 @@ struct EdgeTerm::Worker {
     return 6 + variables[static_cast<std::size_t>(column - 6)];
   }
 
-  std::vector<EdgePixels> row;  ///< by tile of a row of tiles
-  RenderedDepth samples;        ///< of neighbouring tiles in it
+  RenderedDepth samples;  ///< of neighbouring tiles in a row
   EdgeTile tile;
   TileNoise noise;
   std::vector<int> variables;  ///< that move anything in the tile

@@ -50,10 +50,11 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
 /// smooth disk has edges, but what they tell about its angle are its facets.
 void ArticulatedRegistration::refine_at_edges(const TiledCloud& cloud, bool hold_joints) {
   if (!options_.refine_at_edges || !cloud.has_image()) return;
-  if (!view_detail(options_.point_budget).edges) return;
+  const std::size_t tiles = view_detail(options_.point_budget).edge_tiles_per_joint;
+  if (tiles == 0) return;
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
-  edges_.linearize(cloud, poses_, jacobians_);
+  edges_.linearize(cloud, view_->surface(), tiles, poses_, jacobians_);
   edge_equations_.information = edges_.information();
   edge_equations_.gradient = edges_.gradient();
   for (Index i = 0; i < scale_.unit.size(); ++i) {

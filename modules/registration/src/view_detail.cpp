@@ -10,9 +10,12 @@ constexpr int kCoarsest = 160;                // columns
 constexpr int kFinest = 640;                  // the same: one ray a pixel for common sensors
 constexpr std::size_t kEnoughPoints = 20000;  // more tell where they are, but nothing of the view
 constexpr std::size_t kRaysToPoints = 2;
-/// With fewer points, which can only be asked for the sake of time, outlines are looked at at every
-/// fourth pixel, and edges not at all.
-constexpr std::size_t kForAccuracy = 1000;
+/// With fewer points, which can only be asked for the sake of time, edges are compared only where
+/// they tell most about joints.
+constexpr std::size_t kForAllEdges = 2000;
+constexpr std::size_t kTilesPerJoint = 30;
+/// With fewer, not at all, and outlines are looked at at every fourth pixel.
+constexpr std::size_t kForEdges = 1000;
 
 /// Pixels of the rectangle around all that the image may show of the model.
 double pixels_around(const ArticulatedModel& model, const BodyPoses& T_camera_body,
@@ -40,8 +43,8 @@ ViewDetail view_detail(std::size_t point_budget) {
   const std::size_t points =
       point_budget > 0 ? std::min(point_budget, kEnoughPoints) : kEnoughPoints;
   const std::size_t rays = kRaysToPoints * points;
-  if (points < kForAccuracy) return {rays, 4, false};
-  return {rays, 1, true};
+  if (points < kForEdges) return {rays, 4, 0};
+  return {rays, 1, points < kForAllEdges ? kTilesPerJoint : kAllTiles};
 }
 
 int view_columns(std::size_t rays, const ArticulatedModel& model, const BodyPoses& T_camera_body,

@@ -6,8 +6,9 @@
 // The likelihood of the measured inverse depths d, chi^2 = r' C^-1 r with r = d -
 // mean(configuration) (edge_tile.hpp, tile_noise.hpp), and its derivative. Only the pixels around
 // edges count, in tiles of 8 x 8 pixels: elsewhere points tell as much, and outlines before
-// anything that is not of the model have an unknown side. Good for the last step: from farther than
-// an edge is blurred, it leads nowhere.
+// anything that is not of the model have an unknown side. Where the tiles are, a coarse view tells
+// (edge_selection.hpp); only they are drawn closely. Good for the last step: from farther than an
+// edge is blurred, it leads nowhere.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,8 +21,11 @@
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/kinematic_tree.hpp"
+#include "lockbox/registration/edge_selection.hpp"
 #include "lockbox/registration/normal_equations.hpp"
 #include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/view_detail.hpp"
+#include "lockbox/registration/visible_surface.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
 
 namespace lockbox {
@@ -33,9 +37,11 @@ class EdgeTerm {
   ~EdgeTerm();
   EdgeTerm(EdgeTerm&&) noexcept;
 
-  /// Draws the model and compares. The cloud must have an image.
-  void linearize(const TiledCloud& cloud, const std::vector<Eigen::Isometry3d>& T_camera_body,
-                 const std::vector<BodyJacobian>& jacobians);
+  /// Compares the image, which the cloud must have, with the model there. view: of the model where
+  /// it is, or very near; tells which tiles show edges. tiles_per_joint: of those that are
+  /// compared, for each variable those that tell most; kAllTiles: all.
+  void linearize(const TiledCloud& cloud, const VisibleSurface& view, std::size_t tiles_per_joint,
+                 const BodyPoses& T_camera_body, const std::vector<BodyJacobian>& jacobians);
 
   /// chi^2 / 2 as a function of a step (base twist, joint variables), at the configuration drawn.
   const Eigen::MatrixXd& information() const { return information_; }
@@ -46,7 +52,6 @@ class EdgeTerm {
   double chi_squared() const { return chi_squared_; }
 
  private:
-  struct EdgePixels;
   struct Worker;
   /// Sums over a row of tiles. Step: base twist in the camera's frame, joint variables, and the
   /// residual as if it were one more.
@@ -54,47 +59,26 @@ class EdgeTerm {
     Eigen::MatrixXd products;
     double pixels = 0.0;
   };
-  /// Whole tiles and a margin around them. Pixels at its border may lie beyond the image.
-  struct Crop {
-    int left, top;  ///< of its first pixel in the image
-    int tile_columns, tile_rows;
-    int width() const;
-    int height() const;
-    std::size_t index(int u, int v) const {
-      return static_cast<std::size_t>(v) * static_cast<std::size_t>(width()) +
-             static_cast<std::size_t>(u);
-    }
-    Pixel pixel(int u, int v) const { return {left + u, top + v}; }
-  };
-
-  bool crop_to_model(const PinholeCamera& camera,
-                     const std::vector<Eigen::Isometry3d>& T_camera_body);
-  void render(const PinholeCamera& camera, const std::vector<Eigen::Isometry3d>& T_camera_body);
-  void draw_samples(int first_tile, int end_tile, int top, RenderedDepth& samples) const;
-  void express_in_camera(const std::vector<Eigen::Isometry3d>& T_camera_body,
+  void prepare(const PinholeCamera& camera, const BodyPoses& T_camera_body);
+  void draw_samples(int first_column, int end_column, int row, RenderedDepth& samples) const;
+  void express_in_camera(const BodyPoses& T_camera_body,
                          const std::vector<BodyJacobian>& jacobians);
-  void find_bends();
-  void select(const TiledCloud& cloud, int left, int top, EdgePixels& pixels) const;
-  void compare(const TiledCloud& cloud, int left, int top, const EdgePixels& pixels,
-               Worker& worker) const;
-  void sum_row(const TiledCloud& cloud, int top, RowSums& sums);
-  void sum_tiles(const TiledCloud& cloud, int first, int end, int top, Worker& worker,
-                 RowSums& sums) const;
+  void sum_row(const TiledCloud& cloud, int row, RowSums& sums);
+  void sum_neighbours(const TiledCloud& cloud, int first_column, int end_column, int row,
+                      Worker& worker, RowSums& sums) const;
+  void compare(const TiledCloud& cloud, const Pixel& first, Worker& worker) const;
   void sum_up(const Eigen::Isometry3d& T_camera_base);
 
   const KinematicTree& tree_;
   RegistrationOptions options_;
   Executor executor_;
-  std::vector<Eigen::AlignedBox3d> boxes_;          ///< by body
-  std::unique_ptr<DepthRenderer> renderer_;         ///< of pixels' centres
+  float least_bend_;  ///< 1/metre: what bends less from pixel to pixel tells nothing
+  EdgeSelection selection_;
   std::unique_ptr<DepthRenderer> sample_renderer_;  ///< of EdgeTile::kSamples samples a pixel
   std::vector<std::unique_ptr<Worker>> workers_;
 
-  Crop crop_{};
   std::vector<RenderItem> items_;
-  RenderedDepth view_;
-  std::vector<std::uint8_t> has_bend_;  ///< by pixel: whether the surface bends or breaks there
-  std::vector<BodyJacobian> screws_;    ///< by body: to its twist in the camera's frame
+  std::vector<BodyJacobian> screws_;         ///< by body: to its twist in the camera's frame
   std::vector<std::vector<int>> variables_;  ///< by body: those that move it
   std::vector<RowSums> rows_;
   Eigen::MatrixXd sum_;

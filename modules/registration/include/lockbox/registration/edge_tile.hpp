@@ -46,6 +46,9 @@ class EdgeTile {
   /// Bodies that the tile shows.
   std::span<const std::int16_t> bodies() const { return {bodies_.data(), body_count_}; }
 
+  /// Whether the inverse depth of the tile's pixel in this column and row bends towards its
+  /// neighbours by more than this (1/metre), or breaks; not if one of them shows nothing.
+  bool bends(int column, int row, float least) const;
   /// Of the tile's pixel in this column and row: whether it may show nothing of the model.
   bool may_show_nothing(int column, int row) const;
 
