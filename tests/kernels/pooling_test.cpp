@@ -61,6 +61,19 @@ TEST_F(PooledDeviationTest, LeaveOutHolesAndWhatStandsBefore) {
   EXPECT_NEAR(found.mean, 0.001F, 1e-6F);
 }
 
+/// Some sensors leave out rows: the first mean must not depend on which.
+TEST_F(PooledDeviationTest, AreOfTheRowsThatAreMeasured) {
+  for (std::size_t kept = 0; kept < 4; ++kept) {
+    measure(0.001F, 0.0F);
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      if (i / kStride % 4 != kept) depths[i] = 0.0F;
+    }
+    const PooledDeviation found = pooled(16, 16);
+    EXPECT_EQ(found.pixels, 4.0F * 16.0F) << kept;
+    EXPECT_NEAR(found.mean, 0.001F, 1e-6F) << kept;
+  }
+}
+
 TEST_F(PooledDeviationTest, OfNothingAreNone) {
   measure(0.1F);
   EXPECT_EQ(pooled(16, 16).pixels, 0.0F);

@@ -16,6 +16,7 @@ namespace lockbox::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Rows from one to the next that the first mean is taken of: it only tells where the second looks.
+/// Of all of them if these show nothing.
 constexpr std::size_t kRowsApart = 4;
 
 /// Calls visit(deviation) for all pixels of these rows, many at once; unmeasured ones deviate by
@@ -35,31 +36,44 @@ HWY_INLINE void for_each_deviation(const D df, const DepthBlock& block, const Ne
   }
 }
 
+struct FirstMean {
+  float pixels;
+  float deviation;
+};
+
+/// Of the pixels within reach of the plane.
+template <typename D>
+FirstMean first_mean(const D df, const DepthBlock& block, const NearnessPlane& plane, float reach,
+                     std::size_t rows_apart) {
+  auto count = hn::Zero(df);
+  auto sum = hn::Zero(df);
+  for_each_deviation(df, block, plane, rows_apart, [&](auto deviation) HWY_ATTR {
+    const auto is_near = hn::Lt(hn::Abs(deviation), hn::Set(df, reach));
+    count = hn::Add(count, hn::IfThenElseZero(is_near, hn::Set(df, 1.0F)));
+    sum = hn::Add(sum, hn::IfThenElseZero(is_near, deviation));
+  });
+  const float pixels = hn::GetLane(hn::SumOfLanes(df, count));
+  return {pixels, hn::GetLane(hn::SumOfLanes(df, sum)) / std::max(pixels, 1.0F)};
+}
+
 /// Lanes: of vectors, at most; divides the block's width.
 template <std::size_t Lanes>
 PooledDeviation pool_by(const DepthBlock& block, const NearnessPlane& plane, float reach,
                         float gate) {
   const hn::CappedTag<float, Lanes> df;
-  const auto one = hn::Set(df, 1.0F);
   const auto total = [df](auto lanes) HWY_ATTR { return hn::GetLane(hn::SumOfLanes(df, lanes)); };
+  FirstMean first = first_mean(df, block, plane, reach, kRowsApart);
+  if (first.pixels == 0.0F) first = first_mean(df, block, plane, reach, 1);
+  if (first.pixels == 0.0F) return {};
+  const float center = first.deviation;
+  auto squares = hn::Zero(df);
   auto count = hn::Zero(df);
   auto sum = hn::Zero(df);
-  for_each_deviation(df, block, plane, kRowsApart, [&](auto deviation) HWY_ATTR {
-    const auto is_near = hn::Lt(hn::Abs(deviation), hn::Set(df, reach));
-    count = hn::Add(count, hn::IfThenElseZero(is_near, one));
-    sum = hn::Add(sum, hn::IfThenElseZero(is_near, deviation));
-  });
-  const float near = total(count);
-  if (near == 0.0F) return {};
-  const float center = total(sum) / near;
-  auto squares = hn::Zero(df);
-  count = hn::Zero(df);
-  sum = hn::Zero(df);
   for_each_deviation(df, block, plane, 1, [&](auto deviation) HWY_ATTR {
     const auto off = hn::Sub(deviation, hn::Set(df, center));
     const auto is_near = hn::Lt(hn::Abs(off), hn::Set(df, gate));
     const auto counted = hn::IfThenElseZero(is_near, off);
-    count = hn::Add(count, hn::IfThenElseZero(is_near, one));
+    count = hn::Add(count, hn::IfThenElseZero(is_near, hn::Set(df, 1.0F)));
     sum = hn::Add(sum, counted);
     squares = hn::MulAdd(counted, counted, squares);
   });
