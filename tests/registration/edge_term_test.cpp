@@ -17,6 +17,18 @@ namespace {
 
 constexpr std::uint64_t kFrames = 12;
 
+/// At this configuration, with the tiles that show edges in a view of it.
+void linearize(EdgeTerm& term, const ArticulatedModel& model, const TiledCloud& cloud,
+               const Configuration& at, std::size_t tiles_per_joint, int reduction = 2) {
+  BodyPoses poses;
+  std::vector<BodyJacobian> jacobians;
+  forward_kinematics(model.tree, at, poses);
+  body_jacobians(model.tree, poses, jacobians);
+  VisibleSurface view;
+  view.render(model, poses, cloud.camera(), cloud.camera().width / reduction, Executor());
+  term.linearize(cloud, view, tiles_per_joint, poses, jacobians);
+}
+
 class LockboxEdges : public ::testing::Test {
  protected:
   LockboxEdges() {
@@ -39,13 +51,7 @@ class LockboxEdges : public ::testing::Test {
 
   void linearize(EdgeTerm& term, const TiledCloud& cloud, const Configuration& at,
                  std::size_t tiles_per_joint = kAllTiles, int reduction = 2) const {
-    BodyPoses poses;
-    std::vector<BodyJacobian> jacobians;
-    forward_kinematics(model_.tree, at, poses);
-    body_jacobians(model_.tree, poses, jacobians);
-    VisibleSurface view;
-    view.render(model_, poses, cloud.camera(), cloud.camera().width / reduction, Executor());
-    term.linearize(cloud, view, tiles_per_joint, poses, jacobians);
+    lockbox::linearize(term, model_, cloud, at, tiles_per_joint, reduction);
   }
 
   Eigen::VectorXd step(const EdgeTerm& term) const {
@@ -154,6 +160,22 @@ TEST_F(LockboxEdges, TellMostOfJointsInFewTiles) {
   linearize(term, cloud, truth_, 15);
   const Eigen::ArrayXd by_half = term.information().diagonal().tail(truth_.q.size());
   EXPECT_GT((by_half / by_few).minCoeff(), 0.55) << (by_half / by_few).transpose();
+}
+
+/// Without joints there is nothing to choose tiles for, and few edges: all are compared.
+TEST(RigidEdges, AreAllComparedForAnyNumberOfTilesAJoint) {
+  const ArticulatedModel& model = shipped("rigid_block");
+  Configuration truth = rest_configuration(model.tree);
+  truth.T_camera_base.translation() << 0.0, 0.0, 0.8;
+  truth.T_camera_base.linear() =
+      Eigen::AngleAxisd(2.4, Eigen::Vector3d(1.0, 0.4, 0.2).normalized()).toRotationMatrix();
+  const TiledCloud cloud = seen(model, truth, wall_behind(0.5));
+  EdgeTerm term(model.tree, {}, Executor());
+  linearize(term, model, cloud, truth, kAllTiles);
+  const Eigen::MatrixXd told = term.information();
+  EXPECT_GT(term.pixels(), 0.0);
+  linearize(term, model, cloud, truth, 30);
+  EXPECT_EQ(term.information(), told);
 }
 
 TEST_F(LockboxEdges, TellNothingWhereNothingIs) {

@@ -21,7 +21,6 @@ constexpr double kLeastBend = 0.1;
 
 constexpr int kSide = EdgeTile::kSide;
 constexpr int kSamples = EdgeTile::kSamples;
-static_assert(kSide == EdgeSelection::kSide);
 
 std::size_t index(const Pixel& pixel, const PinholeCamera& camera) {
   return static_cast<std::size_t>(pixel.v) * static_cast<std::size_t>(camera.width) +
@@ -54,7 +53,7 @@ void EdgeTerm::linearize(const TiledCloud& cloud, const VisibleSurface& view,
   prepare(cloud.camera(), T_camera_body);
   express_in_camera(T_camera_body, jacobians);
   selection_.select(view, cloud.camera(), least_bend_, executor_);
-  if (tiles_per_joint != kAllTiles) {
+  if (tiles_per_joint != kAllTiles && tree_.variables() > 0) {
     const double sigma = options_.noise.depth_quadratic;
     selection_.keep_best(view, screws_, variables_, static_cast<float>(sigma * sigma),
                          tiles_per_joint, executor_);

@@ -10,6 +10,7 @@
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/core/pinhole_camera.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/registration/edge_tile.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
@@ -17,7 +18,7 @@ namespace lockbox {
 /// Reuses its buffers.
 class EdgeSelection {
  public:
-  static constexpr int kSide = 8;  ///< of a tile, pixels of the camera
+  static constexpr int kSide = EdgeTile::kSide;  ///< of a tile, pixels of the camera
 
   /// Tiles in whose pixels the inverse depth of the view bends by more than this (1/metre), or
   /// breaks. camera: that for which the surface was drawn.
@@ -26,8 +27,7 @@ class EdgeSelection {
 
   /// Of them leaves those that tell most about each variable, so many of each.
   /// screws: by body, from a step of all unknowns to its twist in the camera's frame. variables: by
-  /// body, those that move it. variance: of what a pixel
-  /// measures, 1/metre^2.
+  /// body, those that move it. variance: of what a pixel measures, 1/metre^2.
   void keep_best(const VisibleSurface& surface, const std::vector<BodyJacobian>& screws,
                  const std::vector<std::vector<int>>& variables, float variance,
                  std::size_t of_each_variable, const Executor& executor);

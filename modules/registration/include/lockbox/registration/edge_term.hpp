@@ -39,7 +39,7 @@ class EdgeTerm {
 
   /// Compares the image, which the cloud must have, with the model there. view: of the model where
   /// it is, or very near; tells which tiles show edges. tiles_per_joint: of those that are
-  /// compared, for each variable those that tell most; kAllTiles: all.
+  /// compared, for each variable those that tell most; kAllTiles, or without joints: all.
   void linearize(const TiledCloud& cloud, const VisibleSurface& view, std::size_t tiles_per_joint,
                  const BodyPoses& T_camera_body, const std::vector<BodyJacobian>& jacobians);
 
