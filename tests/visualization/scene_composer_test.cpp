@@ -23,11 +23,11 @@ DepthFrame four_pixels() {
 
 class SceneComposerTest : public testing::Test {
  protected:
-  const Scene& compose(const Configuration& configuration, const SceneChoices& choices) {
+  const DisplayedScene& compose(const Configuration& configuration, const SceneChoices& choices) {
     return composer_.compose(&frame_, configuration, "title", choices);
   }
 
-  std::vector<int> color_of(const Scene& scene, std::ptrdiff_t point) const {
+  std::vector<int> color_of(const DisplayedScene& scene, std::ptrdiff_t point) const {
     return {scene.point_rgb.begin() + 3 * point, scene.point_rgb.begin() + 3 * point + 3};
   }
 
@@ -37,7 +37,7 @@ class SceneComposerTest : public testing::Test {
 };
 
 TEST_F(SceneComposerTest, PutsMeasuredPixelsIntoSpace) {
-  const Scene& scene = compose(one_metre_away(), {});
+  const DisplayedScene& scene = compose(one_metre_away(), {});
   ASSERT_THAT(scene.points, SizeIs(3));
   EXPECT_LT((scene.points[2] - Eigen::Vector3f(0.03F, 0.0F, 2.0F)).norm(), 1e-5F);
   EXPECT_THAT(scene.point_rgb, SizeIs(9));
@@ -48,7 +48,7 @@ TEST_F(SceneComposerTest, PutsMeasuredPixelsIntoSpace) {
 TEST_F(SceneComposerTest, ColorsErrorsBlueBeforeRedBehindGreyBeyond) {
   SceneChoices choices;
   choices.errors = true;
-  const Scene& scene = compose(one_metre_away(), choices);
+  const DisplayedScene& scene = compose(one_metre_away(), choices);
   const auto before = color_of(scene, 0);
   const auto behind = color_of(scene, 1);
   const auto beyond = color_of(scene, 2);
@@ -62,7 +62,7 @@ TEST_F(SceneComposerTest, ColorsErrorsBlueBeforeRedBehindGreyBeyond) {
 TEST_F(SceneComposerTest, ShowsTheCloudAloneWhileThePoseIsNotKnown) {
   SceneChoices choices;
   choices.errors = true;
-  const Scene& scene = compose(unknown_configuration(model_.tree), choices);
+  const DisplayedScene& scene = compose(unknown_configuration(model_.tree), choices);
   EXPECT_THAT(scene.points, SizeIs(3));
   EXPECT_THAT(scene.T_camera_body, IsEmpty());
   EXPECT_THAT(scene.scale, IsEmpty());
@@ -94,7 +94,7 @@ TEST_F(SceneComposerTest, SaysHowTheJointsStand) {
   auto configuration = one_metre_away();
   configuration.q = Eigen::VectorXd::Constant(1, 0.0123);
   SceneComposer composer(drawer, "");
-  const Scene& scene = composer.compose(nullptr, configuration, "title", {});
+  const DisplayedScene& scene = composer.compose(nullptr, configuration, "title", {});
   EXPECT_THAT(scene.status, HasSubstr("title\n"));
   EXPECT_THAT(scene.status, HasSubstr("12.3 mm  drawer"));
 }

@@ -37,8 +37,8 @@ class SceneWindowTest : public testing::Test {
     return window;
   }
 
-  static Scene block_at(double x) {
-    Scene scene;
+  static DisplayedScene block_at(double x) {
+    DisplayedScene scene;
     scene.T_camera_body = {Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, 0.5))};
     return scene;
   }
@@ -87,7 +87,7 @@ TEST_F(SceneWindowTest, HidesTheModelWithoutPoses) {
 
 TEST_F(SceneWindowTest, DrawsPointsInTheirColorsBeforeAndBehindTheModel) {
   const auto window = open(false);
-  Scene scene = block_at(0.0);
+  DisplayedScene scene = block_at(0.0);
   scene.point_size = 9.0;
   scene.points = {{0.0F, 0.0F, 0.4F}, {0.03F, 0.0F, 0.6F}, {0.0F, -0.1F, 0.4F}};
   scene.point_rgb = {10, 200, 30, 10, 200, 30, 20, 30, 220};
@@ -101,7 +101,7 @@ TEST_F(SceneWindowTest, DrawsPointsInTheirColorsBeforeAndBehindTheModel) {
 
 TEST_F(SceneWindowTest, TakesPointsOfAnyNumber) {
   const auto window = open(false);
-  Scene scene;
+  DisplayedScene scene;
   for (const std::size_t count : {3U, 0U, 1000U, 1U}) {
     scene.points.assign(count, {0.0F, 0.0F, 0.4F});
     scene.point_rgb.assign(3 * count, 255);

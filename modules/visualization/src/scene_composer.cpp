@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <iomanip>
-#include <numbers>
 #include <sstream>
 
+#include "lockbox/core/units.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/visualization/depth_picture.hpp"
 #include "lockbox/visualization/model_distance.hpp"
@@ -27,7 +27,7 @@ std::string joint_lines(const KinematicTree& tree, const Configuration& configur
     const Joint& joint = tree.joints[static_cast<std::size_t>(j)];
     if (joint.is_mimic) continue;
     const bool slides = joint.type == JointType::prismatic;
-    const double scale = slides ? 1000.0 : 180.0 / std::numbers::pi;
+    const double scale = slides ? kMillimetres : kDegrees;
     lines << '\n'
           << std::setw(8) << scale * joint_position(tree, configuration, j)
           << (slides ? " mm  " : " deg ") << joint.name;
@@ -67,8 +67,10 @@ std::vector<ScenePart> SceneComposer::parts() const {
   return parts;
 }
 
-const Scene& SceneComposer::compose(const DepthFrame* frame, const Configuration& configuration,
-                                    const std::string& title, const SceneChoices& choices) {
+const DisplayedScene& SceneComposer::compose(const DepthFrame* frame,
+                                             const Configuration& configuration,
+                                             const std::string& title,
+                                             const SceneChoices& choices) {
   place_model(configuration);
   const bool is_known = !T_camera_body_.empty();
   const bool with_errors = choices.errors && is_known;

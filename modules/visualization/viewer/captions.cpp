@@ -55,13 +55,13 @@ Captions::Captions(vtkRenderer& renderer) {
   }
 }
 
-void Captions::set(const Scene& scene) {
+void Captions::set(const DisplayedScene& scene) {
   show(*status_, scene.status);
   show(*help_, scene.help);
   set_scale(scene);
 }
 
-void Captions::set_scale(const Scene& scene) {
+void Captions::set_scale(const DisplayedScene& scene) {
   scale_->SetVisibility(scene.scale.empty() ? 0 : 1);
   if (scene.scale.empty()) return;
   vtkNew<vtkLookupTable> table;

@@ -15,10 +15,10 @@ class Captions {
  public:
   explicit Captions(vtkRenderer& renderer);
 
-  void set(const Scene& scene);
+  void set(const DisplayedScene& scene);
 
  private:
-  void set_scale(const Scene& scene);
+  void set_scale(const DisplayedScene& scene);
 
   vtkNew<vtkTextActor> status_;
   vtkNew<vtkTextActor> help_;

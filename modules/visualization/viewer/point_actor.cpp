@@ -35,7 +35,7 @@ PointActor::PointActor(vtkRenderer& renderer) {
   renderer.AddActor(actor_);
 }
 
-void PointActor::set(const Scene& scene) {
+void PointActor::set(const DisplayedScene& scene) {
   const auto count = static_cast<vtkIdType>(scene.points.size());
   if (points_->GetNumberOfPoints() != count) {
     points_->SetNumberOfPoints(count);

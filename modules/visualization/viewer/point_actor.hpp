@@ -17,7 +17,7 @@ class PointActor {
  public:
   explicit PointActor(vtkRenderer& renderer);
 
-  void set(const Scene& scene);
+  void set(const DisplayedScene& scene);
 
  private:
   vtkNew<vtkPoints> points_;

@@ -3,10 +3,10 @@
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
+#include <vtkMath.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace lockbox {
 namespace {
@@ -65,10 +65,10 @@ void VtkWindow::aim() {
   view.SetPosition(camera_.eye.data());
   view.SetFocalPoint(camera_.target.data());
   view.SetViewUp(camera_.up.data());
-  view.SetViewAngle(camera_.view_angle * 180.0 / std::numbers::pi);
+  view.SetViewAngle(vtkMath::DegreesFromRadians(camera_.view_angle));
 }
 
-void VtkWindow::show(const Scene& scene) {
+void VtkWindow::show(const DisplayedScene& scene) {
   points_.set(scene);
   model_.place(scene.T_camera_body, scene.model_opacity);
   captions_.set(scene);

@@ -21,7 +21,7 @@ class VtkWindow : public SceneWindow {
   ~VtkWindow() override;
 
   void look(const SceneCamera& camera) override;
-  void show(const Scene& scene) override;
+  void show(const DisplayedScene& scene) override;
   std::vector<std::string> poll() override;
   bool is_open() const override;
   RgbImage picture() override;

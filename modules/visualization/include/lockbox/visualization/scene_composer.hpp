@@ -40,8 +40,8 @@ class SceneComposer {
 
   /// frame: nothing if it is null. configuration: NaN while the model's pose is not known.
   /// title: the first line of the status. The scene is valid until the next call.
-  const Scene& compose(const DepthFrame* frame, const Configuration& configuration,
-                       const std::string& title, const SceneChoices& choices);
+  const DisplayedScene& compose(const DepthFrame* frame, const Configuration& configuration,
+                                const std::string& title, const SceneChoices& choices);
 
  private:
   void place_model(const Configuration& configuration);
@@ -51,7 +51,7 @@ class SceneComposer {
   const ArticulatedModel& model_;
   std::vector<Eigen::Isometry3d> T_camera_body_;  ///< empty while they are not known
   std::vector<float> distances_;
-  Scene scene_;
+  DisplayedScene scene_;
 };
 
 /// From near the sensor, so that what it sees is in view and shapes can be told apart.

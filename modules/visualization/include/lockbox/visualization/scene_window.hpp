@@ -29,7 +29,7 @@ struct ScaleColor {
 };
 
 /// What a window shows, in the depth camera's optical frame (metres).
-struct Scene {
+struct DisplayedScene {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint8_t> point_rgb;           ///< three bytes a point
   double point_size = 1.0;                       ///< pixels of the window
@@ -58,7 +58,7 @@ class SceneWindow {
   virtual void look(const SceneCamera& camera) = 0;
 
   /// Draws the scene, which may change or go afterwards.
-  virtual void show(const Scene& scene) = 0;
+  virtual void show(const DisplayedScene& scene) = 0;
 
   /// Handles what the user did since the last call (the mouse turns, shifts and zooms the view) and
   /// returns the keys that were pressed, by their names in X11. Does not wait.
