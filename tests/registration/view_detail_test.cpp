@@ -8,7 +8,7 @@
 namespace lockbox {
 namespace {
 
-const PinholeCamera kCamera{640, 480, 575.0, 575.0, 319.5, 239.5};
+const PinholeCamera kSensor{640, 480, 575.0, 575.0, 319.5, 239.5};
 
 /// For the mechanism's plate of 0.4 m at a distance.
 int columns_at(double metres, std::size_t point_budget) {
@@ -17,7 +17,7 @@ int columns_at(double metres, std::size_t point_budget) {
   configuration.T_camera_base.translation() = Eigen::Vector3d(0.0, 0.0, metres);
   BodyPoses poses;
   forward_kinematics(model.tree, configuration, poses);
-  return view_columns(view_detail(point_budget).rays, model, poses, kCamera);
+  return view_columns(view_detail(point_budget).rays, model, poses, kSensor);
 }
 
 TEST(ViewDetail, GrowsWithTheBudget) {
@@ -32,9 +32,10 @@ TEST(ViewDetail, LeavesEdgesAndOutlinesOutOnlyForTheSakeOfTime) {
   EXPECT_EQ(view_detail(0).edge_tiles_per_joint, kAllTiles);
   EXPECT_EQ(view_detail(0).outline_spacing, 1);
   EXPECT_EQ(view_detail(2000).edge_tiles_per_joint, kAllTiles);
+  EXPECT_EQ(view_detail(2000).outline_spacing, 1);
   EXPECT_GT(view_detail(1000).edge_tiles_per_joint, 0U);
   EXPECT_LT(view_detail(1000).edge_tiles_per_joint, kAllTiles);
-  EXPECT_EQ(view_detail(1000).outline_spacing, 1);
+  EXPECT_EQ(view_detail(1000).outline_spacing, 2);
   EXPECT_EQ(view_detail(600).edge_tiles_per_joint, 0U);
   EXPECT_EQ(view_detail(600).outline_spacing, 4);
 }

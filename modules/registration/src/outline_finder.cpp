@@ -15,7 +15,7 @@ namespace {
 constexpr double kVoxelsAside = 4.0;
 constexpr double kFarthestAside = 0.016;  // metres
 constexpr double kPixelsBeyond = 1.5;     // an outline: where something farther away is to be seen
-constexpr double kPixelsOff = 2.0;        // farther from the pixel it is another outline
+constexpr double kFarthestOff = 2.0;      // farther from the pixel it is another outline
 constexpr double kLeastAgreement = 0.5;   // of the field's normal with the z-buffer's: a cosine
 
 /// The part of a vector that is orthogonal to a ray.
@@ -69,24 +69,21 @@ std::optional<OutlinePixel> OutlineFinder::look_beside(int u, int v) const {
   if (in_image.isZero()) {
     return std::nullopt;
   }
-  return OutlinePixel{view_.id[view_.index(u, v)], u, v, plane,
-                      across_ray(camera_.back_project(u, v, here), camera_, in_image)};
+  const Eigen::Vector3d p = camera_.back_project(u, v, here);
+  return OutlinePixel{view_.id[view_.index(u, v)],     u, v, plane, p,
+                      across_ray(p, camera_, in_image)};
 }
 
 Eigen::Vector3d OutlineFinder::beside(const OutlinePixel& pixel) const {
   const auto body = static_cast<std::size_t>(pixel.body);
-  const Eigen::Isometry3d& T_body_camera = surface_.T_body_camera()[body];
-  const Eigen::Vector3d p =
-      T_body_camera * camera_.back_project(pixel.u, pixel.v, depth(pixel.u, pixel.v));
-  return p + aside(pixel) * (T_body_camera.linear() * pixel.outwards);
+  return surface_.T_body_camera()[body] * (pixel.p + aside(pixel) * pixel.outwards);
 }
 
 Eigen::Vector3d OutlineFinder::beside(const OutlinePixel& pixel,
                                       const Eigen::Vector3d& normal) const {
   const auto body = static_cast<std::size_t>(pixel.body);
   const Eigen::Isometry3d& T_body_camera = surface_.T_body_camera()[body];
-  const double here = depth(pixel.u, pixel.v);
-  const Eigen::Vector3d p = T_body_camera * camera_.back_project(pixel.u, pixel.v, here);
+  const Eigen::Vector3d p = T_body_camera * pixel.p;
   return p + aside(pixel) * across(p - T_body_camera.translation(), normal).normalized();
 }
 
@@ -104,7 +101,7 @@ void OutlineFinder::spread(const OutlinePoint& point, std::vector<OutlinePoint>&
 }
 
 double OutlineFinder::aside(const OutlinePixel& pixel) const {
-  const double pixel_size = depth(pixel.u, pixel.v) / camera_.fx;
+  const double pixel_size = pixel.p.z() / camera_.fx;
   const double voxel = model_.fields[static_cast<std::size_t>(pixel.body)]->voxel();
   return pixel_size + std::clamp(kFarthestAside - pixel_size, voxel, kVoxelsAside * voxel);
 }
@@ -119,11 +116,11 @@ std::optional<OutlinePoint> OutlineFinder::point(const OutlinePixel& pixel,
   const Eigen::Vector3d outwards = T_body_camera.linear().transpose() * across_body;
   const Eigen::Vector3d outline = T_body_camera.linear().transpose() * from_camera;
   const Eigen::Vector2d off = camera_.project(outline) - Eigen::Vector2d(pixel.u, pixel.v);
-  if (off.norm() > kPixelsOff || outwards.dot(pixel.outwards) < kLeastAgreement ||
+  if (off.norm() > kFarthestOff || outwards.dot(pixel.outwards) < kLeastAgreement ||
       !stands_out(outline, outwards)) {
     return std::nullopt;
   }
-  const double here = depth(pixel.u, pixel.v);
+  const double here = pixel.p.z();
   return OutlinePoint{touch,
                       across_body.normalized(),
                       pixel.plane.slopes().dot(outwards.head<2>().normalized()) * camera_.fx / here,

@@ -23,6 +23,7 @@ struct OutlinePixel {
   int u;
   int v;
   TangentPlane plane;
+  Eigen::Vector3d p;         ///< the surface in the pixel, camera frame
   Eigen::Vector3d outwards;  ///< normal of the outline as far as pixels tell it, camera frame
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -21,23 +22,22 @@ class TouchingRays {
  public:
   /// beside: where each of them passes the outline closely.
   template <typename Beside>
-  void aim(std::size_t count, const Eigen::Vector3d& origin, const Beside& beside) {
-    origin_ = origin.cast<float>();
+  void pass(std::size_t count, const Beside& beside) {
     for (auto* vectors : {&direction_, &p_, &normal_}) {
       for (auto& axis : *vectors) axis.resize(kernels::padded(count));
     }
-    for (std::size_t i = 0; i < p_[0].size(); ++i) {
-      // What is left of the last lanes repeats the last ray.
-      const Eigen::Vector3d p = beside(std::min(i, count - 1));
-      const Eigen::Vector3d direction = (p - origin).normalized();
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        p_[axis][i] = static_cast<float>(p[static_cast<Eigen::Index>(axis)]);
-        direction_[axis][i] = static_cast<float>(direction[static_cast<Eigen::Index>(axis)]);
-      }
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector3f p = beside(i).template cast<float>();
+      for (std::size_t axis = 0; axis < 3; ++axis) p_[axis][i] = p[static_cast<Eigen::Index>(axis)];
+    }
+    // What is left of the last lanes repeats the last ray.
+    for (auto& axis : p_) {
+      std::fill(axis.begin() + static_cast<std::ptrdiff_t>(count), axis.end(), axis[count - 1]);
     }
   }
 
-  void touch(const SignedDistanceField& field) {
+  void touch(const SignedDistanceField& field, const Eigen::Vector3d& origin) {
+    aim(origin);
     kernels::touch(field.view(),
                    {origin_.data(),
                     {direction_[0].data(), direction_[1].data(), direction_[2].data()},
@@ -46,7 +46,7 @@ class TouchingRays {
                     {normal_[0].data(), normal_[1].data(), normal_[2].data()}});
   }
 
-  /// Only the normals, of the surface nearest to where the rays were aimed.
+  /// Only the normals, of the surface nearest to where the rays pass.
   void find_normals(const SignedDistanceField& field) {
     float* const normals[3] = {normal_[0].data(), normal_[1].data(), normal_[2].data()};
     kernels::surface_normals(field.view(), {p_[0].data(), p_[1].data(), p_[2].data(), p_[0].size()},
@@ -58,6 +58,19 @@ class TouchingRays {
 
  private:
   using ByAxis = std::array<std::vector<float>, 3>;
+
+  void aim(const Eigen::Vector3d& origin) {
+    origin_ = origin.cast<float>();
+    for (std::size_t i = 0; i < p_[0].size(); ++i) {
+      const float x = p_[0][i] - origin_[0];
+      const float y = p_[1][i] - origin_[1];
+      const float z = p_[2][i] - origin_[2];
+      const float scale = 1.0F / std::sqrt(x * x + y * y + z * z);
+      direction_[0][i] = scale * x;
+      direction_[1][i] = scale * y;
+      direction_[2][i] = scale * z;
+    }
+  }
 
   static Eigen::Vector3d vector(const ByAxis& axes, std::size_t i) {
     return Eigen::Vector3f(axes[0][i], axes[1][i], axes[2][i]).cast<double>();
@@ -122,13 +135,10 @@ class Band {
   /// these depend on how pixels lie.
   void find_points_of_body(const OutlineFinder& finder, std::span<const OutlinePixel> own,
                            const SignedDistanceField& field, const Eigen::Vector3d& camera) {
-    rays_.aim(own.size(), camera, [&](std::size_t i) { return finder.beside(own[i]); });
+    rays_.pass(own.size(), [&](std::size_t i) { return finder.beside(own[i]); });
     rays_.find_normals(field);
-    normals_.clear();
-    for (std::size_t i = 0; i < own.size(); ++i) normals_.push_back(rays_.normal(i));
-    rays_.aim(own.size(), camera,
-              [&](std::size_t i) { return finder.beside(own[i], normals_[i]); });
-    rays_.touch(field);
+    rays_.pass(own.size(), [&](std::size_t i) { return finder.beside(own[i], rays_.normal(i)); });
+    rays_.touch(field, camera);
     for (std::size_t i = 0; i < own.size(); ++i) {
       const auto point = finder.point(own[i], rays_.p(i), rays_.normal(i));
       if (point) finder.spread(*point, points_);
@@ -140,7 +150,6 @@ class Band {
   std::vector<Pixel> sorted_jumps_;    ///< body by body
   std::vector<std::size_t> next_;      ///< of them, by body and group of columns
   std::vector<OutlinePixel> pixels_;
-  std::vector<Eigen::Vector3d> normals_;  ///< of the outline beside the pixels_ of one body
   TouchingRays rays_;
   std::vector<OutlinePoint> points_;
 };

@@ -6,12 +6,12 @@
 namespace lockbox {
 namespace {
 
-constexpr int kCoarsest = 160;                // columns
-constexpr int kFinest = 640;                  // the same: one ray a pixel for common sensors
+constexpr int kFewestColumns = 160;           // columns
+constexpr int kMostColumns = 640;             // the same: one ray a pixel for common sensors
 constexpr std::size_t kEnoughPoints = 20000;  // more tell where they are, but nothing of the view
 constexpr std::size_t kRaysToPoints = 2;
 /// With fewer points, which can only be asked for the sake of time, edges are compared only where
-/// they tell most about joints.
+/// they tell most about joints, and outlines are looked at at every other pixel.
 constexpr std::size_t kForAllEdges = 2000;
 constexpr std::size_t kTilesPerJoint = 30;
 /// With fewer, not at all, and outlines are looked at at every fourth pixel.
@@ -44,7 +44,8 @@ ViewDetail view_detail(std::size_t point_budget) {
       point_budget > 0 ? std::min(point_budget, kEnoughPoints) : kEnoughPoints;
   const std::size_t rays = kRaysToPoints * points;
   if (points < kForEdges) return {rays, 4, 0};
-  return {rays, 1, points < kForAllEdges ? kTilesPerJoint : kAllTiles};
+  if (points < kForAllEdges) return {rays, 2, kTilesPerJoint};
+  return {rays, 1, kAllTiles};
 }
 
 int view_columns(std::size_t rays, const ArticulatedModel& model, const BodyPoses& T_camera_body,
@@ -55,8 +56,8 @@ int view_columns(std::size_t rays, const ArticulatedModel& model, const BodyPose
     const double share = static_cast<double>(columns) / camera.width;
     return pixels * share * share;
   };
-  int columns = kCoarsest;
-  while (columns < kFinest && rays_of(columns) < wanted) columns *= 2;
+  int columns = kFewestColumns;
+  while (columns < kMostColumns && rays_of(columns) < wanted) columns *= 2;
   return columns;
 }
 
