@@ -7,6 +7,9 @@ target_compile_features(lockbox_options INTERFACE cxx_std_20)
 target_compile_options(lockbox_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 # GCC 12 sees overlapping copies in `"text" + std::string` that are not there (GCC bug 105651).
 target_compile_options(lockbox_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# Sources that are compiled together (CMAKE_UNITY_BUILD) are taken for headers by this one.
+target_compile_options(lockbox_options INTERFACE
+                       $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 if(LOCKBOX_WARNINGS_AS_ERRORS)
   target_compile_options(lockbox_options INTERFACE -Werror)
 endif()

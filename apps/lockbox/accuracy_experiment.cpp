@@ -13,6 +13,7 @@
 
 #include "experiments.hpp"
 #include "interruption.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "lockbox/evaluation/table.hpp"
 #include "lockbox/evaluation/unknowns.hpp"
@@ -23,9 +24,6 @@
 
 namespace lockbox::app {
 namespace {
-
-constexpr double kMillimetres = 1000.0;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 const std::vector<std::string>& columns() {
   static const std::vector<std::string> names = {"scene", "unknown",    "error",

@@ -5,12 +5,12 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <set>
 
 #include "convergence_runs.hpp"
 #include "experiments.hpp"
 #include "interruption.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/random_draws.hpp"
 #include "option_checks.hpp"
@@ -21,7 +21,6 @@
 namespace lockbox::app {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr double kMetres = 0.01;  // a centimetre
 constexpr int kLargestTranslation = 45;
 constexpr int kLargestRotation = 55;

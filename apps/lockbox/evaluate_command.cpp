@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iomanip>
 #include <iostream>
-#include <numbers>
 
 #include "commands.hpp"
 #include "evaluation_tree.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/report.hpp"
 #include "lockbox/model/articulated_model.hpp"
@@ -14,9 +14,6 @@
 
 namespace lockbox::app {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kMillimetres = 1000.0;
 
 void print_row(const std::string& name, const std::string& unit, double scale,
                const Statistics& errors) {

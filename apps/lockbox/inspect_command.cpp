@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iomanip>
 #include <iostream>
-#include <numbers>
 
 #include "commands.hpp"
 #include "contacts.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/symmetry.hpp"
 #include "lockbox/visualization/model_painter.hpp"
 #include "lockbox/visualization/viewpoint.hpp"
@@ -13,9 +13,6 @@
 
 namespace lockbox::app {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kMillimetres = 1000.0;
 
 std::string type_name(JointType type) {
   switch (type) {

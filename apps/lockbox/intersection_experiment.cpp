@@ -5,9 +5,9 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <numbers>
 
 #include "experiments.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/table.hpp"
@@ -19,10 +19,6 @@
 
 namespace lockbox::app {
 namespace {
-
-constexpr double kFullTurn = 2.0 * std::numbers::pi;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kMillimetres = 1000.0;
 
 /// One model tracked in one mode, against the truth.
 struct ModeRun {

@@ -17,7 +17,7 @@
 namespace lockbox::app {
 namespace {
 
-constexpr int kAllowedFrames = 15;
+constexpr int kFramesToFind = 15;
 
 Table rows_of(const std::vector<KidnapRun>& runs) {
   Table table({"kind", "run", "frame", "status", "searches", "translation", "rotation",
@@ -51,10 +51,10 @@ void print_summary(const std::string& kind, const std::vector<KidnapRun>& runs) 
     const int found = run.frames_to_find();
     if (found == 0) continue;
     frames.push_back(found);
-    in_time += found <= kAllowedFrames ? 1 : 0;
+    in_time += found <= kFramesToFind ? 1 : 0;
   }
   std::cout << '\n'
-            << description(kind) << ": found within " << kAllowedFrames << " frames in " << in_time
+            << description(kind) << ": found within " << kFramesToFind << " frames in " << in_time
             << " of " << own << " runs\n  never found: " << own - static_cast<int>(frames.size());
   if (!frames.empty()) {
     const Statistics statistics = summarize(frames);

@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numbers>
 #include <thread>
 
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/random_draws.hpp"
 #include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr int kFramesCovered = 30;  // a second
 constexpr double kThrown = 0.3;     // metres
-constexpr double kRate = 30.0;      // frames a second
+constexpr double kLiveRate = 30.0;  // frames a second
 constexpr double kPatience = 30.0;  // seconds of a live run
 
 Configuration moved(const Configuration& from, RandomDraws& random) {
@@ -124,16 +123,16 @@ LiveKidnapRun run_live(const ArticulatedModel& model, int number,
     return run.seconds ? next >= kFirstInView + kFramesAfterKidnap : now() > kPatience;
   };
   while (!is_over()) {
-    std::this_thread::sleep_until(start + std::chrono::duration<double>(next / kRate));
-    next = std::max(next, static_cast<int>(now() * kRate));  // a camera does not wait, either
+    std::this_thread::sleep_until(start + std::chrono::duration<double>(next / kLiveRate));
+    next = std::max(next, static_cast<int>(now() * kLiveRate));  // a camera does not wait, either
     DepthFrame frame = recording.frames[frame_shown_at(next)];
-    frame.stamp = next / kRate;
+    frame.stamp = next / kLiveRate;
     const TrackingResult& result = tracker.process(frame);
     if (next >= kFirstInView) {
       run.frames.push_back(compare(model.tree, result, recording.truth.back()));
       const bool is_found =
           result.status == TrackingStatus::tracking && run.frames.back().is_right();
-      if (is_found && !run.seconds) run.seconds = now() - kFirstInView / kRate;
+      if (is_found && !run.seconds) run.seconds = now() - kFirstInView / kLiveRate;
     }
     if (next < kFramesBeforeKidnap) {
       run.usual_latency.push_back(result.latency_ms);

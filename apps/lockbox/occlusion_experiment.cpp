@@ -4,9 +4,9 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <numbers>
 
 #include "experiments.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/run_bounds.hpp"
@@ -18,9 +18,6 @@
 
 namespace lockbox::app {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kMillimetres = 1000.0;
 
 /// The run with the arm and the one without, both counted where the view with the arm determines
 /// an unknown.

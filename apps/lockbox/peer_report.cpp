@@ -7,19 +7,16 @@
 #include <iomanip>
 #include <iostream>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <sstream>
 
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "m3t_figures.hpp"
 #include "peer_scene.hpp"
 
 namespace lockbox::app {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kMillimetres = 1000.0;
 
 using Measure = std::function<double(const PeerFrame&)>;
 

@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "lockbox/core/lie.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/random_draws.hpp"
 
 namespace lockbox::app {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr double kFrameTime = 1.0 / 30.0;  // seconds
 
 TrackerOptions on_one_thread(std::size_t point_budget, bool searches) {

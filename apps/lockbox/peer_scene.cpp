@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "experiment.hpp"
+#include "lockbox/core/units.hpp"
 #include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr double kOpenDoor = 60.0 * kRadians;
 constexpr double kSlide = 0.2;  // metres
 constexpr double kWall = 2.2;   // metres from the camera

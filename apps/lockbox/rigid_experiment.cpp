@@ -5,10 +5,10 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <numbers>
 #include <optional>
 
 #include "experiments.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/table.hpp"
 #include "option_checks.hpp"
@@ -18,7 +18,6 @@
 namespace lockbox::app {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kCentimetres = 100.0;
 constexpr double kLargestStart = 0.9;  // metres
 constexpr double kOutOfView = 0.42;    // how far the box hangs below the usual view, metres

@@ -2,15 +2,13 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <numbers>
 
 #include "experiment.hpp"
+#include "lockbox/core/units.hpp"
 #include "speed_runs.hpp"
 
 namespace lockbox::app {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 const char* text(StepKind kind) {
   return kind == StepKind::base ? "base" : "hinge";

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "experiment.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/random_draws.hpp"
 #include "possible_motion.hpp"
 
 namespace lockbox::app {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr double kRate = 30.0;  // frames a second
 constexpr double kRightShare = 0.98;
 constexpr std::size_t kStillFrames = 10;

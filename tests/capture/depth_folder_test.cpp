@@ -9,16 +9,13 @@
 #include "lockbox/capture/camera_info.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "text_file.hpp"
 
 namespace lockbox {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-}
 
 class DepthFolder : public ::testing::Test {
  protected:

@@ -13,6 +13,7 @@
 #include "lockbox/capture/oni_validator.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "text_file.hpp"
 
 namespace lockbox {
 namespace {
@@ -31,15 +32,6 @@ std::size_t write_frames(const std::filesystem::path& file, std::size_t count,
     frame = synthetic_frame(number++, camera);
     return true;
   });
-}
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file) << text;
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// As long as it lives, files that are written grow no further than this, as on a full disk.

@@ -18,7 +18,7 @@
 namespace lockbox {
 namespace {
 
-const PinholeCamera kCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
+const PinholeCamera kSensor{640, 480, 575.8, 575.8, 319.5, 239.5};
 constexpr double kMargin = 0.2;
 
 const KinematicTree& shipped_lockbox() {
@@ -38,16 +38,16 @@ struct View {
 };
 
 View view_of(const Scene& scene, const State& state) {
-  Simulator simulator(shipped_lockbox(), kCamera, {scene, {state}}, sensor_model("primesense"), 7,
+  Simulator simulator(shipped_lockbox(), kSensor, {scene, {state}}, sensor_model("primesense"), 7,
                       Executor(2));
   DepthFrame frame;
   simulator.simulate(state, 0, frame);
   View view;
   view.cloud.assign(frame, {}, Executor(2));
   // refined(camera, 2): every second sample is a pixel's centre.
-  const int factor = simulator.sample_camera().width == kCamera.width ? 1 : 2;
-  for (int v = 0; v < kCamera.height; ++v) {
-    for (int u = 0; u < kCamera.width; ++u) {
+  const int factor = simulator.sample_camera().width == kSensor.width ? 1 : 2;
+  for (int v = 0; v < kSensor.height; ++v) {
+    for (int u = 0; u < kSensor.width; ++u) {
       const int sample = factor * v * simulator.sample_camera().width + factor * u;
       view.id.push_back(simulator.clean().id[static_cast<std::size_t>(sample)]);
     }
@@ -176,7 +176,7 @@ TEST(ObjectSegmenter, FindsNothingWhereNoObjectIs) {
 
 TEST(ObjectSegmenter, FindsNothingInAFrameWithoutMeasurements) {
   DepthFrame frame;
-  frame.camera = kCamera;
+  frame.camera = kSensor;
   frame.depth.assign(640 * 480, 0);
   TiledCloud cloud;
   cloud.assign(frame, {}, Executor(1));

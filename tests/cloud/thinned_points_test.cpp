@@ -11,27 +11,27 @@
 namespace lockbox {
 namespace {
 
-const PinholeCamera kCamera{100, 70, 80.0, 90.0, 49.0, 34.5};
+const PinholeCamera kSlopeCamera{100, 70, 80.0, 90.0, 49.0, 34.5};
 constexpr int kCell = SamplingDensity::kCellSize;
 
 /// A slope with some holes.
 TiledCloud slope() {
-  std::vector<float> depth(static_cast<std::size_t>(kCamera.width * kCamera.height));
+  std::vector<float> depth(static_cast<std::size_t>(kSlopeCamera.width * kSlopeCamera.height));
   std::mt19937 random(3);
   for (std::size_t i = 0; i < depth.size(); ++i) {
     const bool is_hole = random() % 10 == 0;
     depth[i] = is_hole ? 0.0F : 1.0F + 0.001F * static_cast<float>(i % 100);
   }
   TiledCloud cloud;
-  cloud.assign(kCamera, depth, {}, Executor(1));
+  cloud.assign(kSlopeCamera, depth, {}, Executor(1));
   return cloud;
 }
 
 /// The same spacing everywhere.
 SamplingDensity even(int spacing) {
   SamplingDensity density;
-  density.columns = (kCamera.width + kCell - 1) / kCell;
-  density.rows = (kCamera.height + kCell - 1) / kCell;
+  density.columns = (kSlopeCamera.width + kCell - 1) / kCell;
+  density.rows = (kSlopeCamera.height + kCell - 1) / kCell;
   density.spacing.assign(static_cast<std::size_t>(density.columns * density.rows),
                          static_cast<std::uint8_t>(spacing));
   return density;
@@ -75,8 +75,8 @@ TEST(ThinnedPoints, AreThoseOfAGridThatMayBeFinerInSomeCells) {
   density.spacing[27] = 0;  // columns 8 to 15 of the rows 16 to 23
   const ThinnedPoints points = thinned(cloud, density);
   for (const auto& [pixel, i] : by_pixel(points)) {
-    const auto u = static_cast<int>(pixel) % kCamera.width;
-    const auto v = static_cast<int>(pixel) / kCamera.width;
+    const auto u = static_cast<int>(pixel) % kSlopeCamera.width;
+    const auto v = static_cast<int>(pixel) / kSlopeCamera.width;
     const int spacing = u / kCell == 1 && v / kCell == 0 ? 2 : 4;
     EXPECT_EQ(u % spacing, spacing / 2);
     EXPECT_EQ(v % spacing, spacing / 2);
@@ -95,8 +95,8 @@ TEST(ThinnedPoints, StandForThePixelsBetweenThem) {
   const ThinnedPoints points = thinned(cloud, density);
   for (const Tile& tile : points.tiles()) {
     for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-      const auto u = static_cast<int>(points.pixel()[i]) % kCamera.width;
-      const auto v = static_cast<int>(points.pixel()[i]) / kCamera.width;
+      const auto u = static_cast<int>(points.pixel()[i]) % kSlopeCamera.width;
+      const auto v = static_cast<int>(points.pixel()[i]) / kSlopeCamera.width;
       const auto cell = static_cast<std::size_t>(v / kCell * density.columns + u / kCell);
       EXPECT_EQ(tile.weight, std::pow(density.spacing[cell], 2));
     }
@@ -117,15 +117,16 @@ TEST(ThinnedPoints, AreOnlyThoseThatTheCloudKeeps) {
 TEST(ThinnedPoints, OfAReducedViewAreThePixelsOfItsRays) {
   const TiledCloud cloud = slope();
   SamplingDensity density = even(2);
-  density.columns = (kCamera.width / 2 + kCell - 1) / kCell;
-  density.rows = (kCamera.height / 2 + kCell - 1) / kCell;
+  density.columns = (kSlopeCamera.width / 2 + kCell - 1) / kCell;
+  density.rows = (kSlopeCamera.height / 2 + kCell - 1) / kCell;
   density.scale = 2;
   density.spacing.resize(static_cast<std::size_t>(density.columns * density.rows));
   const ThinnedPoints points = thinned(cloud, density);
   EXPECT_GT(points.valid_points(), 300U);
   for (const auto& [pixel, i] : by_pixel(points)) {
-    EXPECT_EQ(pixel % static_cast<std::uint32_t>(kCamera.width) % 4, 3U);  // of every other column
-    EXPECT_EQ(pixel / static_cast<std::uint32_t>(kCamera.width) % 4, 3U);
+    EXPECT_EQ(pixel % static_cast<std::uint32_t>(kSlopeCamera.width) % 4,
+              3U);  // of every other column
+    EXPECT_EQ(pixel / static_cast<std::uint32_t>(kSlopeCamera.width) % 4, 3U);
   }
   for (const Tile& tile : points.tiles()) EXPECT_EQ(tile.weight, 16.0);
 }

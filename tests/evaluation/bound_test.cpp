@@ -11,7 +11,7 @@
 namespace lockbox {
 namespace {
 
-const PinholeCamera kCamera{64, 48, 60.0, 60.0, 31.5, 23.5};
+const PinholeCamera kSmallCamera{64, 48, 60.0, 60.0, 31.5, 23.5};
 constexpr double kDepth = 1.0;                        // of the plate's front, metres
 constexpr double kThickness = 0.02;                   // of the plate
 constexpr double kNoise = 0.1;                        // of disparity, pixels
@@ -53,7 +53,8 @@ Configuration plate_at(double x, double y) {
 Eigen::MatrixXd information_of(const KinematicTree& tree, const Configuration& configuration,
                                const SensorModel& sensor, std::span<const RenderItem> scenery = {},
                                int threads = 1) {
-  return DepthInformation(tree, kCamera, sensor, Executor(threads)).compute(configuration, scenery);
+  return DepthInformation(tree, kSmallCamera, sensor, Executor(threads))
+      .compute(configuration, scenery);
 }
 
 RenderItem wall(const TriangleMesh& mesh, double depth) {
@@ -125,7 +126,7 @@ TEST(Bound, OfTiltIsThatOfALineFit) {
 // noise.
 TEST(Bound, OfAnEdgeIsThatOfABlurredStep) {
   const double edge = 30.0 + 1.0 / 6.0;  // between two samples
-  const double left = (edge - kCamera.cx) / kCamera.fx * kDepth;
+  const double left = (edge - kSmallCamera.cx) / kSmallCamera.fx * kDepth;
   const KinematicTree tree = sliding_plate(4.0, 4.0);
   const TriangleMesh wall_mesh = make_box({8.0, 8.0, kThickness});
   const std::vector<RenderItem> scenery = {wall(wall_mesh, 1.1)};
@@ -140,7 +141,7 @@ TEST(Bound, OfAnEdgeIsThatOfABlurredStep) {
     const double share = 0.5 * std::erfc(-t / std::sqrt(2.0));
     const double variance =
         kNoise * kNoise + kMillimetre * kMillimetre * 0.9 + step * step * share * (1.0 - share);
-    expected += 48 * std::pow(step * density * kCamera.fx / kDepth, 2) / variance;
+    expected += 48 * std::pow(step * density * kSmallCamera.fx / kDepth, 2) / variance;
   }
   EXPECT_NEAR(information(0, 0), expected, 0.02 * expected);
   EXPECT_NEAR(information(6, 6), information(0, 0), 1e-9 * expected);  // the joint does the same

@@ -13,19 +13,19 @@ namespace lockbox::kernels {
 namespace {
 
 constexpr std::size_t kStride = 20;  // of the image, from row to row
-constexpr std::size_t kRows = 5;
+constexpr std::size_t kImageRows = 5;
 constexpr std::uint32_t kFirstPixel = 47;
 
 class BackProjectionTest : public ::testing::Test {
  protected:
-  BackProjectionTest() : depth(kStride * kRows) {
+  BackProjectionTest() : depth(kStride * kImageRows) {
     for (std::size_t i = 0; i < depth.size(); ++i) {
       depth[i] = i % 7 == 3 || i / kStride == 2 ? 0.0F : 1.0F + 0.01F * static_cast<float>(i);
     }
     for (std::size_t u = 0; u < kMostPatchColumns; ++u) {
       ray_x[u] = -0.3F + 0.1F * static_cast<float>(u);
     }
-    for (std::size_t v = 0; v < kRows; ++v) ray_y[v] = 0.2F - 0.05F * static_cast<float>(v);
+    for (std::size_t v = 0; v < kImageRows; ++v) ray_y[v] = 0.2F - 0.05F * static_cast<float>(v);
   }
 
   /// Also looks whether anything beyond the patch's own slots is written.
@@ -33,9 +33,9 @@ class BackProjectionTest : public ::testing::Test {
     for (auto* axis : {&x, &y, &z}) axis->fill(-5.0F);
     pixel.fill(99999);
     const std::size_t count = back_project(
-        {depth.data(), ray_x.data(), ray_y.data(), kFirstPixel, kStride, columns, kRows},
+        {depth.data(), ray_x.data(), ray_y.data(), kFirstPixel, kStride, columns, kImageRows},
         {x.data(), y.data(), z.data(), pixel.data()}, bounds);
-    for (std::size_t i = columns * kRows; i < x.size(); ++i) {
+    for (std::size_t i = columns * kImageRows; i < x.size(); ++i) {
       EXPECT_EQ(x[i], -5.0F);
       EXPECT_EQ(y[i], -5.0F);
       EXPECT_EQ(z[i], -5.0F);
@@ -47,7 +47,7 @@ class BackProjectionTest : public ::testing::Test {
   void expect_points(std::size_t columns, std::size_t count) const {
     std::size_t next = 0;
     float largest_x = -std::numeric_limits<float>::max();
-    for (std::size_t v = 0; v < kRows; ++v) {
+    for (std::size_t v = 0; v < kImageRows; ++v) {
       for (std::size_t u = 0; u < columns; ++u) {
         const float metres = depth[v * kStride + u];
         if (metres == 0.0F) continue;
@@ -68,9 +68,9 @@ class BackProjectionTest : public ::testing::Test {
 
   std::vector<float> depth;
   std::array<float, kMostPatchColumns> ray_x{};
-  std::array<float, kRows> ray_y{};
-  std::array<float, kMostPatchColumns * kRows + 32> x{}, y{}, z{};
-  std::array<std::uint32_t, kMostPatchColumns * kRows + 32> pixel{};
+  std::array<float, kImageRows> ray_y{};
+  std::array<float, kMostPatchColumns * kImageRows + 32> x{}, y{}, z{};
+  std::array<std::uint32_t, kMostPatchColumns * kImageRows + 32> pixel{};
   PointBounds bounds{};
 };
 
@@ -88,8 +88,8 @@ TEST_F(BackProjectionTest, GivesTheKnownPixelsInOrderWithEveryInstructionSet) {
 
 TEST_F(BackProjectionTest, FillsAPatchWhereAllIsKnown) {
   std::fill(depth.begin(), depth.end(), 1.5F);
-  EXPECT_EQ(project(kMostPatchColumns), kMostPatchColumns * kRows);
-  expect_points(kMostPatchColumns, kMostPatchColumns * kRows);
+  EXPECT_EQ(project(kMostPatchColumns), kMostPatchColumns * kImageRows);
+  expect_points(kMostPatchColumns, kMostPatchColumns * kImageRows);
 }
 
 TEST_F(BackProjectionTest, OfNothingHasEmptyBounds) {

@@ -13,9 +13,9 @@
 namespace lockbox::kernels {
 namespace {
 
-constexpr float kNothing = std::numeric_limits<float>::infinity();
+constexpr float kNoDepth = std::numeric_limits<float>::infinity();
 constexpr float kDepth = 1.2F;
-constexpr float kStep = 0.01F;
+constexpr float kDepthStep = 0.01F;
 
 /// A plane that is seen aslant; what `ends` says lies beyond its outline.
 class OutlinePullTest : public ::testing::Test {
@@ -23,7 +23,7 @@ class OutlinePullTest : public ::testing::Test {
   static constexpr PixelPlane kPlane{kDepth, 0.02F, -0.01F};
 
   template <typename Ends>
-  void draw(const Ends& ends, float beyond = kNothing) {
+  void draw(const Ends& ends, float beyond = kNoDepth) {
     for (int row = 0; row < kPullRows; ++row) {
       for (int column = 0; column < kPullColumns; ++column) {
         const int du = column - kPullReach;
@@ -36,7 +36,7 @@ class OutlinePullTest : public ::testing::Test {
     }
   }
 
-  OutlinePull pull() const { return outline_pull(depths.data(), kPullColumns, kPlane, kStep); }
+  OutlinePull pull() const { return outline_pull(depths.data(), kPullColumns, kPlane, kDepthStep); }
 
   std::array<float, std::size_t{kPullRows} * kPullColumns> depths{};
 };
@@ -67,9 +67,9 @@ TEST_F(OutlinePullTest, NearNeighboursSayMore) {
 
 TEST_F(OutlinePullTest, OnlyWhatLiesFartherByTheStepCounts) {
   const auto right = [](int du, int) { return du > 0; };
-  draw(right, 0.9F * kStep * kDepth);
+  draw(right, 0.9F * kDepthStep * kDepth);
   EXPECT_EQ(pull().u, 0);
-  draw(right, 1.1F * kStep * kDepth);
+  draw(right, 1.1F * kDepthStep * kDepth);
   EXPECT_GT(pull().u, 0);
   draw(right, -0.2F);
   EXPECT_EQ(pull().u, 0) << "nearer";
@@ -92,7 +92,7 @@ class FindJumpsTest : public ::testing::Test {
     rows[0][7] = rows[1][20] = rows[2][51] = 1.05F;
     rows[1][0] = 0.95F;      // nearer
     rows[0][30] = 1.015F;    // within the zone
-    rows[1][40] = kNothing;  // nothing lies beyond nothing
+    rows[1][40] = kNoDepth;  // nothing lies beyond nothing
     rows[2][40] = 1.3F;
   }
 

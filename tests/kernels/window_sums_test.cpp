@@ -10,10 +10,10 @@
 namespace lockbox::kernels {
 namespace {
 
-constexpr std::size_t kColumns = 2 * kWindowBlock;
-constexpr std::size_t kRows = 13;
-constexpr std::size_t kNextRow = kColumns + 41;
-constexpr std::size_t kMapRows = kRows + 9;
+constexpr std::size_t kSumColumns = 2 * kWindowBlock;
+constexpr std::size_t kSumRows = 13;
+constexpr std::size_t kNextRow = kSumColumns + 41;
+constexpr std::size_t kMapRows = kSumRows + 9;
 
 class WindowSumsTest : public ::testing::Test {
  protected:
@@ -23,8 +23,8 @@ class WindowSumsTest : public ::testing::Test {
     for (auto& map : maps) {
       for (auto& cell : map) cell = static_cast<std::int16_t>(number(random));
     }
-    std::uniform_int_distribution<std::size_t> x(0, kNextRow - kColumns);
-    std::uniform_int_distribution<std::size_t> y(0, kMapRows - kRows);
+    std::uniform_int_distribution<std::size_t> x(0, kNextRow - kSumColumns);
+    std::uniform_int_distribution<std::size_t> y(0, kMapRows - kSumRows);
     for (std::size_t i = 0; i < 200; ++i) {
       first.push_back(maps[i % 2].data() + y(random) * kNextRow + x(random));
     }
@@ -38,13 +38,13 @@ TEST_F(WindowSumsTest, AreThoseOfALoopWithEveryInstructionSet) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
-    std::vector<std::int16_t> sums(kColumns * kRows + 1, 77);
-    add_windows({first, kNextRow, kColumns, kRows}, sums.data());
-    for (std::size_t row = 0; row < kRows; ++row) {
-      for (std::size_t column = 0; column < kColumns; ++column) {
+    std::vector<std::int16_t> sums(kSumColumns * kSumRows + 1, 77);
+    add_windows({first, kNextRow, kSumColumns, kSumRows}, sums.data());
+    for (std::size_t row = 0; row < kSumRows; ++row) {
+      for (std::size_t column = 0; column < kSumColumns; ++column) {
         int expected = 0;
         for (const std::int16_t* window : first) expected += window[row * kNextRow + column];
-        ASSERT_EQ(sums[row * kColumns + column], expected) << row << ", " << column;
+        ASSERT_EQ(sums[row * kSumColumns + column], expected) << row << ", " << column;
       }
     }
     EXPECT_EQ(sums.back(), 77) << "written beyond the sums";
@@ -53,9 +53,9 @@ TEST_F(WindowSumsTest, AreThoseOfALoopWithEveryInstructionSet) {
 }
 
 TEST_F(WindowSumsTest, OfNoWindowsAreZero) {
-  std::vector<std::int16_t> sums(kColumns * kRows, 77);
-  add_windows({{}, kNextRow, kColumns, kRows}, sums.data());
-  EXPECT_EQ(sums, std::vector<std::int16_t>(kColumns * kRows, 0));
+  std::vector<std::int16_t> sums(kSumColumns * kSumRows, 77);
+  add_windows({{}, kNextRow, kSumColumns, kSumRows}, sums.data());
+  EXPECT_EQ(sums, std::vector<std::int16_t>(kSumColumns * kSumRows, 0));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@
 namespace lockbox {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 NormalEquations random_equations(int n, std::mt19937& random) {
   std::normal_distribution<double> normal;
@@ -39,7 +39,7 @@ NormalEquations random_equations(int n, std::mt19937& random) {
 }
 
 StepLimits no_limits(int n) {
-  return {Eigen::VectorXd::Constant(n, -kInfinity), Eigen::VectorXd::Constant(n, kInfinity)};
+  return {Eigen::VectorXd::Constant(n, -kUnlimited), Eigen::VectorXd::Constant(n, kUnlimited)};
 }
 
 StepScale unit_scale(int n) {

@@ -15,7 +15,7 @@
 namespace lockbox {
 namespace {
 
-constexpr std::uint64_t kFrames = 12;
+constexpr std::uint64_t kNoiseFrames = 12;
 
 /// At this configuration, with the tiles that show edges in a view of it.
 void linearize(EdgeTerm& term, const ArticulatedModel& model, const TiledCloud& cloud,
@@ -73,12 +73,12 @@ class LockboxEdges : public ::testing::Test {
 TEST_F(LockboxEdges, AreMeasuredAsExactlyAsTheySay) {
   EdgeTerm term(model_.tree, {}, Executor());
   Eigen::ArrayXd normalized = Eigen::ArrayXd::Zero(6 + truth_.q.size());
-  for (std::uint64_t number = 0; number < kFrames; ++number) {
+  for (std::uint64_t number = 0; number < kNoiseFrames; ++number) {
     linearize(term, seen(number), truth_);
     ASSERT_GT(term.pixels(), 1000.0);
     EXPECT_NEAR(term.chi_squared() / term.pixels(), 1.0, 0.3);
     const Eigen::ArrayXd sigma = term.information().inverse().diagonal().cwiseSqrt();
-    normalized += (step(term).array() / sigma).square() / static_cast<double>(kFrames);
+    normalized += (step(term).array() / sigma).square() / static_cast<double>(kNoiseFrames);
   }
   EXPECT_NEAR(normalized.mean(), 1.0, 0.4);
   EXPECT_LT(normalized.maxCoeff(), 3.0) << normalized.transpose();
@@ -106,7 +106,7 @@ TEST_F(LockboxEdges, MakeAlignmentsMoreExact) {
   ArticulatedRegistration by_edges(model_, {}, Executor());
   Eigen::ArrayXd of_points = Eigen::ArrayXd::Zero(6 + truth_.q.size());
   Eigen::ArrayXd of_edges = of_points;
-  for (std::uint64_t number = 0; number < 2 * kFrames; ++number) {
+  for (std::uint64_t number = 0; number < 2 * kNoiseFrames; ++number) {
     const double z = 1.1 + 0.05 * static_cast<double>(number);
     truth_.T_camera_base.translation() << 0.02 * z, -0.03 * z, z;
     const TiledCloud cloud = seen(number);

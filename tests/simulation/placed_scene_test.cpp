@@ -13,7 +13,7 @@
 namespace lockbox {
 namespace {
 
-const PinholeCamera kCamera{160, 120, 143.95, 143.95, 79.5, 59.5};
+const PinholeCamera kSmallCamera{160, 120, 143.95, 143.95, 79.5, 59.5};
 
 State state_at(double stamp, const Eigen::Isometry3d& T_camera_base) {
   State state;
@@ -25,7 +25,7 @@ State state_at(double stamp, const Eigen::Isometry3d& T_camera_base) {
 RenderedDepth seen(const PlacedScene& scene, const State& state) {
   std::vector<RenderItem> items;
   scene.append_items(state, items);
-  DepthRenderer renderer(kCamera, Executor(1));
+  DepthRenderer renderer(kSmallCamera, Executor(1));
   RenderedDepth image;
   renderer.render(items, image);
   return image;

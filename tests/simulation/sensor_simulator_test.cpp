@@ -14,7 +14,7 @@
 namespace lockbox {
 namespace {
 
-const PinholeCamera kCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
+const PinholeCamera kSimulatedCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// Clean depth for the simulator: z(u, v) at every sample, u and v in pixels.
@@ -22,7 +22,7 @@ RenderedDepth clean_depth(const SensorSimulator& simulator,
                           const std::function<double(double, double)>& z) {
   const PinholeCamera& camera = simulator.sample_camera();
   RenderedDepth image{camera.width, camera.height, {}, {}, {0, 0, camera.width, camera.height}};
-  const double step = kCamera.fx / camera.fx;
+  const double step = kSimulatedCamera.fx / camera.fx;
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
       image.depth.push_back(static_cast<float>(z(u * step, v * step)));
@@ -34,7 +34,7 @@ RenderedDepth clean_depth(const SensorSimulator& simulator,
 
 DepthFrame measured(const SensorModel& sensor, const std::function<double(double, double)>& z,
                     std::uint64_t index = 0, int threads = 2, std::uint64_t seed = 1) {
-  SensorSimulator simulator(sensor, kCamera, seed, Executor(threads));
+  SensorSimulator simulator(sensor, kSimulatedCamera, seed, Executor(threads));
   DepthFrame frame;
   simulator.measure(clean_depth(simulator, z), index, frame);
   return frame;
@@ -67,16 +67,16 @@ SensorModel disparity_noise_only() {
 }
 
 double disparity(double z) {
-  return kCamera.fx * 0.075 / z;
+  return kSimulatedCamera.fx * 0.075 / z;
 }
 
 TEST(IdealSensor, DeliversWholeMillimetresOfTheCleanDepth) {
   const auto slope = [](double u, double v) { return 0.3 + 0.004 * u + 0.001 * v; };
   const DepthFrame frame = measured(sensor_model("ideal"), slope, 7);
-  EXPECT_EQ(frame.camera, kCamera);
+  EXPECT_EQ(frame.camera, kSimulatedCamera);
   EXPECT_EQ(frame.index, 7U);
-  for (int v = 0; v < kCamera.height; v += 3) {
-    for (int u = 0; u < kCamera.width; ++u) {
+  for (int v = 0; v < kSimulatedCamera.height; v += 3) {
+    for (int u = 0; u < kSimulatedCamera.width; ++u) {
       ASSERT_NEAR(frame.metres(u, v), slope(u, v), 0.5001e-3) << u << " " << v;
     }
   }
@@ -93,14 +93,14 @@ TEST(PrimesenseNoise, HasTheStatedDeviationAndNoBias) {
   const DepthFrame frame = measured(disparity_noise_only(), flat_wall);
   double sum = 0.0;
   double sum_of_squares = 0.0;
-  for (int v = 0; v < kCamera.height; ++v) {
-    for (int u = 0; u < kCamera.width; ++u) {
+  for (int v = 0; v < kSimulatedCamera.height; ++v) {
+    for (int u = 0; u < kSimulatedCamera.width; ++u) {
       const double error = disparity(frame.metres(u, v)) - disparity(1.2);
       sum += error;
       sum_of_squares += error * error;
     }
   }
-  const double pixels = kCamera.width * kCamera.height;
+  const double pixels = kSimulatedCamera.width * kSimulatedCamera.height;
   // 307200 pixels are worth 5400 independent ones: the mean is known to 0.07, the deviation to 1 %.
   EXPECT_NEAR(sum / pixels, 0.0, 0.25);
   EXPECT_NEAR(std::sqrt(sum_of_squares / pixels), 5.0, 0.2);
@@ -113,8 +113,8 @@ TEST(PrimesenseNoise, CorrelatesOverThreePixelsInBothDirections) {
     double along_rows = 0.0;
     double along_columns = 0.0;
     double variance = 0.0;
-    for (int v = 0; v < kCamera.height - lag; ++v) {
-      for (int u = 0; u < kCamera.width - lag; ++u) {
+    for (int v = 0; v < kSimulatedCamera.height - lag; ++v) {
+      for (int u = 0; u < kSimulatedCamera.width - lag; ++u) {
         variance += error(u, v) * error(u, v);
         along_rows += error(u, v) * error(u + lag, v);
         along_columns += error(u, v) * error(u, v + lag);
@@ -182,7 +182,7 @@ TEST(PrimesenseNoise, RoundedDepthHasThePredictedDeviation) {
         ++count;
       }
     }
-    const double expected = depth_sigma(sensor_model("primesense"), kCamera, z);
+    const double expected = depth_sigma(sensor_model("primesense"), kSimulatedCamera, z);
     EXPECT_NEAR(std::sqrt(sum_of_squares / count) / expected, 1.0, 0.06) << z;
   }
 }
@@ -192,7 +192,7 @@ TEST(WhiteNoise, HasTheStatedDeviationAndNeighboursAreIndependent) {
   double variance = 0.0;
   double neighbours = 0.0;
   double tails = 0.0;
-  const double sigma = depth_sigma(sensor_model("white"), kCamera, 2.0);
+  const double sigma = depth_sigma(sensor_model("white"), kSimulatedCamera, 2.0);
   for (int v = 0; v < 480; ++v) {
     for (int u = 0; u < 639; ++u) {
       const double error = frame.metres(u, v) - 2.0;
@@ -284,7 +284,7 @@ TEST(DropOuts, SmallReliefIsNoEdge) {
 double share_without_depth_at_incidence(double degrees) {
   const double slope = std::tan(degrees / 180.0 * std::numbers::pi);
   const DepthFrame frame = measured(sensor_model("primesense"), [slope](double u, double) {
-    const double z = 1.2 / (1.0 - slope * (u - kCamera.cx) / kCamera.fx);
+    const double z = 1.2 / (1.0 - slope * (u - kSimulatedCamera.cx) / kSimulatedCamera.fx);
     return z > 0.0 ? z : kInfinity;
   });
   return share_without_depth(frame, 319, 321);
@@ -300,7 +300,7 @@ TEST(DropOuts, GrowBeyond80DegreesOfIncidence) {
 /// The columns of a row in the image's middle without depth.
 std::set<int> unmeasured_columns(const DepthFrame& frame) {
   std::set<int> columns;
-  for (int u = 0; u < kCamera.width; ++u) {
+  for (int u = 0; u < kSimulatedCamera.width; ++u) {
     if (frame.metres(u, 240) == 0.0F) columns.insert(u);
   }
   return columns;
@@ -315,7 +315,7 @@ SensorModel shadow_only(double jitter) {
 
 // A board before a wall: disparities of 54 and 36 pixels (z = 0.7997 and 1.1996 m).
 double board_before_wall(double u, double begin, double end) {
-  return kCamera.fx * 0.075 / (u > begin && u < end ? 54.0 : 36.0);
+  return kSimulatedCamera.fx * 0.075 / (u > begin && u < end ? 54.0 : 36.0);
 }
 
 TEST(ProjectorShadow, IsAsWideAsTheDisparitiesDifferAndLiesLeftOfWhatCastsIt) {
@@ -375,7 +375,7 @@ TEST(SensorSimulator, SameForAnyNumberOfThreadsAndOrderOfFrames) {
   for (const int threads : {2, 3, 8}) {
     EXPECT_EQ(measured(sensor, slope, 5, threads).depth, reference.depth) << threads;
   }
-  SensorSimulator simulator(sensor, kCamera, 1, Executor(2));
+  SensorSimulator simulator(sensor, kSimulatedCamera, 1, Executor(2));
   const RenderedDepth clean = clean_depth(simulator, slope);
   DepthFrame frame;
   simulator.measure(clean, 9, frame);

@@ -17,7 +17,7 @@
 namespace lockbox {
 namespace {
 
-const PinholeCamera kCamera{320, 240, 287.9, 287.9, 159.5, 119.5};
+const PinholeCamera kHalfCamera{320, 240, 287.9, 287.9, 159.5, 119.5};
 
 State start_of(const KinematicTree& tree) {
   return generate_trajectory(tree, {.frames = 1})[0];
@@ -34,7 +34,7 @@ PlacedScene wall_behind(const State& state) {
 TEST(Simulator, ShowsTheModelBeforeTheBackground) {
   const KinematicTree tree = testing::board_with_three_joints();
   const State state = start_of(tree);
-  Simulator simulator(tree, kCamera, wall_behind(state), sensor_model("ideal"), 1, Executor(2));
+  Simulator simulator(tree, kHalfCamera, wall_behind(state), sensor_model("ideal"), 1, Executor(2));
   DepthFrame frame;
   simulator.simulate(state, 4, frame);
   EXPECT_EQ(frame.index, 4U);
@@ -49,10 +49,12 @@ TEST(Simulator, ShowsTheModelBeforeTheBackground) {
 TEST(Simulator, JointsMoveTheirBodies) {
   const KinematicTree tree = testing::board_with_three_joints();
   State state = start_of(tree);
-  Simulator simulator(tree, kCamera, PlacedScene(), sensor_model("ideal"), 1, Executor(2));
+  Simulator simulator(tree, kHalfCamera, PlacedScene(), sensor_model("ideal"), 1, Executor(2));
   DepthFrame frame;
   // The slider's front lies 0.05 + 0.02 m before the base frame, its centre at (0.1, -0.1).
-  const auto pixel = [](double x, double y, double z) { return kCamera.project({x, -y, 1.3 - z}); };
+  const auto pixel = [](double x, double y, double z) {
+    return kHalfCamera.project({x, -y, 1.3 - z});
+  };
   for (const double q : {-0.1, 0.0, 0.2}) {
     state.configuration.q[1] = q;
     simulator.simulate(state, 0, frame);
@@ -66,7 +68,7 @@ TEST(Simulator, SameForAnyNumberOfThreads) {
   const KinematicTree tree = testing::board_with_three_joints();
   const auto run = generate_trajectory(tree, {.frames = 5, .rate = 1.0});
   const auto frames = [&](int threads) {
-    Simulator simulator(tree, kCamera, wall_behind(run[0]), sensor_model("primesense"), 3,
+    Simulator simulator(tree, kHalfCamera, wall_behind(run[0]), sensor_model("primesense"), 3,
                         Executor(threads));
     std::vector<std::vector<std::uint16_t>> depths;
     for (std::size_t i = 0; i < run.size(); ++i) {
@@ -84,7 +86,7 @@ TEST(Simulator, SameForAnyNumberOfThreads) {
 
 TEST(Simulator, StateThatIsNotCompleteIsRefused) {
   const KinematicTree tree = testing::board_with_three_joints();
-  Simulator simulator(tree, kCamera, PlacedScene(), sensor_model("ideal"), 1, Executor(1));
+  Simulator simulator(tree, kHalfCamera, PlacedScene(), sensor_model("ideal"), 1, Executor(1));
   DepthFrame frame;
   State unknown = start_of(tree);
   unknown.known = false;
@@ -100,8 +102,8 @@ TEST(ShippedScene, ArmPassesBeforeTheLockboxWithoutTouchingIt) {
   const KinematicTree tree = load_kinematic_tree(share + "/models/lockbox/lockbox.urdf");
   const auto run = generate_trajectory(tree, {.frames = 91, .rate = 10.0});
   const PlacedScene scene(read_scene(share + "/scenes/room_with_arm.yaml"), run);
-  Simulator with_arm(tree, kCamera, scene, sensor_model("ideal"), 1, Executor(2));
-  Simulator alone(tree, kCamera, PlacedScene(), sensor_model("ideal"), 1, Executor(2));
+  Simulator with_arm(tree, kHalfCamera, scene, sensor_model("ideal"), 1, Executor(2));
+  Simulator alone(tree, kHalfCamera, PlacedScene(), sensor_model("ideal"), 1, Executor(2));
   DepthFrame frame;
   double most_hidden = 0.0;
   for (std::size_t i = 0; i < run.size(); i += 3) {

@@ -7,13 +7,12 @@
 #include <fstream>
 #include <locale>
 
+#include "image_limits.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 namespace {
-
-constexpr int kMaximumSize = 16384;  // pixels: more is a typing error
 
 /// One camera_info file: finds entries and complains about them by name and line.
 class CameraInfoFile {
@@ -59,7 +58,7 @@ class CameraInfoFile {
   int size(const char* name) const {
     const YAML::Node node = entry(name);
     const double value = number(node, name);
-    if (value != static_cast<int>(value) || value < 1 || value > kMaximumSize) {
+    if (value != static_cast<int>(value) || value < 1 || value > kMaximumImageSize) {
       refuse(node, std::string(name) + " is not a size in pixels");
     }
     return static_cast<int>(value);

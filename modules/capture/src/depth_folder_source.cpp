@@ -12,8 +12,8 @@
 namespace lockbox {
 namespace {
 
-constexpr double kMillimetres = 1000.0;  // units per metre where nothing else is said
-constexpr double kPlausibleNear = 0.1;   // metres: medians outside are scale mistakes
+constexpr double kUsualUnits = 1000.0;  // units per metre where nothing else is said
+constexpr double kPlausibleNear = 0.1;  // metres: medians outside are scale mistakes
 constexpr double kPlausibleFar = 20.0;
 
 struct Entry {
@@ -96,7 +96,7 @@ struct DepthFolderSource::Impl {
         entries(read_index(path / "depth.txt")),
         calibration(calibration_of(path, options)),
         units_per_metre(
-            options.depth_scale.value_or(calibration.depth_scale.value_or(kMillimetres))),
+            options.depth_scale.value_or(calibration.depth_scale.value_or(kUsualUnits))),
         rectification(calibration),
         warn(options.warn) {
     if (!(units_per_metre > 0.0) || !std::isfinite(units_per_metre)) {

@@ -9,8 +9,8 @@
 namespace lockbox {
 namespace {
 
-constexpr int kSliceMilliseconds = 100;  // between looks at whether the device is still there
-constexpr int kSlices = 50;
+constexpr int kLookMilliseconds = 100;  // between looks at whether the device is still there
+constexpr int kLooks = 50;
 
 }  // namespace
 
@@ -45,11 +45,11 @@ struct LiveDevice::Impl {
   Impl& operator=(const Impl&) = delete;
 
   void wait() {
-    for (int slice = 0; !wait_for_frame(depth, kSliceMilliseconds); ++slice) {
+    for (int slice = 0; !wait_for_frame(depth, kLookMilliseconds); ++slice) {
       if (unplug_watch->unplugged()) {
         throw DeviceError(name + ": the device was unplugged");
       }
-      if (slice == kSlices) {
+      if (slice == kLooks) {
         throw DeviceError(name +
                           ": the device has delivered no frame for 5 s; check its cable and "
                           "whether another program uses it");

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <string_view>
 
+#include "field_of_view.hpp"
+
 namespace lockbox {
 namespace {
 
 constexpr std::uint32_t kUnfinished = 0xFFFFFFFF;  // frame count until the recorder is closed
-constexpr int kMinimumSize = 16;                   // pixels
-constexpr int kMaximumSize = 4096;
+constexpr int kMinimumNodeSize = 16;               // pixels
+constexpr int kMaximumNodeSize = 4096;
 constexpr std::uint64_t kMaximumFrameBytes = 1 << 26;
-constexpr double kMinimumFieldOfView = 0.1;  // radians
-constexpr double kMaximumFieldOfView = 3.0;
 constexpr std::size_t kSeekEntrySize = 20;  // u64 timestamp, u32 configuration, u64 offset
 
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
@@ -146,8 +146,8 @@ void OniNode::check_mode(const OniRecord& record) {
   }
   const auto width = number_at<std::uint32_t>(mode->second, 0);
   const auto height = number_at<std::uint32_t>(mode->second, 4);
-  if (width < kMinimumSize || width > kMaximumSize || height < kMinimumSize ||
-      height > kMaximumSize) {
+  if (width < kMinimumNodeSize || width > kMaximumNodeSize || height < kMinimumNodeSize ||
+      height > kMaximumNodeSize) {
     record.refuse("stream " + name_ + " has images of " + std::to_string(width) + "x" +
                   std::to_string(height) + " pixels");
   }
@@ -163,10 +163,10 @@ void OniNode::check_mode(const OniRecord& record) {
 }
 
 void OniNode::check_depth(const OniRecord& record) const {
-  constexpr std::uint64_t kMillimetres = 100;
+  constexpr std::uint64_t kMillimetreFormat = 100;
   constexpr std::uint64_t kTenthsOfMillimetres = 101;
-  const std::uint64_t format = integer("oniPixelFormat", kMillimetres);
-  if (format != kMillimetres && format != kTenthsOfMillimetres) {
+  const std::uint64_t format = integer("oniPixelFormat", kMillimetreFormat);
+  if (format != kMillimetreFormat && format != kTenthsOfMillimetres) {
     record.refuse("the depth images are in a unit other than 1 mm or 0.1 mm");
   }
   const std::uint64_t maximum = integer("xnDeviceMaxDepth", 0);

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field_of_view.hpp"
 #include "lockbox/core/error.hpp"
 
 namespace lockbox {
 namespace {
-
-constexpr float kMinimumFieldOfView = 0.1F;  // radians
-constexpr float kMaximumFieldOfView = 3.0F;
 
 double focal_length(int pixels, float angle) {
   const double focal = 0.5 * pixels / std::tan(0.5 * double{angle});

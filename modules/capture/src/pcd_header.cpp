@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "image_limits.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr std::size_t kMinimumSize = 2;  // pixels
-constexpr std::size_t kMaximumSize = 16384;
+constexpr std::size_t kMinimumPcdSize = 2;  // pixels
 constexpr int kMaximumHeaderLines = 100;
 constexpr std::size_t kMaximumPointBytes = 4096;
 
@@ -57,8 +57,8 @@ class PcdHeader {
                        "is not an organized cloud (HEIGHT 1): the pixels of the depth image are "
                        "lost; save the clouds as the camera delivers them");
     }
-    if (width < kMinimumSize || width > kMaximumSize || height < kMinimumSize ||
-        height > kMaximumSize || number("POINTS", 0) != width * height) {
+    if (width < kMinimumPcdSize || width > kMaximumImageSize || height < kMinimumPcdSize ||
+        height > kMaximumImageSize || number("POINTS", 0) != width * height) {
       throw InputError(name_, "WIDTH, HEIGHT and POINTS do not describe an image");
     }
     const std::size_t point_bytes = check_fields();

@@ -8,12 +8,11 @@
 #include <cstdio>
 #include <memory>
 
+#include "image_limits.hpp"
 #include "lockbox/core/error.hpp"
 
 namespace lockbox {
 namespace {
-
-constexpr png_uint_32 kMaximumSize = 16384;  // pixels; keeps a damaged header from asking for 32 GB
 
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -45,7 +44,7 @@ class PngReader {
       : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &error_, on_error, on_warning)),
         info_(png_create_info_struct(png_)) {
     png_init_io(png_, file);
-    png_set_user_limits(png_, kMaximumSize, kMaximumSize);
+    png_set_user_limits(png_, kMaximumImageSize, kMaximumImageSize);
   }
   ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
   PngReader(const PngReader&) = delete;

@@ -16,7 +16,7 @@
 namespace lockbox {
 namespace {
 
-constexpr char kHere = 0;  // its address is in this library
+constexpr char kInThisLibrary = 0;  // its address is in this library
 
 struct Pipe {
   Pipe() {
@@ -31,7 +31,7 @@ struct Pipe {
 
 RecorderProcess::RecorderProcess(const std::string& uri, const std::filesystem::path& file,
                                  std::optional<int> socket) {
-  std::string program = find_component("lockbox-oni-recorder", &kHere).string();
+  std::string program = find_component("lockbox-oni-recorder", &kInThisLibrary).string();
   std::string uri_argument = uri;
   std::string file_argument = std::filesystem::absolute(file).string();
   const Pipe control;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/random_draws.hpp"
 #include "lockbox/evaluation/random_frame.hpp"
 #include "lockbox/evaluation/unknowns.hpp"
@@ -12,10 +13,8 @@
 namespace lockbox {
 namespace {
 
-constexpr double kFullTurn = 2.0 * std::numbers::pi;
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kStartOffset = 0.005;  // metres
-constexpr double kStartTurn = kDegree;
+constexpr double kStartTurn = kRadians;
 constexpr int kMostIterations = 30;  // it rests after about ten
 constexpr int kNarrowing = 6;
 
@@ -24,12 +23,12 @@ constexpr int kNarrowing = 6;
 double allowed_error(const KinematicTree& tree, int unknown, double bound) {
   const bool base = unknown < 6;
   const double floor =
-      is_length(tree, unknown) ? (base ? 0.05e-3 : 0.15e-3) : (base ? 0.005 : 0.1) * kDegree;
+      is_length(tree, unknown) ? (base ? 0.05e-3 : 0.15e-3) : (base ? 0.005 : 0.1) * kRadians;
   return std::hypot(1.5 * bound, floor);
 }
 
 bool is_told(const KinematicTree& tree, int unknown, double bound) {
-  return bound < (is_length(tree, unknown) ? 0.005 : 2.0 * kDegree);
+  return bound < (is_length(tree, unknown) ? 0.005 : 2.0 * kRadians);
 }
 
 AccuracyExperiment::AccuracyExperiment(const ArticulatedModel& model, const PinholeCamera& camera,

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <numbers>
 
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/figure.hpp"
 #include "lockbox/evaluation/report.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr double kMillimetres = 1000.0;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr const char* kTime = "time (s)";
 
 /// value(frame) times scale against time.

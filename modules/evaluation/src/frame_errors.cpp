@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/lie.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/core/units.hpp"
 
 namespace lockbox {
 namespace {
@@ -20,7 +20,7 @@ double joint_error(const KinematicTree& tree, const State& estimate, const State
   const double error = joint_position(tree, estimate.configuration, joint) -
                        joint_position(tree, reference.configuration, joint);
   const bool turns_on = tree.joints[static_cast<std::size_t>(joint)].type == JointType::continuous;
-  return turns_on ? std::remainder(error, 2.0 * std::numbers::pi) : error;
+  return turns_on ? std::remainder(error, kFullTurn) : error;
 }
 
 double sigma_of(const State& estimate, int column, const std::string& joint) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/random_frame.hpp"
 #include "lockbox/evaluation/symmetry.hpp"
@@ -13,11 +14,8 @@
 namespace lockbox {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kFullTurn = 2.0 * std::numbers::pi;
-
 bool determines_base(const Eigen::VectorXd& bound) {
-  return bound.head<3>().norm() < 0.005 && bound.segment<3>(3).norm() < 0.5 * kDegree;
+  return bound.head<3>().norm() < 0.005 && bound.segment<3>(3).norm() < 0.5 * kRadians;
 }
 
 }  // namespace
@@ -87,7 +85,7 @@ void GlobalExperiment::compare_with_truth(const RegistrationResult& found, const
 std::string GlobalExperiment::wrong_unknowns(const Configuration& found, const State& truth,
                                              const Eigen::VectorXd& bound,
                                              const GlobalResult& result) const {
-  if (!(result.translation < 0.01 && result.rotation < kDegree)) return "base";
+  if (!(result.translation < 0.01 && result.rotation < kRadians)) return "base";
   std::string wrong;
   for (std::size_t j = 0; j < model_.tree.joints.size(); ++j) {
     const Joint& joint = model_.tree.joints[j];
@@ -97,8 +95,8 @@ std::string GlobalExperiment::wrong_unknowns(const Configuration& found, const S
                    joint_position(model_.tree, truth.configuration, index);
     if (joint.type == JointType::continuous) error = std::remainder(error, kFullTurn);
     const double sigma = std::abs(joint.multiplier) * bound(6 + joint.variable);
-    const bool determined = sigma < (slides ? 0.001 : 0.5 * kDegree);
-    if (determined && std::abs(error) > (slides ? 0.01 : 5.0 * kDegree)) {
+    const bool determined = sigma < (slides ? 0.001 : 0.5 * kRadians);
+    if (determined && std::abs(error) > (slides ? 0.01 : 5.0 * kRadians)) {
       wrong += (wrong.empty() ? "" : " ") + joint.name;
     }
   }

@@ -6,6 +6,8 @@
 
 #include <numbers>
 
+#include "lockbox/core/square.hpp"
+
 namespace lockbox {
 namespace {
 
@@ -15,10 +17,6 @@ constexpr double kBlurReach = 2.5;      ///< standard deviations
 // Of the residual. What is left of the information is a few hundredths of what enters.
 constexpr double kTolerance = 1e-3;
 constexpr int kMaximumIterations = 200;
-
-double square(double x) {
-  return x * x;
-}
 
 void add_scaled(double scale, const double* __restrict from, std::size_t count,
                 double* __restrict to) {

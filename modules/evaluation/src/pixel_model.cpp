@@ -6,16 +6,13 @@
 #include <limits>
 
 #include "jitter.hpp"
+#include "lockbox/core/square.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr double kDepthUnit = 0.001;  // metres, of what a sensor delivers
 constexpr double kRefinement = SampledView::kRefinement;
-
-double square(double x) {
-  return x * x;
-}
 
 /// Density of the jitter, at offset + shift samples for all offsets within reach.
 std::vector<double> jitter_weights(double sigma, int reach, double shift) {

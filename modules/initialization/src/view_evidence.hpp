@@ -3,12 +3,12 @@
 
 namespace lockbox {
 
-// What one pixel counts that is not explained; a pixel explained perfectly counts 1.
-inline constexpr double kOccluded = -0.15;
-inline constexpr double kSeenThrough = -6.0;
-
 /// What speaks for a configuration and against it.
 struct ViewEvidence {
+  // What one pixel counts that is not explained; a pixel explained perfectly counts 1.
+  static constexpr double kOccluded = -0.15;
+  static constexpr double kSeenThrough = -6.0;
+
   double measured = 0.0;      ///< pixels of the view that show the model and have a depth
   double explained = 0.0;     ///< of them, weighted by how well
   double contradicted = 0.0;  ///< pixels that the camera saw through

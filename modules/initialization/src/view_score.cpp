@@ -136,11 +136,11 @@ double ViewScore::pixel_score(const Drawing& drawing, int u, int v, double slack
   const double variance =
       sigma_z * sigma_z + slack * slack * (1.0 + steepness2) + 0.25 * per_pixel2;
   const double score = 1.0 - kFallOff * difference * difference / variance;
-  if (difference < 0.0) return std::max(score, kOccluded);
+  if (difference < 0.0) return std::max(score, ViewEvidence::kOccluded);
   // Where a neighbour is near enough, it is a matter of a pixel more or less.
   const bool beside =
       static_cast<double>(view_->nearest[view_pixel]) - z < 3.0 * std::sqrt(variance);
-  return std::max(score, beside ? 0.0 : kSeenThrough);
+  return std::max(score, beside ? 0.0 : ViewEvidence::kSeenThrough);
 }
 
 double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
@@ -177,9 +177,9 @@ ViewEvidence ViewScore::count_pixels(double slack) const {
       if (score > 0.0) {
         evidence.explained += score;
       } else if (view_->depth[pixel] > image.depth[pixel]) {
-        evidence.contradicted += score / kSeenThrough;
+        evidence.contradicted += score / ViewEvidence::kSeenThrough;
       } else {
-        evidence.occluded += score / kOccluded;
+        evidence.occluded += score / ViewEvidence::kOccluded;
       }
     }
   }

@@ -8,12 +8,11 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "quaternion_tolerance.hpp"
 #include "yaml_node.hpp"
 
 namespace lockbox {
 namespace {
-
-constexpr double kQuaternionTolerance = 1e-2;  // of the norm, for files written with few digits
 
 double positive_length(const YamlNode& node) {
   const double value = node.number();

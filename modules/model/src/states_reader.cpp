@@ -8,13 +8,12 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/model/states_file.hpp"
+#include "quaternion_tolerance.hpp"
 #include "states_columns.hpp"
 #include "text_file.hpp"
 
 namespace lockbox {
 namespace {
-
-constexpr double kQuaternionTolerance = 1e-2;  // of the norm, for files written with few digits
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");

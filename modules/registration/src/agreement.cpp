@@ -7,14 +7,14 @@
 #include <optional>
 
 #include "agreement_patch.hpp"
+#include "distance_rounding.hpp"
 #include "lockbox/registration/rigid_motion.hpp"
 #include "outline.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr int kBeyond = 3;          // pixels of the view, across an outline
-constexpr float kRounding = 1e-5F;  // metres: more than single precision errs
+constexpr int kBeyond = 3;  // pixels of the view, across an outline
 /// A board on a wall stands out by less than a pixel's noise allows. But a whole side of an outline
 /// across which the scene steps back in the mean, by so many standard deviations, ends there. A
 /// plate that is imagined aslant in a wall has it behind on one side, too, but within as beyond.
@@ -268,13 +268,13 @@ void AgreementMeter::count_points(const Scene& scene, const ViewSamples::Chunk& 
     const float distance = std::abs(points.distance[i]);
     const float behind = points.z[i] - points.expected[i];
     const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + points.number[i]);
-    if (distance < gate - kRounding) {
+    if (distance < gate - kDistanceRounding) {
       counts.pixels += sample.pixels;
       patch.explain(sample, static_cast<double>(behind), sigma);
-    } else if (distance > gate + kRounding && behind > kRounding) {
+    } else if (distance > gate + kDistanceRounding && behind > kDistanceRounding) {
       counts.pixels += sample.pixels;
       patch.contradict(sample, static_cast<double>(behind), sigma);
-    } else if (distance > gate + kRounding && behind < -kRounding) {
+    } else if (distance > gate + kDistanceRounding && behind < -kDistanceRounding) {
       counts.pixels += sample.pixels;
       counts.occluded += sample.pixels;
     } else {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "distance_rounding.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/registration/rigid_motion.hpp"
@@ -15,7 +16,6 @@ namespace lockbox {
 namespace {
 
 constexpr double kThicknessShare = 0.125;  // of the thinner body: the largest erosion
-constexpr float kRounding = 1e-5F;         // metres: more than single precision errs
 
 /// The erosion that the model's file sets for a pair, by any of the links' names.
 std::optional<double> pair_erosion(const ArticulatedModel& model, const Body& a, const Body& b) {
@@ -131,7 +131,7 @@ void CollisionTerm::compare(const ArticulatedModel& model, const ErodedSurface& 
                                      distance.begin() + static_cast<std::ptrdiff_t>(patch.size)) +
                    eroded);
     for (std::size_t i = 0; i < patch.size; ++i) {
-      if (distance[i] + eroded < kRounding) {
+      if (distance[i] + eroded < kDistanceRounding) {
         add_sample(field, box, T, surface.samples[patch.first + i], eroded, half);
       }
     }

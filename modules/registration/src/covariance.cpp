@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <tuple>
+
+#include "lockbox/core/units.hpp"
 
 namespace lockbox {
 namespace {
@@ -13,9 +14,9 @@ namespace {
 using Index = Eigen::Index;
 
 // What no amount of data averages away: quantisation, interpolation, the model itself.
-constexpr double kBaseFloor = 0.05e-3;                             // metres
-constexpr double kBaseTurnFloor = 0.005 * std::numbers::pi / 180;  // radians
-constexpr double kJointFloor = 0.15e-3;                            // metres at a part's far end
+constexpr double kBaseFloor = 0.05e-3;               // metres
+constexpr double kBaseTurnFloor = 0.005 * kRadians;  // radians
+constexpr double kJointFloor = 0.15e-3;              // metres at a part's far end
 
 constexpr int kEnoughTiles = 8;  // to tell how much they vary
 

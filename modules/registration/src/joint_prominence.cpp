@@ -13,8 +13,8 @@
 namespace lockbox {
 namespace {
 
-constexpr double kSamples = 200.0;  // of each body's surface
-constexpr int kSteps = 4;           // of a joint's range
+constexpr double kSurfaceSamples = 200.0;  // of each body's surface
+constexpr int kSteps = 4;                  // of a joint's range
 
 /// Of a point to the nearest body that stays, metres.
 double distance_to_resting(const ArticulatedModel& model, const std::vector<std::uint8_t>& moved,
@@ -35,7 +35,7 @@ double prominence_at(const ArticulatedModel& model, const std::vector<std::uint8
   double farthest = 0.0;
   for (std::size_t b = 0; b < moved.size(); ++b) {
     const TriangleMesh& mesh = model.tree.bodies[b].mesh;
-    const double spacing = std::sqrt(surface_area(mesh) / kSamples);
+    const double spacing = std::sqrt(surface_area(mesh) / kSurfaceSamples);
     if (moved[b] == 0 || !(spacing > 0.0)) continue;
     for (const SurfaceSample& sample : sample_surface(mesh, spacing)) {
       farthest =

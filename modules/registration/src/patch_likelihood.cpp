@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "lockbox/core/square.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/moved_bodies.hpp"
 #include "patch_worker.hpp"
@@ -14,26 +15,22 @@
 namespace lockbox {
 namespace {
 
-constexpr int kSamples = 3;  // along each side of a pixel
-constexpr int kTile = 16;    // pixels: more than what stands out, so that its height counts
-constexpr int kReach = 4;    // samples: of the jitter's density, from a pixel's centre
-constexpr int kMargin = 6;   // pixels around what moves: noise goes together over a few
+constexpr int kSamplesAlong = 3;  // along each side of a pixel
+constexpr int kTile = 16;         // pixels: more than what stands out, so that its height counts
+constexpr int kReach = 4;         // samples: of the jitter's density, from a pixel's centre
+constexpr int kMarginPixels = 6;  // pixels around what moves: noise goes together over a few
 constexpr int kMostPixels = 40000;
 constexpr double kNearest = 0.05;  // metres: what comes nearer to the camera fills the image
 
 constexpr std::size_t kTaps = 2 * kReach + 1;
 using Taps = std::array<float, kTaps>;
 
-double square(double x) {
-  return x * x;
-}
-
 /// Weights of the samples around a pixel's centre.
 Taps jitter_density(double lateral_pixels) {
   Taps taps{};
   double sum = 0.0;
   for (int i = -kReach; i <= kReach; ++i) {
-    const double offset = i / (kSamples * std::max(lateral_pixels, 1e-3));
+    const double offset = i / (kSamplesAlong * std::max(lateral_pixels, 1e-3));
     const double weight = std::exp(-0.5 * square(offset));
     taps[static_cast<std::size_t>(i + kReach)] = static_cast<float>(weight);
     sum += weight;
@@ -44,7 +41,7 @@ Taps jitter_density(double lateral_pixels) {
 
 /// Of a row or column with the given number of samples, around a pixel's centre.
 std::size_t sample_near(int pixel, int tap, int samples) {
-  return static_cast<std::size_t>(std::clamp(kSamples * pixel + tap - kReach, 0, samples - 1));
+  return static_cast<std::size_t>(std::clamp(kSamplesAlong * pixel + tap - kReach, 0, samples - 1));
 }
 
 PinholeCamera cropped(const PinholeCamera& camera, int left, int top, int width, int height) {
@@ -85,7 +82,7 @@ std::span<const double> PatchLikelihood::compare(const TiledCloud& cloud,
 void PatchLikelihood::draw(const PinholeCamera& camera, const Configuration& configuration,
                            int variable) {
   const PinholeCamera samples =
-      refined(cropped(camera, frame_.left, frame_.top, frame_.width, frame_.height), kSamples);
+      refined(cropped(camera, frame_.left, frame_.top, frame_.width, frame_.height), kSamplesAlong);
   for (const auto& each : workers_) each->renderer.set_camera(samples);
   const auto& moved = moved_[static_cast<std::size_t>(variable)];
   means_.resize(positions_.size() * frame_.pixels());
@@ -125,11 +122,13 @@ bool PatchLikelihood::frame_motion(const PinholeCamera& camera, const Configurat
   const auto bounded = [](double at, int size) {
     return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(size)));
   };
-  frame_.left = bounded(seen.min().x() - kMargin, camera.width);
-  frame_.top = bounded(seen.min().y() - kMargin, camera.height);
+  frame_.left = bounded(seen.min().x() - kMarginPixels, camera.width);
+  frame_.top = bounded(seen.min().y() - kMarginPixels, camera.height);
   const auto whole_tiles = [](int size) { return (size + kTile - 1) / kTile * kTile; };
-  frame_.width = whole_tiles(bounded(seen.max().x() + kMargin + 1.0, camera.width) - frame_.left);
-  frame_.height = whole_tiles(bounded(seen.max().y() + kMargin + 1.0, camera.height) - frame_.top);
+  frame_.width =
+      whole_tiles(bounded(seen.max().x() + kMarginPixels + 1.0, camera.width) - frame_.left);
+  frame_.height =
+      whole_tiles(bounded(seen.max().y() + kMarginPixels + 1.0, camera.height) - frame_.top);
   return frame_.width > 0 && frame_.height > 0 && frame_.pixels() <= kMostPixels;
 }
 
@@ -176,13 +175,13 @@ void PatchLikelihood::measure_edges_at_rest(Worker& worker) {
 /// The pixels that may show a sample where nothing but what moves is drawn, or nothing.
 void PatchLikelihood::leave_out_what_shows_nothing() {
   const auto first = [](int sample) {
-    return (std::max(0, sample - kReach) + kSamples - 1) / kSamples;
+    return (std::max(0, sample - kReach) + kSamplesAlong - 1) / kSamplesAlong;
   };
   for (int row = 0; row < rest_.height; ++row) {
     for (int column = 0; column < rest_.width; ++column) {
       if (std::isfinite(rest_.depth[rest_.index(column, row)])) continue;
-      const int last_u = std::min(frame_.width - 1, (column + kReach) / kSamples);
-      const int last_v = std::min(frame_.height - 1, (row + kReach) / kSamples);
+      const int last_u = std::min(frame_.width - 1, (column + kReach) / kSamplesAlong);
+      const int last_v = std::min(frame_.height - 1, (row + kReach) / kSamplesAlong);
       for (int v = first(row); v <= last_v; ++v) {
         for (int u = first(column); u <= last_u; ++u) has_ground_[frame_.index(u, v)] = 0;
       }

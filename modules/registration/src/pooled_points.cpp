@@ -11,10 +11,10 @@
 namespace lockbox {
 namespace {
 
-constexpr int kCell = SamplingDensity::kCellSize;
+constexpr int kCellSize = SamplingDensity::kCellSize;
 constexpr float kBend = 1.5e-5F;  // 1 / metre, from pixel to pixel of the view: 0.02 mm at 1.2 m
 /// Times the cut: how far off the face may be expected.
-constexpr double kReach = 2.0;
+constexpr double kReachOfCut = 2.0;
 constexpr int kRowsOfCells = 2;    // of a band
 constexpr int kCellsTogether = 4;  // along a band, for one tile
 constexpr std::size_t kWellFilled = 2 * kernels::kLanes;
@@ -26,7 +26,7 @@ constexpr CellMask block_of(int u, int v, int size) {
   constexpr CellMask kFirstColumn = 0x0101010101010101;
   const CellMask row = (CellMask{1} << size) - 1;
   const CellMask rows =
-      size == kCell ? kFirstColumn : kFirstColumn & ((CellMask{1} << (8 * size)) - 1);
+      size == kCellSize ? kFirstColumn : kFirstColumn & ((CellMask{1} << (8 * size)) - 1);
   return (row * rows) << (8 * v + u);
 }
 
@@ -101,16 +101,16 @@ class PooledPoints::Band {
         density.spacing[static_cast<std::size_t>(row) * static_cast<std::size_t>(density.columns) +
                         static_cast<std::size_t>(column)];
     if (spacing == 0) return;
-    u_ = column * kCell;
-    v_ = row * kCell;
+    u_ = column * kCellSize;
+    v_ = row * kCellSize;
     mask_ = 0;
-    const auto stride = static_cast<std::size_t>(density.columns) * kCell;
+    const auto stride = static_cast<std::size_t>(density.columns) * kCellSize;
     const std::uint8_t* const flat =
         scene.flat.data() + static_cast<std::size_t>(v_) * stride + static_cast<std::size_t>(u_);
-    for (int i = 0; i < kCell; ++i) {
+    for (int i = 0; i < kCellSize; ++i) {
       mask_ |= gather_bits(flat + static_cast<std::size_t>(i) * stride) << (8 * i);
     }
-    split(scene, 0, 0, kCell, std::max(spacing, scene.least_spacing));
+    split(scene, 0, 0, kCellSize, std::max(spacing, scene.least_spacing));
   }
 
   /// A block of the cell.
@@ -168,7 +168,7 @@ class PooledPoints::Band {
     const double gate = scene.options.cut * sigma;
     const kernels::PooledDeviation pooled =
         kernels::pool_deviations({depths, stride, side, side}, {first, per_column, per_row},
-                                 static_cast<float>(kReach * gate), static_cast<float>(gate));
+                                 static_cast<float>(kReachOfCut * gate), static_cast<float>(gate));
     if (pooled.pixels == 0.0F) return;
     add(camera, middle.u, middle.v, expected * (1.0F + pooled.mean), pooled.pixels);
     squares_ += static_cast<double>(pooled.pixels * pooled.variance) / (sigma * sigma);
@@ -224,17 +224,17 @@ PooledPoints& PooledPoints::operator=(PooledPoints&&) noexcept = default;
 
 /// Pixels at the border of the view have no neighbours, and are not.
 void PooledPoints::find_flat(const RenderedDepth& view, int row_of_cells) {
-  const auto stride =
-      flat_.size() / static_cast<std::size_t>((view.height + kCell - 1) / kCell * kCell);
+  const auto stride = flat_.size() / static_cast<std::size_t>((view.height + kCellSize - 1) /
+                                                              kCellSize * kCellSize);
   const ImageWindow& drawn = view.drawn;
-  const int first_row = row_of_cells * kCell;
+  const int first_row = row_of_cells * kCellSize;
   std::fill_n(
       flat_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first_row) * stride),
-      static_cast<std::size_t>(kCell) * stride, std::uint8_t{0});
+      static_cast<std::size_t>(kCellSize) * stride, std::uint8_t{0});
   const auto first = static_cast<std::size_t>(std::max(drawn.left, 1));
   const auto end = static_cast<std::size_t>(std::max(std::min(drawn.right(), view.width - 1), 0));
   if (first >= end) return;
-  const int end_row = std::min({first_row + kCell, drawn.bottom(), view.height - 1});
+  const int end_row = std::min({first_row + kCellSize, drawn.bottom(), view.height - 1});
   for (int v = std::max({first_row, drawn.top, 1}); v < end_row; ++v) {
     const float* const z = view.depth.data() + view.index(0, v);
     const std::int16_t* const id = view.id.data() + view.index(0, v);
@@ -248,8 +248,8 @@ void PooledPoints::assign(const TiledCloud& cloud, const VisibleSurface& surface
                           const SamplingDensity& density, int least_spacing,
                           const RegistrationOptions& options, const Executor& executor) {
   const Scene scene{cloud, surface, density, least_spacing, flat_, options};
-  flat_.resize(static_cast<std::size_t>(density.columns * kCell) *
-               static_cast<std::size_t>(density.rows * kCell));
+  flat_.resize(static_cast<std::size_t>(density.columns * kCellSize) *
+               static_cast<std::size_t>(density.rows * kCellSize));
   const int bands = (density.rows + kRowsOfCells - 1) / kRowsOfCells;
   std::vector<Band>& all = *bands_;
   all.resize(static_cast<std::size_t>(bands));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lockbox/core/square.hpp"
 #include "lockbox/kernels/whitening.hpp"
 
 namespace lockbox {
@@ -11,10 +12,6 @@ namespace {
 
 constexpr double kLeastLength = 0.1;  // pixels: as good as none
 constexpr std::size_t kUsualValues = 32;
-
-double square(double x) {
-  return x * x;
-}
 
 }  // namespace
 

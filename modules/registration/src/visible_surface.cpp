@@ -14,22 +14,22 @@ namespace {
 constexpr std::size_t kRowsPerChunk = 16;
 constexpr std::size_t kColumnsPerChunk = 64;
 constexpr std::size_t kTilesPerChunk = 8;
-constexpr std::uint8_t kFarthest = 255;
-constexpr float kFarthestLabel = -1.0F - kFarthest;
+constexpr std::uint8_t kFarthestCounted = 255;
+constexpr float kFarthestLabel = -1.0F - kFarthestCounted;
 
 /// distance <- min(distance, neighbour + 1) for each pixel of a row and its neighbour in another
 /// one. Without a branch, so that it is done for many pixels at once.
 void relax(const std::uint8_t* neighbours, std::size_t count, std::uint8_t* distances) {
   for (std::size_t u = 0; u < count; ++u) {
     const auto next =
-        static_cast<std::uint8_t>(neighbours[u] + (neighbours[u] != kFarthest ? 1 : 0));
+        static_cast<std::uint8_t>(neighbours[u] + (neighbours[u] != kFarthestCounted ? 1 : 0));
     distances[u] = std::min(distances[u], next);
   }
 }
 
 /// Along a row from a pixel of the model (or from where there is none) to the next one.
 void fill_gap(std::uint8_t* row, std::size_t begin, std::size_t end, std::size_t width) {
-  const std::size_t farthest = kFarthest;
+  const std::size_t farthest = kFarthestCounted;
   for (std::size_t u = begin; u < end; ++u) {
     const std::size_t before = begin > 0 ? u - begin + 1 : farthest;
     const std::size_t after = end < width ? end - u : farthest;

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "rows_at_once.hpp"
+
 namespace lockbox::simulation {
 namespace {
 
-constexpr std::uint64_t kPurpose = 1;  ///< tells this use of the seed from others
-constexpr std::size_t kRowsAtOnce = 16;
+constexpr std::uint64_t kNoisePurpose = 1;  ///< tells this use of the seed from others
 
 void accumulate(const float* __restrict values, float weight, std::size_t count,
                 float* __restrict sum) {
@@ -32,7 +33,7 @@ void CorrelatedNoise::generate(std::uint64_t frame, const NormalTable& normal,
   executor.for_each_chunk(rows_, kRowsAtOnce, [&](std::size_t begin, std::size_t end, std::size_t) {
     std::vector<float> white(width_ + kernel_.size() - 1);
     for (std::size_t row = begin; row < end; ++row) {
-      RandomStream random(seed_, frame, row, kPurpose);
+      RandomStream random(seed_, frame, row, kNoisePurpose);
       for (std::size_t i = 0; i < white.size(); i += 5) {
         const std::uint64_t bits = random.next();
         for (std::size_t k = 0; k < std::min<std::size_t>(5, white.size() - i); ++k) {

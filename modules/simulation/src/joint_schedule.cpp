@@ -9,7 +9,6 @@
 namespace lockbox {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kMoveSamples = 12;  // of the move in question
 constexpr int kOtherSamples = 4;  // of what is left of the moves under way
 
@@ -23,8 +22,8 @@ double pause(int variable, double shift) {
 std::array<double, JointMoves::kMoves + 1> stations(double rest, const VariableLimits& limits,
                                                     double coverage) {
   const bool bounded = std::isfinite(limits.lower) && std::isfinite(limits.upper);
-  const double lower = bounded ? limits.lower : rest - kPi;
-  const double upper = bounded ? limits.upper : rest + kPi;
+  const double lower = bounded ? limits.lower : rest - std::numbers::pi;
+  const double upper = bounded ? limits.upper : rest + std::numbers::pi;
   const double margin = 0.5 * (1.0 - coverage) * (upper - lower);
   double first = upper - margin;
   double second = lower + margin;

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "rows_at_once.hpp"
+
 namespace lockbox::simulation {
 namespace {
 
-constexpr std::size_t kRowsAtOnce = 16;
 constexpr float kJump = 1.0F;  ///< samples of disparity: more is another surface
 
 /// The largest disparity at each column of one row of the projector's image.

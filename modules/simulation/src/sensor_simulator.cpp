@@ -9,21 +9,22 @@
 #include "correlated_noise.hpp"
 #include "projector_shadow.hpp"
 #include "random.hpp"
+#include "rows_at_once.hpp"
 #include "surface.hpp"
 
 namespace lockbox {
 namespace {
 
 using simulation::CorrelatedNoise;
+using simulation::kRowsAtOnce;
 using simulation::NormalTable;
 using simulation::ProjectorShadow;
 using simulation::RandomStream;
 using simulation::Surface;
 
-constexpr float kUnit = 0.001F;          ///< metres a unit of the output
-constexpr int kJitteredRefinement = 2;   ///< samples a pixel and axis, under lateral jitter
-constexpr std::size_t kRowsAtOnce = 16;  ///< of the image, in parallel loops
-constexpr std::uint64_t kPurpose = 2;    ///< tells this use of the seed from others
+constexpr float kUnit = 0.001F;             ///< metres a unit of the output
+constexpr int kJitteredRefinement = 2;      ///< samples a pixel and axis, under lateral jitter
+constexpr std::uint64_t kPixelPurpose = 2;  ///< tells this use of the seed from others
 
 /// Standard deviation, in samples, of the Gaussian that has to be rounded to whole samples to get
 /// the sensor's jitter: rounding adds 1/12 to the variance.
@@ -130,7 +131,7 @@ bool SensorSimulator::Workspace::is_lit(int sample_u, int sample_v) const {
 void SensorSimulator::Workspace::measure_row(const Surface& surface, std::uint64_t index, int v,
                                              const std::vector<float>& correlated,
                                              std::uint16_t* out) const {
-  RandomStream random(seed, index, static_cast<std::uint64_t>(v), kPurpose);
+  RandomStream random(seed, index, static_cast<std::uint64_t>(v), kPixelPurpose);
   for (int u = 0; u < camera.width; ++u) {
     // 12 + 12 bits for the jitter, 24 for white noise, 16 for drop-outs.
     const std::uint64_t bits = random.next();

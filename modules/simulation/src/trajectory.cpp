@@ -7,11 +7,10 @@
 
 #include "joint_schedule.hpp"
 #include "lockbox/core/lie.hpp"
+#include "lockbox/core/units.hpp"
 
 namespace lockbox {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// T_start_camera: six slow oscillations of unequal frequency, at rest in the beginning.
 Eigen::Isometry3d camera_motion(double time, const TrajectoryOptions& options) {
@@ -20,7 +19,7 @@ Eigen::Isometry3d camera_motion(double time, const TrajectoryOptions& options) {
   for (int i = 0; i < 6; ++i) {
     const double amplitude = i < 3 ? options.sway : options.turn;
     xi[i] = amplitude * smooth_step(time) *
-            std::sin(2.0 * kPi * hertz[static_cast<std::size_t>(i)] * time);
+            std::sin(kFullTurn * hertz[static_cast<std::size_t>(i)] * time);
   }
   return exp_se3(xi);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lockbox/core/units.hpp"
 #include "lockbox/sdf/signed_distance_field.hpp"
 
 namespace lockbox {
@@ -48,7 +49,6 @@ Eigen::Vector3f distance_color(float distance, float limit) {
 
 std::vector<ScaleColor> distance_scale(float limit) {
   constexpr int kSteps = 20;  // on each side
-  constexpr double kMillimetres = 1000.0;
   std::vector<ScaleColor> scale;
   for (int step = -kSteps; step <= kSteps; ++step) {
     const float distance = limit * static_cast<float>(step) / kSteps;

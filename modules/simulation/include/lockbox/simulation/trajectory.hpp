@@ -4,9 +4,9 @@
 
 #include <Eigen/Geometry>
 #include <functional>
-#include <numbers>
 #include <vector>
 
+#include "lockbox/core/units.hpp"
 #include "lockbox/model/states_file.hpp"
 
 namespace lockbox {
@@ -19,7 +19,7 @@ struct TrajectoryOptions {
   double rate = 30.0;                                  ///< frames a second
   Eigen::Isometry3d T_camera_base = facing_pose(1.3);  ///< of the first frame
   double sway = 0.03;                                  ///< of the camera along each axis, metres
-  double turn = 2.0 * std::numbers::pi / 180.0;        ///< about each axis, radians
+  double turn = 2.0 * kRadians;                        ///< about each axis, radians
   double coverage = 0.9;  ///< share of its range that each joint passes; continuous: of a turn
 
   /// Whether the joints can stand so, parts not passing through each other; none: always.
