@@ -3,38 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <map>
-#include <optional>
 #include <sstream>
 
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "m3t_figures.hpp"
+#include "peer_measures.hpp"
 #include "peer_scene.hpp"
 
 namespace lockbox::app {
 namespace {
-
-using Measure = std::function<double(const PeerFrame&)>;
-
-double base_mm(const PeerFrame& frame) {
-  return kMillimetres * frame.outcome.translation;
-}
-
-double base_degrees(const PeerFrame& frame) {
-  return kDegrees * frame.outcome.rotation;
-}
-
-double door_degrees(const PeerFrame& frame) {
-  return kDegrees * frame.door;
-}
-
-double slide_mm(const PeerFrame& frame) {
-  return kMillimetres * frame.slide;
-}
 
 /// What is known, over all frames but the first `skipped`.
 Statistics spread(const PeerRun& run, const Measure& measure, std::size_t skipped = 0) {
@@ -44,10 +25,6 @@ Statistics spread(const PeerRun& run, const Measure& measure, std::size_t skippe
     if (std::isfinite(value)) values.push_back(value);
   }
   return summarize(values);
-}
-
-double median(const std::vector<double>& values) {
-  return summarize(values).median;
 }
 
 /// Medians over the runs of what each one spreads.
@@ -64,16 +41,6 @@ ErrorSpread typical(const std::vector<PeerRun>& runs, const Measure& measure,
     maxima.push_back(own.maximum);
   }
   return {median(medians), median(percentiles), median(maxima)};
-}
-
-/// Those on all frames of a sequence.
-std::vector<PeerRun> selected(const std::vector<PeerRun>& runs, const std::string& tracker,
-                              const std::string& sequence) {
-  std::vector<PeerRun> result;
-  std::copy_if(runs.begin(), runs.end(), std::back_inserter(result), [&](const PeerRun& run) {
-    return run.tracker == tracker && run.sequence == sequence && run.every == 1;
-  });
-  return result;
 }
 
 std::string number_or_dash(double value) {
@@ -157,43 +124,6 @@ std::string percent(const std::vector<CaptureTrial>& trials, const std::string& 
     good += trial.succeeds() ? 1 : 0;
   }
   return all == 0 ? "-" : std::to_string(100 * good / all);
-}
-
-/// Of each frame the median over the runs.
-Curve typical_curve(const std::string& name, const std::vector<PeerRun>& runs,
-                    const Measure& measure) {
-  Curve curve{name, {}, {}};
-  for (std::size_t i = 0; i < runs.front().frames.size(); ++i) {
-    std::vector<double> values;
-    for (const PeerRun& run : runs) {
-      const double value = measure(run.frames[i]);
-      if (std::isfinite(value)) values.push_back(value);
-    }
-    curve.x.push_back(static_cast<double>(i));
-    curve.y.push_back(median(values));
-  }
-  return curve;
-}
-
-Panel error_panel(const std::string& label, const std::vector<PeerRun>& runs,
-                  const Measure& measure, const ErrorSpread AccuracyRow::*published) {
-  Panel panel{"frame", label, {}, true};
-  double last = 0.0;
-  for (const PeerSequence& sequence : peer_sequences()) {
-    const auto own = selected(runs, peer_settings().front().name, sequence.name);
-    if (own.empty()) continue;
-    panel.curves.push_back(typical_curve(sequence.name, own, measure));
-    last = panel.curves.back().x.back();
-  }
-  for (const AccuracyRow& row : m3t_accuracy()) {
-    if (row.sequence != "static" || row.tracker != "M3T best") continue;
-    const ErrorSpread& errors = row.*published;
-    panel.curves.push_back(
-        {"M3T best, static: median", {0.0, last}, {errors.median, errors.median}});
-    panel.curves.push_back(
-        {"M3T best, static: maximum", {0.0, last}, {errors.maximum, errors.maximum}});
-  }
-  return panel;
 }
 
 }  // namespace
@@ -292,14 +222,6 @@ void print_capture(const std::vector<CaptureTrial>& trials) {
                    trials.begin(), trials.end(),
                    [](const CaptureTrial& t) { return !t.succeeds() && is_tracking(t.end); })
             << " of " << trials.size() << '\n';
-}
-
-Figure peer_figure(const std::string& name, const std::vector<PeerRun>& runs) {
-  return {name + ": errors on the scene on which M3T was measured, medians over the seeds",
-          {error_panel("base (mm)", runs, base_mm, &AccuracyRow::base_mm),
-           error_panel("base (degrees)", runs, base_degrees, &AccuracyRow::base_degrees),
-           error_panel("door (degrees)", runs, door_degrees, &AccuracyRow::door_degrees),
-           error_panel("slide (mm)", runs, slide_mm, &AccuracyRow::slide_mm)}};
 }
 
 }  // namespace lockbox::app

@@ -2,10 +2,8 @@
 // What the runs of `lockbox experiment peers` say, beside what M3T reaches.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "lockbox/evaluation/figure.hpp"
 #include "lockbox/evaluation/table.hpp"
 #include "peer_runs.hpp"
 
@@ -21,8 +19,5 @@ void print_peer_times(const std::vector<PeerRun>& runs);
 /// The runs of the sequence `moving`.
 void print_fast_motion(const std::vector<PeerRun>& runs);
 void print_capture(const std::vector<CaptureTrial>& trials);
-
-/// Errors over the frames of the whole sequences: of each frame the median over the seeds.
-Figure peer_figure(const std::string& name, const std::vector<PeerRun>& runs);
 
 }  // namespace lockbox::app

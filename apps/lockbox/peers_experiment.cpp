@@ -7,6 +7,7 @@
 #include "experiments.hpp"
 #include "lockbox/core/error.hpp"
 #include "option_checks.hpp"
+#include "peer_figure.hpp"
 #include "peer_report.hpp"
 #include "peer_scene.hpp"
 #include "progress.hpp"

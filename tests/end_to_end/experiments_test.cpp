@@ -217,6 +217,24 @@ TEST(Peers, ComparesWithTheFiguresOfTheOtherTracker) {
   EXPECT_THAT(summary, HasSubstr("door 20 degrees"));
 }
 
+TEST(Peers, GivesThePointBudgetToTheFastSettingAlone) {
+  const TemporaryFolder folder;
+  const auto rows_with = [&](const std::string& points) {
+    run_experiment("peers", "board_door_block", folder / points,
+                   {"--seeds", "1", "--frames", "3", "--trials", "0", "--sequence", "static",
+                    "--fast-points", points});
+    return read_rows(folder / points / "peers_board_door_block.csv");
+  };
+  const auto few = rows_with("600");
+  const auto more = rows_with("2000");
+  ASSERT_EQ(few.size(), 6U);
+  ASSERT_EQ(more.size(), 6U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(few[i].at("translation"), more[i].at("translation"));
+    EXPECT_NE(few[i + 3].at("translation"), more[i + 3].at("translation"));
+  }
+}
+
 TEST(Peers, RefusesAnotherSensor) {
   const TemporaryFolder folder;
   const auto result =
