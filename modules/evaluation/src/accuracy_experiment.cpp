@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/random_draws.hpp"
@@ -14,7 +13,7 @@ namespace lockbox {
 namespace {
 
 constexpr double kStartOffset = 0.005;  // metres
-constexpr double kStartTurn = kRadians;
+constexpr double kStartTurn = 1.0 * kRadians;
 constexpr int kMostIterations = 30;  // it rests after about ten
 constexpr int kNarrowing = 6;
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/figure.hpp"
 #include "lockbox/evaluation/report.hpp"

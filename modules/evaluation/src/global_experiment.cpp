@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
@@ -85,7 +84,7 @@ void GlobalExperiment::compare_with_truth(const RegistrationResult& found, const
 std::string GlobalExperiment::wrong_unknowns(const Configuration& found, const State& truth,
                                              const Eigen::VectorXd& bound,
                                              const GlobalResult& result) const {
-  if (!(result.translation < 0.01 && result.rotation < kRadians)) return "base";
+  if (!(result.translation < 0.01 && result.rotation < 1.0 * kRadians)) return "base";
   std::string wrong;
   for (std::size_t j = 0; j < model_.tree.joints.size(); ++j) {
     const Joint& joint = model_.tree.joints[j];
