@@ -70,9 +70,27 @@ TEST_F(EdgeMoments, SumColumnsOfABodyWithEveryInstructionSet) {
     for (const float body : {0.0F, 2.0F}) {
       for (std::size_t row = 0; row < kWindowPixels; ++row) {
         ColumnMoments moments;
-        blur_columns(window_, taps_, row, body, moments);
+        blur_columns(window_, taps_, row, {0, kWindowPixels}, body, moments);
         for (std::size_t column = 0; column + 1 < kWindowRows; ++column) {
           expect_column(moments, row, column, body);
+        }
+      }
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST_F(EdgeMoments, SumWhatPixelsOfARowLookAtWithEveryInstructionSet) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    for (std::size_t first = 0; first < kWindowPixels; ++first) {
+      for (std::size_t end = first + 1; end <= kWindowPixels; ++end) {
+        ColumnMoments moments;
+        blur_columns(window_, taps_, 3, {first, end}, 2.0F, moments);
+        const std::size_t end_column = kSamplesPerPixel * (end - 1) + kWindowTaps;
+        for (std::size_t column = kSamplesPerPixel * first; column < end_column; ++column) {
+          if (column + 1 < kWindowRows) expect_column(moments, 3, column, 2.0F);
         }
       }
     }
@@ -85,7 +103,7 @@ TEST_F(EdgeMoments, SumSquaresWithEveryInstructionSet) {
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
     alignas(64) ColumnMoments::Sums squares;
-    blur_squares(window_, taps_, 5, kReference, squares);
+    blur_squares(window_, taps_, 5, {0, kWindowPixels}, kReference, squares);
     for (std::size_t column = 0; column < kWindowRows; ++column) {
       float expected = 0.0F;
       for (std::size_t t = 0; t < kWindowTaps; ++t) {

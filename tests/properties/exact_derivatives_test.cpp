@@ -156,7 +156,7 @@ ExpectedImage expected_image(const ArticulatedModel& model, const Configuration&
         continue;
       }
       for (int row = 0; row < EdgeTile::kSide; ++row) {
-        tile.begin_row(row);
+        tile.begin_row(row, 0, EdgeTile::kSide);
         for (int column = 0; column < EdgeTile::kSide; ++column) {
           if (tile.may_show_nothing(column, row)) continue;
           tile.look_at(column);

@@ -14,6 +14,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, kWindowStride>;
 using Vector = hn::Vec<Tag>;
 
+/// The first column of samples that a pixel looks at, or where the vector begins that holds it.
+HWY_INLINE std::size_t first_column(const PixelRange& pixels) {
+  return kSamplesPerPixel * pixels.first / hn::Lanes(Tag()) * hn::Lanes(Tag());
+}
+
+HWY_INLINE std::size_t end_column(const PixelRange& pixels) {
+  return kSamplesPerPixel * (pixels.end - 1) + kWindowTaps;
+}
+
 /// Adds the steps from samples to those `next` after them that a body moves.
 HWY_INLINE void add_steps(const float* const d, const float* const body, const std::size_t next,
                           const Vector of_body, const Vector tap, Vector& step, Vector& step_d) {
@@ -29,12 +38,12 @@ HWY_INLINE void add_steps(const float* const d, const float* const body, const s
 }
 
 void blur_columns_of(const EdgeWindow& window, const WindowTaps& taps, const std::size_t pixel_row,
-                     const float body, ColumnMoments& moments) {
+                     const PixelRange& pixels, const float body, ColumnMoments& moments) {
   const Tag tag;
   const auto of_body = hn::Set(tag, body);
   const auto rate = hn::Set(tag, static_cast<float>(kSamplesPerPixel));
   // Of a row, the last sample has no neighbour; what becomes of it there is not used.
-  for (std::size_t i = 0; i < kWindowStride; i += hn::Lanes(tag)) {
+  for (std::size_t i = first_column(pixels); i < end_column(pixels); i += hn::Lanes(tag)) {
     auto sum = hn::Zero(tag);
     auto squares = hn::Zero(tag);
     auto step_u = hn::Zero(tag);
@@ -65,10 +74,11 @@ void blur_columns_of(const EdgeWindow& window, const WindowTaps& taps, const std
 }
 
 void blur_squares_of(const EdgeWindow& window, const WindowTaps& taps, const std::size_t pixel_row,
-                     const float reference, ColumnMoments::Sums& squares) {
+                     const PixelRange& pixels, const float reference,
+                     ColumnMoments::Sums& squares) {
   const Tag tag;
   const auto zero = hn::Set(tag, reference);
-  for (std::size_t i = 0; i < kWindowStride; i += hn::Lanes(tag)) {
+  for (std::size_t i = first_column(pixels); i < end_column(pixels); i += hn::Lanes(tag)) {
     auto sum = hn::Zero(tag);
     for (std::size_t t = 0; t < kWindowTaps; ++t) {
       const std::size_t at = (kSamplesPerPixel * pixel_row + t) * kWindowStride + i;
@@ -89,13 +99,13 @@ HWY_EXPORT(blur_columns_of);
 HWY_EXPORT(blur_squares_of);
 
 void blur_columns(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
-                  float body, ColumnMoments& moments) {
-  HWY_DYNAMIC_DISPATCH(blur_columns_of)(window, taps, pixel_row, body, moments);
+                  const PixelRange& pixels, float body, ColumnMoments& moments) {
+  HWY_DYNAMIC_DISPATCH(blur_columns_of)(window, taps, pixel_row, pixels, body, moments);
 }
 
 void blur_squares(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
-                  float reference, ColumnMoments::Sums& squares) {
-  HWY_DYNAMIC_DISPATCH(blur_squares_of)(window, taps, pixel_row, reference, squares);
+                  const PixelRange& pixels, float reference, ColumnMoments::Sums& squares) {
+  HWY_DYNAMIC_DISPATCH(blur_squares_of)(window, taps, pixel_row, pixels, reference, squares);
 }
 
 }  // namespace lockbox::kernels

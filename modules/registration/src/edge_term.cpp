@@ -134,32 +134,42 @@ void EdgeTerm::sum_neighbours(const TiledCloud& cloud, int first_column, int end
 /// Of the tile in hand, whose first pixel is given, adds the pixels that measure an edge of the
 /// model before the model and agree with it at all.
 void EdgeTerm::compare(const TiledCloud& cloud, const Pixel& first, Worker& worker) const {
-  const PinholeCamera& camera = cloud.camera();
   worker.find_variables(variables_);
   worker.noise.clear(static_cast<std::size_t>(worker.residual_column() + 1));
-  const int rows = std::min(kSide, camera.height - first.v);
-  const int columns = std::min(kSide, camera.width - first.u);
+  const int rows = std::min(kSide, cloud.camera().height - first.v);
   for (int row = 0; row < rows; ++row) {
-    bool has_begun = false;
-    for (int column = 0; column < columns; ++column) {
-      if (!worker.tile.bends(column, row, least_bend_)) continue;
-      const Pixel pixel{first.u + column, first.v + row};
-      const std::size_t i = index(pixel, camera);
-      if (!(cloud.depth()[i] > 0.0F) || !cloud.keeps(i)) continue;
-      if (worker.tile.may_show_nothing(column, row)) continue;
-      if (!has_begun) worker.tile.begin_row(row);
-      has_begun = true;
-      worker.tile.look_at(column);
-      const float mean = worker.tile.mean();
-      const float residual = 1.0F / cloud.depth()[i] - mean;
-      const float own = worker.noise.own_variance(mean) + worker.tile.variance();
-      const auto cut = static_cast<float>(options_.cut * options_.cut);
-      if (residual * residual > cut * (own + worker.noise.shared_variance())) continue;
-      const std::span<float> values = worker.noise.add(column, row, own);
-      worker.differentiate(pixel, camera, screws_, values);
-      values.back() = residual;
-    }
+    find_edges(cloud, first, row, worker);
+    if (worker.columns.empty()) continue;
+    worker.tile.begin_row(row, worker.columns.front(), worker.columns.back() + 1);
+    for (const int column : worker.columns) compare_pixel(cloud, first, column, row, worker);
   }
+}
+
+/// The columns of a row of the tile whose pixels measure an edge.
+void EdgeTerm::find_edges(const TiledCloud& cloud, const Pixel& first, int row,
+                          Worker& worker) const {
+  worker.columns.clear();
+  const int columns = std::min(kSide, cloud.camera().width - first.u);
+  for (int column = 0; column < columns; ++column) {
+    if (!worker.tile.bends(column, row, least_bend_)) continue;
+    const std::size_t i = index({first.u + column, first.v + row}, cloud.camera());
+    if (!(cloud.depth()[i] > 0.0F) || !cloud.keeps(i)) continue;
+    if (!worker.tile.may_show_nothing(column, row)) worker.columns.push_back(column);
+  }
+}
+
+void EdgeTerm::compare_pixel(const TiledCloud& cloud, const Pixel& first, int column, int row,
+                             Worker& worker) const {
+  const Pixel pixel{first.u + column, first.v + row};
+  worker.tile.look_at(column);
+  const float mean = worker.tile.mean();
+  const float residual = 1.0F / cloud.depth()[index(pixel, cloud.camera())] - mean;
+  const float own = worker.noise.own_variance(mean) + worker.tile.variance();
+  const auto cut = static_cast<float>(options_.cut * options_.cut);
+  if (residual * residual > cut * (own + worker.noise.shared_variance())) return;
+  const std::span<float> values = worker.noise.add(column, row, own);
+  worker.differentiate(pixel, cloud.camera(), screws_, values);
+  values.back() = residual;
 }
 
 void EdgeTerm::sum_up(const Eigen::Isometry3d& T_camera_base) {

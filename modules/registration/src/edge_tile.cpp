@@ -29,11 +29,9 @@ Taps jitter_density(double lateral_pixels, double shift) {
 
 /// Over the samples around the pixel of a column.
 float blur(const kernels::ColumnMoments::Sums& columns, const Taps& taps, std::size_t pixel) {
-  float sum = 0.0F;
-  for (std::size_t t = 0; t < taps.size(); ++t) {
-    sum += taps[t] * columns[kernels::kSamplesPerPixel * pixel + t];
-  }
-  return sum;
+  using Weights = Eigen::Matrix<float, static_cast<int>(kernels::kWindowTaps), 1>;
+  const float* const around = &columns[kernels::kSamplesPerPixel * pixel];
+  return Eigen::Map<const Weights>(taps.data()).dot(Eigen::Map<const Weights>(around));
 }
 
 }  // namespace
@@ -111,12 +109,14 @@ bool EdgeTile::may_show_nothing(int column, int row) const {
   return false;
 }
 
-void EdgeTile::begin_row(int row) {
+void EdgeTile::begin_row(int row, int first, int end) {
   const auto pixel_row = static_cast<std::size_t>(row);
+  const kernels::PixelRange pixels{static_cast<std::size_t>(first), static_cast<std::size_t>(end)};
   for (std::size_t b = 0; b < body_count_; ++b) {
-    kernels::blur_columns(window_, taps_, pixel_row, static_cast<float>(bodies_[b]), columns_[b]);
+    kernels::blur_columns(window_, taps_, pixel_row, pixels, static_cast<float>(bodies_[b]),
+                          columns_[b]);
   }
-  kernels::blur_squares(window_, taps_, pixel_row, reference_, squares_);
+  kernels::blur_squares(window_, taps_, pixel_row, pixels, reference_, squares_);
 }
 
 void EdgeTile::look_at(int column) {

@@ -25,6 +25,7 @@ struct EdgeTerm::Worker {
   Worker(const SensorNoise& sensor, Index unknowns)
       : samples(), tile(sensor.lateral_pixels), noise(sensor, kSide) {
     variables.reserve(static_cast<std::size_t>(unknowns));
+    columns.reserve(kSide);
   }
 
   /// Of a pixel's values: the derivative of its mean by the base's twist in the camera's frame and
@@ -87,6 +88,7 @@ struct EdgeTerm::Worker {
   EdgeTile tile;
   TileNoise noise;
   std::vector<int> variables;  ///< that move anything in the tile
+  std::vector<int> columns;    ///< of the row in hand: pixels that measure an edge
 };
 
 }  // namespace lockbox

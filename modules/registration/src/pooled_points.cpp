@@ -18,6 +18,9 @@ constexpr double kReachOfCut = 2.0;
 constexpr int kRowsOfCells = 2;    // of a band
 constexpr int kCellsTogether = 4;  // along a band, for one tile
 constexpr std::size_t kWellFilled = 2 * kernels::kLanes;
+/// Rows of the camera that a mean is taken of, evenly apart. Noise goes together over a few pixels:
+/// rows in between tell hardly more, but take most of the time.
+constexpr std::size_t kRowsOfMean = 8;
 
 /// Pixels of a cell, one bit each: row by row, eight a row.
 using CellMask = std::uint64_t;
@@ -166,12 +169,15 @@ class PooledPoints::Band {
     const auto depth = static_cast<double>(expected);
     const double sigma = scene.options.noise.sigma_z(depth) / depth;
     const double gate = scene.options.cut * sigma;
-    const kernels::PooledDeviation pooled =
-        kernels::pool_deviations({depths, stride, side, side}, {first, per_column, per_row},
-                                 static_cast<float>(kReachOfCut * gate), static_cast<float>(gate));
+    const std::size_t apart = std::max<std::size_t>(1, side / kRowsOfMean);
+    const auto rows = static_cast<float>(apart);
+    const kernels::PooledDeviation pooled = kernels::pool_deviations(
+        {depths, apart * stride, side, side / apart}, {first, per_column, rows * per_row},
+        static_cast<float>(kReachOfCut * gate), static_cast<float>(gate));
     if (pooled.pixels == 0.0F) return;
-    add(camera, middle.u, middle.v, expected * (1.0F + pooled.mean), pooled.pixels);
-    squares_ += static_cast<double>(pooled.pixels * pooled.variance) / (sigma * sigma);
+    const float pixels = rows * pooled.pixels;
+    add(camera, middle.u, middle.v, expected * (1.0F + pooled.mean), pixels);
+    squares_ += static_cast<double>(pixels * pooled.variance) / (sigma * sigma);
   }
 
   void add(const PinholeCamera& camera, int u, int v, float z, float pooled) {

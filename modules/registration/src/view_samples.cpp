@@ -85,12 +85,6 @@ void ViewSamples::place(const VisibleSurface& surface, Row& row) {
   }
 }
 
-ViewSample ViewSamples::sample(int body, std::size_t number) const {
-  const auto& [pixel, spacing] = places_[number];
-  const double along = static_cast<double>(spacing) * scale_;
-  return {{x_[number], y_[number], z_[number]}, body, pixel, along * along};
-}
-
 void SampleLandings::reserve(const Executor& executor) {
   buffers_.resize(static_cast<std::size_t>(executor.threads()) + 1);
   for (Buffers& buffers : buffers_) {

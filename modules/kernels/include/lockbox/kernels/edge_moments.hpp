@@ -30,6 +30,12 @@ struct WindowTaps {
   std::array<float, kWindowTaps> between_samples;  ///< half a sample after them
 };
 
+/// Pixels of a row. Only the columns of samples that they look at are summed, and some beside them.
+struct PixelRange {
+  std::size_t first;
+  std::size_t end;
+};
+
 /// Sums over the samples of a column. step: d of the next sample less that of this one, a step each
 /// pixel, by the body of the nearer of both; along rows (u) and columns (v).
 struct ColumnMoments {
@@ -42,12 +48,12 @@ struct ColumnMoments {
   alignas(64) Sums step_v_d;
 };
 
-/// Of one body, around a row of pixels.
+/// Of one body, around pixels of a row.
 void blur_columns(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
-                  float body, ColumnMoments& moments);
+                  const PixelRange& pixels, float body, ColumnMoments& moments);
 
 /// Of all bodies: of (d - reference)^2.
 void blur_squares(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
-                  float reference, ColumnMoments::Sums& squares);
+                  const PixelRange& pixels, float reference, ColumnMoments::Sums& squares);
 
 }  // namespace lockbox::kernels

@@ -67,6 +67,9 @@ class EdgeTerm {
   void sum_neighbours(const TiledCloud& cloud, int first_column, int end_column, int row,
                       Worker& worker, RowSums& sums) const;
   void compare(const TiledCloud& cloud, const Pixel& first, Worker& worker) const;
+  void find_edges(const TiledCloud& cloud, const Pixel& first, int row, Worker& worker) const;
+  void compare_pixel(const TiledCloud& cloud, const Pixel& first, int column, int row,
+                     Worker& worker) const;
   void sum_up(const Eigen::Isometry3d& T_camera_base);
 
   const KinematicTree& tree_;

@@ -52,8 +52,9 @@ class EdgeTile {
   /// Of the tile's pixel in this column and row: whether it may show nothing of the model.
   bool may_show_nothing(int column, int row) const;
 
-  /// What follows is about the pixels of this row, until the next call.
-  void begin_row(int row);
+  /// What follows is about the pixels of this row from the first column to before the end, until
+  /// the next call.
+  void begin_row(int row, int first, int end);
   /// And of this pixel in it.
   void look_at(int column);
 

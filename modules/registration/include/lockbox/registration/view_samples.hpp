@@ -44,7 +44,11 @@ class ViewSamples {
     return {x_.data() + chunk.first, y_.data() + chunk.first, z_.data() + chunk.first,
             kernels::padded(chunk.count)};
   }
-  ViewSample sample(int body, std::size_t number) const;
+  ViewSample sample(int body, std::size_t number) const {
+    const auto& [pixel, spacing] = places_[number];
+    const double along = static_cast<double>(spacing) * scale_;
+    return {{x_[number], y_[number], z_[number]}, body, pixel, along * along};
+  }
 
  private:
   struct Place {
