@@ -142,6 +142,57 @@ TEST(Judgement, FewPointsContradictNothingThatIsRight) {
   }
 }
 
+/// A door that is seen along its face shows it in a few columns of pixels, each centimetres behind
+/// the last: by half a pixel of jitter, or a tenth of a degree, much of it is measured behind.
+TEST(Judgement, ADoorSeenAlongItsFaceIsNotContradicted) {
+  const ArticulatedModel& model = shipped("board_door_block");
+  for (const std::size_t budget : {std::size_t{1000}, TrackerOptions{}.registration.point_budget}) {
+    TrackerOptions options;
+    options.registration.point_budget = budget;
+    ArticulatedRegistration registration(model, options.registration, Executor(1));
+    Configuration truth = rest_configuration(model.tree);
+    truth.T_camera_base = facing_pose(1.2) * Eigen::AngleAxisd(-0.26, Eigen::Vector3d::UnitY());
+    for (std::uint64_t number = 0; number < 50; ++number) {
+      const double angle = 0.5 + 0.01 * static_cast<double>(number);
+      set_joint_position(model.tree, truth, "door", angle);
+      const TiledCloud cloud = seen(model, truth, wall_behind(0.8), number);
+      for (const double off : {-0.002, 0.002}) {
+        Configuration estimate = truth;
+        set_joint_position(model.tree, estimate, "door", angle + off);
+        const RegistrationResult& result =
+            registration.align(cloud, estimate, {.iterations = 0, .is_predicted = true});
+        const Agreement& door = result.body_agreement[1];
+        EXPECT_FALSE(is_contradicted(door, options))
+            << budget << " points, " << angle << ", " << off << ": " << door.consent();
+      }
+    }
+  }
+}
+
+/// The end of a door that points at the camera is a strip of ten pixels. By a third of a pixel more
+/// of its samples show what is behind than noise of the depth explains.
+TEST(Judgement, AStripThatIsAThirdOfAPixelOffIsNotContradicted) {
+  const ArticulatedModel& model = shipped("board_door_block");
+  TrackerOptions options;
+  options.registration.point_budget = 1000;
+  ArticulatedRegistration registration(model, options.registration, Executor(1));
+  Configuration truth = rest_configuration(model.tree);
+  truth.T_camera_base = facing_pose(1.2) * Eigen::AngleAxisd(-0.26, Eigen::Vector3d::UnitY());
+  set_joint_position(model.tree, truth, "door", 1.05);
+  constexpr double kThird = 0.0007;  // metres, of a pixel
+  for (std::uint64_t number = 0; number < 12; ++number) {
+    truth.T_camera_base.pretranslate(Eigen::Vector3d(kThird, 0.0, 0.0));
+    const TiledCloud cloud = seen(model, truth, wall_behind(0.8), number);
+    for (const double off : {-kThird, kThird}) {
+      Configuration estimate = truth;
+      estimate.T_camera_base.pretranslate(Eigen::Vector3d(off, 0.0, 0.0));
+      const RegistrationResult& result =
+          registration.align(cloud, estimate, {.iterations = 0, .is_predicted = true});
+      EXPECT_GT(result.body_agreement[1].consent(), 0.9) << number << ", " << off;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Judgement, PartsThatArePartlyWrong,
                          ::testing::Values(WrongJoint{"disk", 0.5}, WrongJoint{"disk", -1.5},
                                            WrongJoint{"disk", 3.1}, WrongJoint{"block", 0.03},

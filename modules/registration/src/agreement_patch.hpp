@@ -47,6 +47,7 @@ class AgreementPatch {
     pixels_ = 0.0;
     samples_ = 0.0;
     sum_behind_ = 0.0;
+    sum_variance_ = 0.0;
   }
 
  private:
@@ -61,7 +62,7 @@ class AgreementPatch {
     if (pixels_ < least_pixels_) return false;
     // Neighbours err alike, and samples that stand for many pixels are no more than they are.
     const double independent = std::min(pixels_ / options_.noise_correlation, samples_);
-    const double sigma_of_mean = sigma_ / std::sqrt(independent);
+    const double sigma_of_mean = std::sqrt(sum_variance_ / pixels_ / independent);
     return sum_behind_ > (kMayRecede + kRecedesByNoise * sigma_of_mean) * pixels_;
   }
 
@@ -69,11 +70,11 @@ class AgreementPatch {
     const Pixel place{sample.pixel.u / kSize, sample.pixel.v / kSize};
     if (place.u != place_.u || place.v != place_.v) close();
     place_ = place;
-    sigma_ = sigma;
     // How far, of what is too far, does not matter: a few see past an edge to the wall.
     const double most = 2.0 * kMayRecede + options_.cut * sigma;
     pixels_ += sample.pixels;
     samples_ += 1.0;
+    sum_variance_ += sample.pixels * sigma * sigma;
     sum_behind_ += sample.pixels * std::clamp(behind, -most, most);
   }
 
@@ -82,10 +83,10 @@ class AgreementPatch {
   Agreement& counts_;
   Agreement explained_;
   Pixel place_{-1, -1};
-  double sigma_ = 0.0;  ///< metres; about the same for neighbours
   double pixels_ = 0.0;
   double samples_ = 0.0;
-  double sum_behind_ = 0.0;  ///< metres, over pixels
+  double sum_behind_ = 0.0;    ///< metres, over pixels
+  double sum_variance_ = 0.0;  ///< the same, metres^2
 };
 
 }  // namespace lockbox

@@ -2,13 +2,12 @@
 // How the visible surface of a registered model compares with the image.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/outline_agreement.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
@@ -21,7 +20,7 @@ struct Agreement {
   double explained = 0.0;     ///< measured where the model says
   double contradicted = 0.0;  ///< seen through, or measured behind as a patch or as a whole
   double occluded = 0.0;      ///< something else in front
-  double unknown = 0.0;       ///< not measured
+  double unknown = 0.0;       ///< not measured, or beside an outline that jitter may have moved
   /// Of what is explained: measured behind the surface by more than a standard deviation, less what
   /// is so far before it. Noise goes both ways alike.
   double recedes = 0.0;
@@ -36,22 +35,6 @@ struct Agreement {
   /// For comparing configurations: a contradiction counts more than what remains unexplained, which
   /// may be hidden.
   double conviction() const { return explained - 2.0 * contradicted; }
-};
-
-/// What the camera sees just beyond the model's outline, where something farther away, or nothing,
-/// should be. Where the surface goes on, the model may be a patch of a wall.
-struct OutlineAgreement {
-  int samples = 0;  ///< at the outline, where something in front does not hide what is beyond
-  int goes_on = 0;  ///< of these, where the scene continues the model's surface
-
-  double continued() const { return samples > 0 ? static_cast<double>(goes_on) / samples : 0.0; }
-};
-
-/// The outline of one body to one side: left, right, above or below.
-struct OutlineSide {
-  OutlineAgreement pixel_by_pixel;  ///< it goes on where what is beyond is as near as noise allows
-  int measured = 0;                 ///< of its samples, on both sides of the outline
-  double step = 0.0;  ///< the sum over these: farther beyond than within, standard deviations
 };
 
 /// Of each body at these poses, and over all of them. The surface may show a slightly different
@@ -76,14 +59,15 @@ class AgreementMeter {
     std::vector<float> expected;        ///< depth of the sample
     std::vector<float> distance;        ///< of the point from the body
     std::vector<std::uint32_t> number;  ///< of the sample, in its chunk
+    std::vector<std::int32_t> pixel;    ///< of the image
   };
   struct Scene;
-  using OutlineSides = std::array<OutlineSide, 4>;
 
   void reserve(const Executor& executor);
   void look_at_chunk(const Scene& scene, std::size_t chunk);
+  static void find_distances(const Scene& scene, int body, MeasuredPoints& points);
   static void count_points(const Scene& scene, const ViewSamples::Chunk& chunk,
-                           MeasuredPoints& points, Agreement& counts);
+                           const MeasuredPoints& points, Agreement& counts);
 
   Agreement total_;
   std::vector<Agreement> bodies_;  ///< by body
