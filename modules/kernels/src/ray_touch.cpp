@@ -11,7 +11,6 @@ HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
 
 constexpr int kProjections = 4;
-constexpr float kAtRest = 1e-5F;  // metres along the ray: one more projection would tell the same
 constexpr int kMostSteps = 20;
 constexpr float kStep = 0.004F;  // metres
 
@@ -61,23 +60,12 @@ HWY_INLINE void replace(const hn::Mask<FloatTag> where, const Nearest& by, Neare
   }
 }
 
-/// By alternating projections, each ray's until it is at rest, whatever others do. start: on the
-/// rays.
-HWY_INLINE Nearest nearest_to_rays(const FieldView& field, const Rays& rays, const Float start[3]) {
-  const FloatTag df;
-  Float p[3] = {start[0], start[1], start[2]};
+/// By alternating projections. p: on the rays.
+HWY_INLINE Nearest nearest_to_rays(const FieldView& field, const Rays& rays, Float p[3]) {
   Nearest at = nearest(field, p);
   for (int k = 1; k < kProjections; ++k) {
-    Float next[3];
-    Float move[3];
-    onto_rays(rays, at.p, 0.0F, next);
-    for (int axis = 0; axis < 3; ++axis) {
-      move[axis] = hn::Sub(next[axis], p[axis]);
-      p[axis] = next[axis];
-    }
-    const auto goes_on = hn::Gt(dot(move, move), hn::Set(df, kAtRest * kAtRest));
-    if (hn::AllFalse(df, goes_on)) break;
-    replace(goes_on, nearest(field, p), at);
+    onto_rays(rays, at.p, 0.0F, p);
+    at = nearest(field, p);
   }
   return at;
 }
