@@ -179,7 +179,8 @@ void AgreementMeter::look_at_chunk(const Scene& scene, std::size_t chunk_index) 
   count_points(scene, chunk, points, counts);
 }
 
-/// Of points at the gate, in a way that is the same for every instruction set.
+/// How far the points lie from the body; those at the gate, which rounding would decide, as with
+/// any instruction set.
 void AgreementMeter::find_distances(const Scene& scene, int body, MeasuredPoints& points) {
   const auto b = static_cast<std::size_t>(body);
   const std::size_t padded = kernels::padded(points.size);
