@@ -13,7 +13,7 @@ using Index = Eigen::Index;
 /// Points that are enough to come near. Of as many as there may be only the last steps tell more.
 constexpr std::size_t kApproachBudget = 3000;
 constexpr ViewDetail kApproachDetail{2 * kApproachBudget, 4, 0};
-constexpr double kNearEnough = 0.002;       // metres: what is left is one step, as good as exact
+constexpr double kNearEnough = 0.002;       // metres: a step that is as good as exact
 constexpr int kMostToSettle = 2;            // times the iterations, if more than a step is left
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
@@ -105,32 +105,47 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   return result_;
 }
 
-/// The descent; from a prediction, of many points a few are enough for all iterations but the last.
+/// The descent. From a prediction, a few of many points are enough to come near, and near is where
+/// what is left is settled.
 void ArticulatedRegistration::descend(const TiledCloud& cloud, const Annealing& annealing) {
+  const bool settles =
+      annealing.is_predicted && annealing.iterations > 1 && takes_last_steps(cloud);
   const std::size_t budget = options_.point_budget;
-  const bool is_thinned = annealing.is_predicted && annealing.iterations > 1 &&
-                          takes_last_steps(cloud) && (budget == 0 || budget > kApproachBudget);
+  const bool is_thinned = settles && (budget == 0 || budget > kApproachBudget);
   look_through(is_thinned ? approach_view_ : full_view_);
   const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
   const auto spread_of = [&](int k) {
     return k < annealing.iterations ? annealing.spread * spread_share(k, narrowing) : 0.0;
   };
-  const int iterations = annealing.iterations - (is_thinned ? 1 : 0);
+  const int iterations = annealing.iterations - (settles ? 1 : 0);
   bool go_on = true;
   for (int k = 0; k < iterations && go_on; ++k) {
     const double cost = linearize(cloud, spread_of(k));
-    const bool moved = improve(cloud, cost, annealing.hold_joints, spread_of(k + 1));
     const bool is_narrow = spread_of(k) == 0.0;
+    if (settles && take_short_step(annealing.hold_joints)) {
+      go_on = report(annealing, is_narrow);
+      break;
+    }
+    const bool moved = improve(cloud, cost, annealing.hold_joints, spread_of(k + 1));
     result_.converged = !moved && is_narrow;
     go_on = report(annealing, is_narrow) && !result_.converged;
   }
-  if (is_thinned) settle(cloud, annealing, go_on);
+  if (settles) settle(cloud, annealing, go_on);
+}
+
+/// One that is as good as exact needs no trial; false if the next one is longer.
+bool ArticulatedRegistration::take_short_step(bool hold_joints) {
+  const Eigen::VectorXd& step = next_step(hold_joints);
+  if (!(moves_.of(step) <= kNearEnough)) return false;
+  apply_step(step, result_.configuration);
+  linearized_spread_.reset();
+  return true;
 }
 
 /// The last iteration, of all points: mostly what is left is one step, as good as exact.
 void ArticulatedRegistration::settle(const TiledCloud& cloud, const Annealing& annealing,
                                      bool is_to_report) {
-  look_through(full_view_);
+  if (view_ != &full_view_) look_through(full_view_);
   bool moves_on = true;
   for (int k = 0; k < kMostToSettle * annealing.iterations && moves_on; ++k) {
     const double cost = linearize(cloud, 0.0);
@@ -166,8 +181,9 @@ bool ArticulatedRegistration::takes_last_steps(const TiledCloud& cloud) const {
 }
 
 void ArticulatedRegistration::look_through(PredictedView& view) {
-  if (view_ != &view) selected_spread_ = kNeverSelected;
+  if (view_ == &view) return;
   view_ = &view;
+  selected_spread_ = kNeverSelected;
   linearized_spread_.reset();
   ahead_spread_.reset();
 }
