@@ -55,52 +55,73 @@ CollisionTerm::CollisionTerm(const ArticulatedModel& model, const RegistrationOp
   if (options.collision == CollisionMode::off) {
     return;
   }
-  BodyPoses rest;
-  forward_kinematics(model.tree, rest_configuration(model.tree), rest);
-  const auto bodies = static_cast<int>(model.tree.bodies.size());
+  const std::size_t bodies = model.fields.size();
+  std::vector<std::vector<SurfaceSample>> samples(bodies);
+  std::vector<ErodedSurface> whole(bodies);
+  executor.for_each(bodies, [&](std::size_t b) {
+    if (!model.fields[b]) return;
+    samples[b] = collision_samples(model.tree.bodies[b].mesh);
+    whole[b] = erode(*model.fields[b], samples[b], 0.0);
+  });
+  find_pairs(model, whole);
+  if (options.collision == CollisionMode::eroded) choose_erosions(model, options.erosion);
+  const std::vector<Erosion> erosions = list_erosions();
+  surfaces_.resize(erosions.size());
+  executor.for_each(erosions.size(), [&](std::size_t i) {
+    const auto body = static_cast<std::size_t>(erosions[i].body);
+    surfaces_[i] = erode(*model.fields[body], samples[body], erosions[i].depth);
+  });
+}
+
+/// whole: the surfaces of bodies that have a field.
+void CollisionTerm::find_pairs(const ArticulatedModel& model,
+                               const std::vector<ErodedSurface>& whole) {
+  const auto bodies = static_cast<int>(model.fields.size());
   for (int a = 0; a < bodies; ++a) {
     for (int b = a + 1; b < bodies; ++b) {
-      add_pair(model, options, rest, a, b);
+      const bool have_fields =
+          model.fields[static_cast<std::size_t>(a)] && model.fields[static_cast<std::size_t>(b)];
+      if (have_fields) pairs_.push_back({a, b, 0.0, 0.0});
     }
   }
-}
-
-void CollisionTerm::add_pair(const ArticulatedModel& model, const RegistrationOptions& options,
-                             const BodyPoses& rest, int a, int b) {
-  const auto index_a = static_cast<std::size_t>(a);
-  const auto index_b = static_cast<std::size_t>(b);
-  const auto& field_a = model.fields[index_a];
-  const auto& field_b = model.fields[index_b];
-  if (!field_a || !field_b) {
-    return;
-  }
-  CollisionPair pair{a, b, 0.0, 0.0};
-  const std::size_t literal_a = surface_index(model, a, 0.0);
-  const std::size_t literal_b = surface_index(model, b, 0.0);
-  const Eigen::Isometry3d T_b_a = rest[index_b].inverse() * rest[index_a];
-  pair.rest_overlap = std::max(surfaces_[literal_a].deepest_in(*field_b, T_b_a),
-                               surfaces_[literal_b].deepest_in(*field_a, T_b_a.inverse()));
-  if (options.collision == CollisionMode::eroded) {
-    const double largest = kThicknessShare * std::min(field_a->thickness(), field_b->thickness());
-    pair.erosion =
-        chosen_erosion(model, model.tree.bodies[index_a], model.tree.bodies[index_b], largest)
-            .value_or(std::min(options.erosion, largest)) +
-        0.5 * pair.rest_overlap;
-  }
-  pair_surfaces_.emplace_back(surface_index(model, a, pair.erosion),
-                              surface_index(model, b, pair.erosion));
-  pairs_.push_back(pair);
-}
-
-std::size_t CollisionTerm::surface_index(const ArticulatedModel& model, int body, double erosion) {
-  const auto known = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const auto& surface) {
-    return surface.body == body && surface.erosion == erosion;
+  BodyPoses rest;
+  forward_kinematics(model.tree, rest_configuration(model.tree), rest);
+  executor_.for_each(pairs_.size(), [&](std::size_t i) {
+    const auto a = static_cast<std::size_t>(pairs_[i].a);
+    const auto b = static_cast<std::size_t>(pairs_[i].b);
+    const Eigen::Isometry3d T_b_a = rest[b].inverse() * rest[a];
+    const double overlap = std::max(whole[a].deepest_in(*model.fields[b], T_b_a),
+                                    whole[b].deepest_in(*model.fields[a], T_b_a.inverse()));
+    pairs_[i].rest_overlap = overlap < kDistanceRounding ? 0.0 : overlap;
   });
-  if (known != surfaces_.end()) {
-    return static_cast<std::size_t>(known - surfaces_.begin());
+}
+
+void CollisionTerm::choose_erosions(const ArticulatedModel& model, double usual) {
+  for (CollisionPair& pair : pairs_) {
+    const auto a = static_cast<std::size_t>(pair.a);
+    const auto b = static_cast<std::size_t>(pair.b);
+    const double largest =
+        kThicknessShare * std::min(model.fields[a]->thickness(), model.fields[b]->thickness());
+    pair.erosion = chosen_erosion(model, model.tree.bodies[a], model.tree.bodies[b], largest)
+                       .value_or(std::min(usual, largest)) +
+                   0.5 * pair.rest_overlap;
   }
-  surfaces_.emplace_back(model, body, erosion);
-  return surfaces_.size() - 1;
+}
+
+/// Each once, of all pairs.
+std::vector<CollisionTerm::Erosion> CollisionTerm::list_erosions() {
+  std::vector<Erosion> erosions;
+  const auto place_of = [&](const Erosion& wanted) {
+    const auto known = std::find(erosions.begin(), erosions.end(), wanted);
+    const auto place = static_cast<std::size_t>(known - erosions.begin());
+    if (known == erosions.end()) erosions.push_back(wanted);
+    return place;
+  };
+  for (const CollisionPair& pair : pairs_) {
+    const std::size_t of_a = place_of({pair.a, pair.erosion});
+    pair_surfaces_.emplace_back(of_a, place_of({pair.b, pair.erosion}));
+  }
+  return erosions;
 }
 
 void CollisionTerm::compare(const ArticulatedModel& model, const ErodedSurface& surface, int other,

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "lockbox/kernels/point_to_field.hpp"
-#include "lockbox/mesh/surface_sampling.hpp"
 
 namespace lockbox {
 namespace {
@@ -14,14 +13,16 @@ constexpr double kSamplesPerBody = 4000.0;
 constexpr double kFinestSpacing = 0.003;    // metres
 constexpr double kCoarsestSpacing = 0.015;  // metres
 constexpr int kNewtonSteps = 5;
+constexpr float kExactly = 1e-6F;  // metres: single precision tells no less
 
-/// Moved along the field to the level set.
-Eigen::Vector3f onto_level(const SignedDistanceField& field, Eigen::Vector3f p, float level) {
-  for (int step = 0; step < kNewtonSteps; ++step) {
-    const DistanceSample at = field.sample(p);
+/// Moves a point along the field to the level set. Returns the field there.
+DistanceSample move_onto_level(const SignedDistanceField& field, float level, Eigen::Vector3f& p) {
+  DistanceSample at = field.sample(p);
+  for (int step = 0; step < kNewtonSteps && std::abs(at.distance - level) > kExactly; ++step) {
     p -= (at.distance - level) * at.gradient / std::max(0.25F, at.gradient.squaredNorm());
+    at = field.sample(p);
   }
-  return p;
+  return at;
 }
 
 /// Samples follow each other along a space-filling curve.
@@ -40,33 +41,36 @@ std::vector<ErodedSurface::Patch> patches_of(const std::vector<ErodedSurface::Sa
 
 }  // namespace
 
-ErodedSurface::ErodedSurface(const ArticulatedModel& model, int body_index, double erosion_depth)
-    : body(body_index), erosion(erosion_depth) {
-  const TriangleMesh& mesh = model.tree.bodies[static_cast<std::size_t>(body)].mesh;
-  const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(body)];
-  const double spacing =
-      std::clamp(std::sqrt(surface_area(mesh) / kSamplesPerBody), kFinestSpacing, kCoarsestSpacing);
+std::vector<SurfaceSample> collision_samples(const TriangleMesh& mesh) {
+  const double spacing = std::sqrt(surface_area(mesh) / kSamplesPerBody);
+  return sample_surface(mesh, std::clamp(spacing, kFinestSpacing, kCoarsestSpacing));
+}
+
+ErodedSurface erode(const SignedDistanceField& field, std::span<const SurfaceSample> surface,
+                    double erosion) {
+  ErodedSurface eroded;
   const auto level = static_cast<float>(-erosion);
   double total = 0.0;
-  for (const SurfaceSample& point : sample_surface(mesh, spacing)) {
-    const Eigen::Vector3f p = onto_level(field, point.position.cast<float>(), level);
-    const DistanceSample at = field.sample(p);
+  for (const SurfaceSample& point : surface) {
+    Eigen::Vector3f p = point.position.cast<float>();
+    const DistanceSample at = move_onto_level(field, level, p);
     if (std::abs(at.distance - level) > 0.25F * static_cast<float>(field.voxel())) {
       continue;  // buried in another shell of the same body, or at a medial axis
     }
-    samples.push_back({p, at.gradient.normalized(), point.area});
+    eroded.samples.push_back({p, at.gradient.normalized(), point.area});
     total += point.area;
   }
-  for (Sample& sample : samples) {
+  for (ErodedSurface::Sample& sample : eroded.samples) {
     sample.share /= total;
-    x.push_back(sample.p_body.x());
-    y.push_back(sample.p_body.y());
-    z.push_back(sample.p_body.z());
+    eroded.x.push_back(sample.p_body.x());
+    eroded.y.push_back(sample.p_body.y());
+    eroded.z.push_back(sample.p_body.z());
   }
-  for (auto* axis : {&x, &y, &z}) {
-    axis->resize(kernels::padded(samples.size()), kernels::kPadding);
+  for (auto* axis : {&eroded.x, &eroded.y, &eroded.z}) {
+    axis->resize(kernels::padded(eroded.samples.size()), kernels::kPadding);
   }
-  patches = patches_of(samples);
+  eroded.patches = patches_of(eroded.samples);
+  return eroded;
 }
 
 double ErodedSurface::deepest_in(const SignedDistanceField& other,

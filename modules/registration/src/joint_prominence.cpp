@@ -28,16 +28,25 @@ double distance_to_resting(const ArticulatedModel& model, const std::vector<std:
   return static_cast<double>(least);
 }
 
+/// By body.
+std::vector<std::vector<SurfaceSample>> sample_bodies(const KinematicTree& tree) {
+  std::vector<std::vector<SurfaceSample>> samples(tree.bodies.size());
+  std::transform(tree.bodies.begin(), tree.bodies.end(), samples.begin(), [](const Body& body) {
+    const double spacing = std::sqrt(surface_area(body.mesh) / kSurfaceSamples);
+    return spacing > 0.0 ? sample_surface(body.mesh, spacing) : std::vector<SurfaceSample>{};
+  });
+  return samples;
+}
+
 double prominence_at(const ArticulatedModel& model, const std::vector<std::uint8_t>& moved,
+                     const std::vector<std::vector<SurfaceSample>>& samples,
                      const Configuration& configuration) {
   std::vector<Eigen::Isometry3d> poses;
   forward_kinematics(model.tree, configuration, poses);
   double farthest = 0.0;
   for (std::size_t b = 0; b < moved.size(); ++b) {
-    const TriangleMesh& mesh = model.tree.bodies[b].mesh;
-    const double spacing = std::sqrt(surface_area(mesh) / kSurfaceSamples);
-    if (moved[b] == 0 || !(spacing > 0.0)) continue;
-    for (const SurfaceSample& sample : sample_surface(mesh, spacing)) {
+    if (moved[b] == 0) continue;
+    for (const SurfaceSample& sample : samples[b]) {
       farthest =
           std::max(farthest, distance_to_resting(model, moved, poses, poses[b] * sample.position));
     }
@@ -49,6 +58,7 @@ double prominence_at(const ArticulatedModel& model, const std::vector<std::uint8
 
 Eigen::VectorXd joint_prominences(const ArticulatedModel& model) {
   const KinematicTree& tree = model.tree;
+  const auto samples = sample_bodies(tree);
   Eigen::VectorXd prominences = Eigen::VectorXd::Zero(tree.variables());
   Configuration configuration = rest_configuration(tree);
   configuration.T_camera_base.setIdentity();
@@ -57,7 +67,8 @@ Eigen::VectorXd joint_prominences(const ArticulatedModel& model) {
     const std::vector<std::uint8_t> moved = moved_bodies(tree, v);
     for (const double position : positions_in(variable_range(tree, v), kSteps)) {
       configuration.q[v] = position;
-      prominences[v] = std::max(prominences[v], prominence_at(model, moved, configuration));
+      prominences[v] =
+          std::max(prominences[v], prominence_at(model, moved, samples, configuration));
     }
     configuration.q[v] = rest[v];
   }

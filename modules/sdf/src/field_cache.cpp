@@ -6,9 +6,9 @@
 
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "field_file.hpp"
@@ -36,12 +36,15 @@ std::filesystem::path file_for(const std::filesystem::path& folder, std::uint64_
 
 std::optional<SignedDistanceField::Storage> read(const std::filesystem::path& file,
                                                  std::uint64_t key) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
+  if (error || !stream) {
     return std::nullopt;
   }
-  const std::string bytes((std::istreambuf_iterator<char>(stream)),
-                          std::istreambuf_iterator<char>());
+  std::string bytes(size, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
   return from_bytes(bytes, key);
 }
 

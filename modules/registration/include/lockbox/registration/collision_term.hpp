@@ -27,7 +27,7 @@ struct CollisionPair {
   int a = 0;
   int b = 0;
   double erosion = 0.0;       ///< metres, half the rest overlap included
-  double rest_overlap = 0.0;  ///< metres, deepest penetration in the rest configuration
+  double rest_overlap = 0.0;  ///< metres, deepest penetration in the rest configuration, if any
 };
 
 /// Constant data: pairs and the samples of eroded surfaces. Between calls it remembers the last
@@ -54,9 +54,15 @@ class CollisionTerm {
     std::vector<ClearWay> clear_ways;  ///< by patch of the surface
   };
 
-  void add_pair(const ArticulatedModel& model, const RegistrationOptions& options,
-                const BodyPoses& rest, int a, int b);
-  std::size_t surface_index(const ArticulatedModel& model, int body, double erosion);
+  struct Erosion {
+    int body;
+    double depth;  ///< metres
+    bool operator==(const Erosion&) const = default;
+  };
+
+  void find_pairs(const ArticulatedModel& model, const std::vector<ErodedSurface>& whole);
+  void choose_erosions(const ArticulatedModel& model, double usual);
+  std::vector<Erosion> list_erosions();
   bool stands_at(const BodyPoses& T_camera_body) const;
   void evaluate_half(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i);
   void compare(const ArticulatedModel& model, const ErodedSurface& surface, int other,

@@ -5,9 +5,11 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
-#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/mesh/surface_sampling.hpp"
+#include "lockbox/sdf/signed_distance_field.hpp"
 
 namespace lockbox {
 
@@ -27,19 +29,21 @@ struct ErodedSurface {
 
   static constexpr std::size_t kSamplesInPatch = 32;  ///< at most
 
-  /// erosion: metres, not negative. The body must have a field.
-  ErodedSurface(const ArticulatedModel& model, int body_index, double erosion_depth);
-
   /// How deep the deepest sample sits in another body, metres; 0 if none does.
   double deepest_in(const SignedDistanceField& other, const Eigen::Isometry3d& T_other_body) const;
 
-  int body;
-  double erosion;  ///< metres
   std::vector<Sample> samples;
   std::vector<float> x;  ///< their p_body, padded, as the kernels read them
   std::vector<float> y;
   std::vector<float> z;
   std::vector<Patch> patches;
 };
+
+/// The points of a body's mesh that erode() begins with.
+std::vector<SurfaceSample> collision_samples(const TriangleMesh& mesh);
+
+/// erosion: metres, not negative.
+ErodedSurface erode(const SignedDistanceField& field, std::span<const SurfaceSample> surface,
+                    double erosion);
 
 }  // namespace lockbox
