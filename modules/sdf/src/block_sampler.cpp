@@ -42,19 +42,11 @@ const BlockSampler::Distances& BlockSampler::sample(std::size_t block) {
 
 void BlockSampler::set_distances() {
   constexpr std::size_t kFew = 12;
-  double previous = std::numeric_limits<double>::infinity();
+  std::uint32_t nearest = candidates_.front();
   for (std::size_t i = 0; i < distances_.size(); ++i) {
-    const Eigen::Vector3i s = sample_at(i);
-    const Eigen::Vector3d p = layout_.position(first_ + s);
-    if (candidates_.size() <= kFew) {
-      distances_[i] = distance_to_candidates(p);
-    } else {
-      // Over one step a distance grows by the step at most.
-      const bool is_step = s.x() > 0;
-      distances_[i] =
-          is_step ? tree_.distance(p, previous + kRounding * layout_.voxel) : tree_.distance(p);
-      previous = distances_[i];
-    }
+    const Eigen::Vector3d p = layout_.position(first_ + sample_at(i));
+    distances_[i] =
+        candidates_.size() <= kFew ? distance_to_candidates(p) : tree_.distance_beside(p, nearest);
   }
 }
 

@@ -106,7 +106,7 @@ double volume_error(const SignedDistanceField& field) {
 SignedDistanceField build_field(const TriangleMesh& mesh, const FieldOptions& options,
                                 const Executor& executor) {
   require_valid(options);
-  const Solid solid(mesh);
+  const Solid solid(mesh, executor);
   require_fine_enough(options.voxel, solid);
   const Storage coarse = store_coarse(
       sample_coarse_grid(solid.tree(), solid.winding(), options.far_reach, executor), solid);

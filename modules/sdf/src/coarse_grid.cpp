@@ -36,15 +36,13 @@ CoarseGrid sample_coarse_grid(const TriangleTree& tree, const WindingTree& windi
   executor.for_each_chunk(rows, 16, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t row = begin; row < end; ++row) {
       const std::size_t layer = row / height;
-      double previous = std::numeric_limits<double>::infinity();
+      std::uint32_t nearest = 0;
       for (std::size_t x = 0; x < width; ++x) {
         const Eigen::Vector3d p =
             grid.origin + grid.voxel * Eigen::Vector3d(static_cast<double>(x),
                                                        static_cast<double>(row % height),
                                                        static_cast<double>(layer));
-        // Over one step a distance grows by the step at most.
-        const double distance = tree.distance(p, previous + 1.0001 * grid.voxel);
-        previous = distance;
+        const double distance = tree.distance_beside(p, nearest);
         const bool is_inside = bounds.contains(p) && winding.is_inside(p);
         grid.distances[row * width + x] = is_inside ? -distance : distance;
       }

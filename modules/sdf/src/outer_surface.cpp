@@ -61,6 +61,13 @@ Eigen::AlignedBox3d box_of(const Corners& corners) {
   return box;
 }
 
+/// What is left of some triangles.
+struct Exposed {
+  std::vector<Corners> pieces;
+  std::vector<std::uint32_t> source;  ///< by piece: the triangle
+  double volume = 0.0;                ///< below them
+};
+
 /// Cuts triangles until each piece is either exposed or buried.
 class BuriedRemover {
  public:
@@ -72,17 +79,17 @@ class BuriedRemover {
         middle_(bounds(mesh).center()),
         diagonal_(bounds(mesh).diagonal().norm()) {}
 
-  OuterSurface run() {
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+  /// Of the triangles in [begin, end).
+  Exposed cut(std::size_t begin, std::size_t end) const {
+    Exposed exposed;
+    for (std::size_t t = begin; t < end; ++t) {
       const Corners corners = mesh_.corners(t);
       const Eigen::Vector3d normal = area_vector(corners).normalized();
-      keep_exposed(corners, normal, others_near(box_of(corners), t));
-      for (const Corners& piece : pieces_) {
-        add(piece, t);
-      }
-      pieces_.clear();
+      const auto number = static_cast<std::uint32_t>(t);
+      keep_exposed(corners, normal, others_near(box_of(corners), number), exposed);
+      exposed.source.resize(exposed.pieces.size(), number);
     }
-    return std::move(surface_);
+    return exposed;
   }
 
  private:
@@ -106,11 +113,11 @@ class BuriedRemover {
   /// Appends the exposed pieces; true if nothing is buried. A piece that is whole replaces its
   /// parts, so that only the border of the buried region is cut finely.
   bool keep_exposed(const Corners& piece, const Eigen::Vector3d& normal,
-                    const std::vector<Bounded>& others) {
+                    const std::vector<Bounded>& others, Exposed& exposed) const {
     const double judged = judged_length(box_of(piece), others);
     if (std::isinf(judged)) {
-      surface_.volume += volume_below(piece);
-      pieces_.push_back(piece);
+      exposed.volume += volume_below(piece);
+      exposed.pieces.push_back(piece);
       return true;
     }
     std::size_t longest = 0;
@@ -120,20 +127,20 @@ class BuriedRemover {
       const bool is_mixed = std::any_of(probes.begin(), probes.end(),
                                         [&](int jump) { return jump != probes.front(); });
       if (!is_mixed || length <= judged / 4.0) {
-        return keep_judged(piece, probes);
+        return keep_judged(piece, probes, exposed);
       }
     }
-    const std::size_t first = pieces_.size();
+    const std::size_t first = exposed.pieces.size();
     const Eigen::Vector3d half = 0.5 * (piece[longest] + piece[(longest + 1) % 3]);
     Corners left = piece;
     Corners right = piece;
     left[(longest + 1) % 3] = half;
     right[longest] = half;
-    const bool left_whole = keep_exposed(left, normal, others);
-    const bool right_whole = keep_exposed(right, normal, others);
+    const bool left_whole = keep_exposed(left, normal, others, exposed);
+    const bool right_whole = keep_exposed(right, normal, others, exposed);
     if (left_whole && right_whole) {
-      pieces_.resize(first);
-      pieces_.push_back(piece);
+      exposed.pieces.resize(first);
+      exposed.pieces.push_back(piece);
     }
     return left_whole && right_whole;
   }
@@ -161,13 +168,13 @@ class BuriedRemover {
 
   /// The volume goes by the middle of a piece, so that errors even out; but no piece is dropped
   /// while any of it is exposed. Where faces of several shells coincide, each gets its share.
-  bool keep_judged(const Corners& piece, const Probes& probes) {
+  bool keep_judged(const Corners& piece, const Probes& probes, Exposed& exposed) const {
     if (probes.front() != 0) {
-      surface_.volume += volume_below(piece) / probes.front();
+      exposed.volume += volume_below(piece) / probes.front();
     }
     const bool is_kept = std::any_of(probes.begin(), probes.end(), [](int n) { return n != 0; });
     if (is_kept) {
-      pieces_.push_back(piece);
+      exposed.pieces.push_back(piece);
     }
     return is_kept;
   }
@@ -199,22 +206,23 @@ class BuriedRemover {
     return (piece[0] - middle_).dot(area_vector(piece)) / 3.0;
   }
 
-  void add(const Corners& piece, std::uint32_t source) {
-    const auto first = static_cast<std::uint32_t>(surface_.mesh.vertices.size());
-    surface_.mesh.vertices.insert(surface_.mesh.vertices.end(), piece.begin(), piece.end());
-    surface_.mesh.triangles.push_back({first, first + 1, first + 2});
-    surface_.source.push_back(source);
-  }
-
   const TriangleMesh& mesh_;
   const WindingTree& winding_;
   Shells parts_;
   std::vector<Bounded> boxes_;
   Eigen::Vector3d middle_;
   double diagonal_;
-  std::vector<Corners> pieces_;  ///< of the current triangle
-  OuterSurface surface_;
 };
+
+void append(const Exposed& exposed, OuterSurface& surface) {
+  for (const Corners& piece : exposed.pieces) {
+    const auto first = static_cast<std::uint32_t>(surface.mesh.vertices.size());
+    surface.mesh.vertices.insert(surface.mesh.vertices.end(), piece.begin(), piece.end());
+    surface.mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  surface.source.insert(surface.source.end(), exposed.source.begin(), exposed.source.end());
+  surface.volume += exposed.volume;
+}
 
 }  // namespace
 
@@ -235,8 +243,19 @@ double open_share(const TriangleMesh& mesh, const WindingTree& winding) {
   return 2.0 * sum / static_cast<double>(samples.size());
 }
 
-OuterSurface find_outer_surface(const TriangleMesh& mesh, const WindingTree& winding) {
-  return BuriedRemover(mesh, winding).run();
+OuterSurface find_outer_surface(const TriangleMesh& mesh, const WindingTree& winding,
+                                const Executor& executor) {
+  constexpr std::size_t kTogether = 64;
+  const BuriedRemover remover(mesh, winding);
+  const std::size_t triangles = mesh.triangles.size();
+  std::vector<Exposed> exposed(chunk_count(triangles, kTogether));
+  executor.for_each_chunk(triangles, kTogether,
+                          [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                            exposed[chunk] = remover.cut(begin, end);
+                          });
+  OuterSurface surface;
+  for (const Exposed& some : exposed) append(some, surface);
+  return surface;
 }
 
 }  // namespace lockbox

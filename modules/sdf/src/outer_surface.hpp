@@ -2,6 +2,7 @@
 // What of a mesh bounds the solid that it describes.
 #pragma once
 
+#include "lockbox/core/parallel.hpp"
 #include "triangle_tree.hpp"
 #include "winding_tree.hpp"
 
@@ -20,6 +21,7 @@ double open_share(const TriangleMesh& mesh, const WindingTree& winding);
 /// Drops what lies within other shells: there the winding number exceeds one half on both sides.
 /// A triangle that is only partly buried is cut, down to a 250th of the body's
 /// diagonal; what is buried of the last pieces stays.
-OuterSurface find_outer_surface(const TriangleMesh& mesh, const WindingTree& winding);
+OuterSurface find_outer_surface(const TriangleMesh& mesh, const WindingTree& winding,
+                                const Executor& executor);
 
 }  // namespace lockbox

@@ -85,6 +85,15 @@ CellCorners steepest_axis_last(const CellCorners& corners) {
   return swapped;
 }
 
+/// Of the four values of a unit square, at (x, y).
+double bilinear(const float* corners, double x, double y) {
+  const auto along_x = [&](const float* pair) {
+    return static_cast<double>(pair[0]) + x * static_cast<double>(pair[1] - pair[0]);
+  };
+  const double first = along_x(corners);
+  return first + y * (along_x(corners + 2) - first);
+}
+
 /// Share of a unit cell where the interpolant is negative: exact along 4 x 4 lines that run across
 /// the surface.
 double negative_share(const CellCorners& corners) {
@@ -97,10 +106,10 @@ double negative_share(const CellCorners& corners) {
   double share = 0.0;
   for (int i = 0; i < kLines * kLines; ++i) {
     const int row = i / kLines;
-    const float x = (static_cast<float>(i % kLines) + 0.5F) / kLines;
-    const float y = (static_cast<float>(row) + 0.5F) / kLines;
-    const double low = static_cast<double>(interpolate(across, {x, y, 0.0F}, 1.0F).distance);
-    const double high = static_cast<double>(interpolate(across, {x, y, 1.0F}, 1.0F).distance);
+    const double x = (i % kLines + 0.5) / kLines;
+    const double y = (row + 0.5) / kLines;
+    const double low = bilinear(across.data(), x, y);
+    const double high = bilinear(across.data() + 4, x, y);
     if ((low < 0.0) != (high < 0.0)) {
       share += std::min(low, high) / (std::min(low, high) - std::max(low, high));
     } else if (low < 0.0) {
@@ -112,8 +121,13 @@ double negative_share(const CellCorners& corners) {
 
 /// Cells of a block where the interpolant is negative.
 double negative_cells(const FieldView& view, std::int32_t first) {
+  constexpr int kCells = kBlockCells * kBlockCells * kBlockCells;
+  const std::int16_t* const samples = view.samples + first;
+  const auto [least, largest] = std::minmax_element(samples, samples + kBlockVolume);
+  if (*least >= 0) return 0.0;
+  if (*largest < 0) return kCells;
   double cells = 0.0;
-  for (int i = 0; i < kBlockCells * kBlockCells * kBlockCells; ++i) {
+  for (int i = 0; i < kCells; ++i) {
     const Array3i cell(i % kBlockCells, i / kBlockCells % kBlockCells,
                        i / (kBlockCells * kBlockCells));
     cells +=

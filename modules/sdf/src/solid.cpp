@@ -32,7 +32,8 @@ TriangleMesh mended(const TriangleMesh& mesh) {
   return result;
 }
 
-OuterSurface closed_surface(const TriangleMesh& mesh, const WindingTree& winding) {
+OuterSurface closed_surface(const TriangleMesh& mesh, const WindingTree& winding,
+                            const Executor& executor) {
   constexpr double kMostOpen = 0.01;
   const double share = open_share(mesh, winding);
   if (share > kMostOpen) {
@@ -42,7 +43,7 @@ OuterSurface closed_surface(const TriangleMesh& mesh, const WindingTree& winding
                                      " of it is missing or faces the wrong way, so that inside "
                                      "and outside are not defined; close the mesh");
   }
-  OuterSurface surface = find_outer_surface(mesh, winding);
+  OuterSurface surface = find_outer_surface(mesh, winding, executor);
   if (surface.mesh.triangles.empty() || surface.volume <= 0.0) {
     throw InputError("geometry", "the surface encloses no volume; a link needs a solid");
   }
@@ -51,13 +52,13 @@ OuterSurface closed_surface(const TriangleMesh& mesh, const WindingTree& winding
 
 }  // namespace
 
-Solid::Solid(const TriangleMesh& input)
+Solid::Solid(const TriangleMesh& input, const Executor& executor)
     : mesh_(mended(input)),
       winding_(mesh_),
-      surface_(closed_surface(mesh_, winding_)),
+      surface_(closed_surface(mesh_, winding_, executor)),
       tree_(surface_.mesh),
       area_(surface_area(surface_.mesh)),
-      thickness_(thinnest_wall(surface_, tree_, mesh_, winding_)) {}
+      thickness_(thinnest_wall(surface_, tree_, mesh_, winding_, executor)) {}
 
 std::vector<std::uint8_t> Solid::open_slots() const {
   const auto open = triangles_at_open_edges(mesh_);

@@ -9,7 +9,7 @@ namespace lockbox {
 class Solid {
  public:
   /// Throws InputError where build_field says so for the mesh.
-  explicit Solid(const TriangleMesh& input);
+  Solid(const TriangleMesh& input, const Executor& executor);
   // The parts refer to each other by number only, but are large: nobody needs a copy.
   Solid(const Solid&) = delete;
   Solid& operator=(const Solid&) = delete;

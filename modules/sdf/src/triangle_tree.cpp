@@ -119,19 +119,29 @@ void TriangleTree::build(const TriangleMesh& mesh, const std::vector<Eigen::Vect
 }
 
 double TriangleTree::distance(const Eigen::Vector3d& p, double at_most) const {
+  return std::sqrt(nearest(p, {at_most * at_most, 0}).squared_distance);
+}
+
+double TriangleTree::distance_beside(const Eigen::Vector3d& p, std::uint32_t& slot) const {
+  const Nearest found = nearest(p, {squared_distance(p, corners_[slot]), slot});
+  slot = found.slot;
+  return std::sqrt(found.squared_distance);
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p, Nearest best) const {
   constexpr double kNearEnough = 0.999 * 0.999;
-  double best = at_most * at_most;
   NodeStack stack;
   stack.push(0, squared_distance(p, nodes_[0].box));
   while (!stack.empty()) {
     const auto [index, box_distance] = stack.pop();
-    if (box_distance >= kNearEnough * best) {
+    if (box_distance >= kNearEnough * best.squared_distance) {
       continue;
     }
     const Node& node = nodes_[index];
     if (node.right == 0) {
       for (std::uint32_t slot = node.begin; slot < node.end; ++slot) {
-        best = std::min(best, squared_distance(p, corners_[slot]));
+        const double squared = squared_distance(p, corners_[slot]);
+        if (squared < best.squared_distance) best = {squared, slot};
       }
       continue;
     }
@@ -145,7 +155,7 @@ double TriangleTree::distance(const Eigen::Vector3d& p, double at_most) const {
       stack.push(node.right, right);
     }
   }
-  return std::sqrt(best);
+  return best;
 }
 
 void TriangleTree::collect_within(const Eigen::Vector3d& p, double radius,

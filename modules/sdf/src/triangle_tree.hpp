@@ -34,6 +34,10 @@ class TriangleTree {
   double distance(const Eigen::Vector3d& p,
                   double at_most = std::numeric_limits<double>::infinity()) const;
 
+  /// The same, where a triangle is known that is nearly the nearest: that of a point beside p. Its
+  /// slot becomes that of the triangle found.
+  double distance_beside(const Eigen::Vector3d& p, std::uint32_t& slot) const;
+
   /// Slots of all triangles not farther than radius from p.
   void collect_within(const Eigen::Vector3d& p, double radius,
                       std::vector<std::uint32_t>& slots) const;
@@ -48,6 +52,13 @@ class TriangleTree {
                                const Eigen::Vector3d& direction) const;
 
  private:
+  struct Nearest {
+    double squared_distance;  ///< m^2
+    std::uint32_t slot;
+  };
+
+  Nearest nearest(const Eigen::Vector3d& p, Nearest best) const;
+
   /// Calls visit(slot) for all triangles whose boxes the ray meets before max_way(), metres.
   template <typename Visitor, typename MaxWay>
   void for_each_on_ray(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,

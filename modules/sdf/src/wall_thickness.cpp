@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/mesh/topology.hpp"
@@ -27,25 +28,31 @@ std::vector<TriangleMesh> exposed_shells(const OuterSurface& surface, const Tria
 }
 
 std::vector<double> ways_through(const TriangleMesh& shell, double sample_count, double stand_off,
-                                 const TriangleTree& tree, const WindingTree& winding) {
-  std::vector<double> ways;
-  for (const SurfaceSample& sample :
-       sample_surface(shell, std::sqrt(surface_area(shell) / sample_count))) {
-    const Eigen::Vector3d start = sample.position - stand_off * sample.normal;
-    const bool is_surface =
-        winding.is_inside(start) && !winding.is_inside(sample.position + stand_off * sample.normal);
-    const double way = is_surface ? tree.exit_distance(start, -sample.normal) : 0.0;
-    if (is_surface && std::isfinite(way)) {
-      ways.push_back(way + stand_off);
-    }
-  }
+                                 const TriangleTree& tree, const WindingTree& winding,
+                                 const Executor& executor) {
+  constexpr std::size_t kTogether = 32;
+  const std::vector<SurfaceSample> samples =
+      sample_surface(shell, std::sqrt(surface_area(shell) / sample_count));
+  std::vector<double> ways(samples.size(), std::numeric_limits<double>::infinity());
+  executor.for_each_chunk(
+      samples.size(), kTogether, [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const Eigen::Vector3d aside = stand_off * samples[i].normal;
+          const Eigen::Vector3d start = samples[i].position - aside;
+          const bool is_surface =
+              winding.is_inside(start) && !winding.is_inside(samples[i].position + aside);
+          if (is_surface) ways[i] = tree.exit_distance(start, -samples[i].normal) + stand_off;
+        }
+      });
+  std::erase_if(ways, [](double way) { return !std::isfinite(way); });
   return ways;
 }
 
 }  // namespace
 
 double thinnest_wall(const OuterSurface& surface, const TriangleTree& tree,
-                     const TriangleMesh& mesh, const WindingTree& winding) {
+                     const TriangleMesh& mesh, const WindingTree& winding,
+                     const Executor& executor) {
   constexpr double kSamplesInAll = 8000.0;
   const std::vector<TriangleMesh> shells = exposed_shells(surface, mesh);
   const double diagonal = bounds(surface.mesh).diagonal().norm();
@@ -53,7 +60,8 @@ double thinnest_wall(const OuterSurface& surface, const TriangleTree& tree,
       std::clamp(kSamplesInAll / static_cast<double>(shells.size()), 20.0, 1000.0);
   double thinnest = diagonal;
   for (const TriangleMesh& shell : shells) {
-    std::vector<double> ways = ways_through(shell, samples, 2e-5 * diagonal, tree, winding);
+    std::vector<double> ways =
+        ways_through(shell, samples, 2e-5 * diagonal, tree, winding, executor);
     if (!ways.empty()) {
       const auto rank = static_cast<std::ptrdiff_t>(kQuantile * static_cast<double>(ways.size()));
       std::nth_element(ways.begin(), ways.begin() + rank, ways.end());
