@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "answer_comparison.hpp"
 #include "coarse_view.hpp"
 #include "hypothesis.hpp"
 #include "lockbox/initialization/initializer.hpp"
@@ -15,10 +16,6 @@
 #include "view_score.hpp"
 
 namespace lockbox {
-
-/// Wrong answers mostly score less, right ones only of what is small, far away or mostly hidden:
-/// then more is kept of what says little.
-inline constexpr double kPossible = 28.0;
 
 /// What the stages keep: before joints are known, a low score says little, and a large side of a
 /// near box explains many pixels.

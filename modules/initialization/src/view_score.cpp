@@ -164,6 +164,23 @@ double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
   return facing > 0.0 ? inside / facing : 0.0;
 }
 
+/// Whether whole_ shows something where something was measured.
+bool ViewScore::speaks(std::size_t pixel) const {
+  return whole_.image.id[pixel] != kNothing && view_->depth[pixel] > 0.0F;
+}
+
+std::vector<std::uint8_t> ViewScore::explained_pixels(double slack) const {
+  const RenderedDepth& image = whole_.image;
+  std::vector<std::uint8_t> explained(image.depth.size(), 0);
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      const std::size_t pixel = image.index(u, v);
+      explained[pixel] = speaks(pixel) && pixel_score(whole_, u, v, slack) > 0.0 ? 1 : 0;
+    }
+  }
+  return explained;
+}
+
 /// Of what whole_ shows.
 ViewEvidence ViewScore::count_pixels(double slack) const {
   const RenderedDepth& image = whole_.image;
@@ -171,7 +188,7 @@ ViewEvidence ViewScore::count_pixels(double slack) const {
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
       const std::size_t pixel = image.index(u, v);
-      if (image.id[pixel] == kNothing || !(view_->depth[pixel] > 0.0F)) continue;
+      if (!speaks(pixel)) continue;
       const double score = pixel_score(whole_, u, v, slack);
       evidence.measured += 1.0;
       if (score > 0.0) {

@@ -35,6 +35,9 @@ class ViewScore {
   /// that are still wrong, many bends would pass for ends of what is seen.
   ViewEvidence last_evidence(const Configuration& configuration, double slack);
 
+  /// Of what was drawn last: by pixel of the view, whether it is explained.
+  std::vector<std::uint8_t> explained_pixels(double slack) const;
+
   /// The larger, the better the whole model fits, for comparing near configurations.
   double fit(const Configuration& configuration, double slack);
 
@@ -57,6 +60,7 @@ class ViewScore {
   void frame_motion(std::span<const Configuration> trials, const std::vector<std::uint8_t>& moved);
   ViewEvidence count_pixels(double slack) const;
   double score_of_moved(double slack) const;
+  bool speaks(std::size_t pixel) const;
   bool is_before_reach(double measured, double slack) const;
   double pixel_score(const Drawing& drawing, int u, int v, double slack) const;
   double share_in_view(const std::vector<std::uint8_t>& bodies) const;
