@@ -119,22 +119,24 @@ void TriangleTree::build(const TriangleMesh& mesh, const std::vector<Eigen::Vect
 }
 
 double TriangleTree::distance(const Eigen::Vector3d& p, double at_most) const {
-  return std::sqrt(nearest(p, {at_most * at_most, 0}).squared_distance);
+  constexpr double kNearEnough = 0.999;
+  return std::sqrt(nearest(p, {at_most * at_most, 0}, kNearEnough).squared_distance);
 }
 
 double TriangleTree::distance_beside(const Eigen::Vector3d& p, std::uint32_t& slot) const {
-  const Nearest found = nearest(p, {squared_distance(p, corners_[slot]), slot});
+  const Nearest found = nearest(p, {squared_distance(p, corners_[slot]), slot}, 1.0);
   slot = found.slot;
   return std::sqrt(found.squared_distance);
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p, Nearest best) const {
-  constexpr double kNearEnough = 0.999 * 0.999;
+TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p, Nearest best,
+                                            double near_enough) const {
+  const double share = near_enough * near_enough;
   NodeStack stack;
   stack.push(0, squared_distance(p, nodes_[0].box));
   while (!stack.empty()) {
     const auto [index, box_distance] = stack.pop();
-    if (box_distance >= kNearEnough * best.squared_distance) {
+    if (box_distance >= share * best.squared_distance) {
       continue;
     }
     const Node& node = nodes_[index];

@@ -34,8 +34,8 @@ class TriangleTree {
   double distance(const Eigen::Vector3d& p,
                   double at_most = std::numeric_limits<double>::infinity()) const;
 
-  /// The same, where a triangle is known that is nearly the nearest: that of a point beside p. Its
-  /// slot becomes that of the triangle found.
+  /// Exactly, where a triangle is known that is nearly the nearest: that of a point beside p. Its
+  /// slot becomes that of the nearest.
   double distance_beside(const Eigen::Vector3d& p, std::uint32_t& slot) const;
 
   /// Slots of all triangles not farther than radius from p.
@@ -57,7 +57,8 @@ class TriangleTree {
     std::uint32_t slot;
   };
 
-  Nearest nearest(const Eigen::Vector3d& p, Nearest best) const;
+  /// near_enough: share of the best distance within which others are not worth a look.
+  Nearest nearest(const Eigen::Vector3d& p, Nearest best, double near_enough) const;
 
   /// Calls visit(slot) for all triangles whose boxes the ray meets before max_way(), metres.
   template <typename Visitor, typename MaxWay>
