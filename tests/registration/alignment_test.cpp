@@ -126,6 +126,23 @@ TEST_F(AlignmentTest, FromAPredictionMakesNoMoreIterationsThanAllowed) {
   }
 }
 
+/// What is left of a near one is a short step, and the last iteration follows it.
+TEST_F(AlignmentTest, FromANearPredictionTakesTwoIterations) {
+  const TiledCloud seen = cloud_of(measured(model, truth, "primesense", 7));
+  Configuration start = truth;
+  start.q[0] += 0.001;
+  for (const std::size_t budget : {1000, 20000}) {
+    RegistrationOptions options;
+    options.point_budget = budget;
+    ArticulatedRegistration registration(model, options, Executor(1));
+    const RegistrationResult& found =
+        registration.align(seen, start, {.spread = 0.005, .iterations = 5, .is_predicted = true});
+    EXPECT_EQ(found.iterations, 2) << budget;
+    EXPECT_TRUE(found.converged) << budget;
+    EXPECT_EQ(found.last_move, 0.0) << budget;
+  }
+}
+
 TEST_F(AlignmentTest, FixedBaseAndLockedJointsDoNotMove) {
   RegistrationOptions options;
   options.fixed_base = true;

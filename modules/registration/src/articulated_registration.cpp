@@ -122,7 +122,8 @@ void ArticulatedRegistration::descend(const TiledCloud& cloud, const Annealing& 
   for (int k = 0; k < iterations && go_on; ++k) {
     const double cost = linearize(cloud, spread_of(k));
     const bool is_narrow = spread_of(k) == 0.0;
-    if (settles && take_short_step(annealing.hold_joints)) {
+    if (settles && add_short_step(annealing.hold_joints, result_.configuration)) {
+      linearized_spread_.reset();
       go_on = report(annealing, is_narrow);
       break;
     }
@@ -133,19 +134,18 @@ void ArticulatedRegistration::descend(const TiledCloud& cloud, const Annealing& 
   if (settles) settle(cloud, annealing, go_on);
 }
 
-/// One that is as good as exact needs no trial; false if the next one is longer.
-bool ArticulatedRegistration::take_short_step(bool hold_joints) {
+/// Adds one that is as good as exact without a trial; false if the next one is longer.
+bool ArticulatedRegistration::add_short_step(bool hold_joints, Configuration& configuration) {
   const Eigen::VectorXd& step = next_step(hold_joints);
   if (!(moves_.of(step) <= kNearEnough)) return false;
-  apply_step(step, result_.configuration);
-  linearized_spread_.reset();
+  apply_step(step, configuration);
   return true;
 }
 
 /// The last iteration, of all points: mostly what is left is one step, as good as exact.
 void ArticulatedRegistration::settle(const TiledCloud& cloud, const Annealing& annealing,
                                      bool is_to_report) {
-  if (view_ != &full_view_) look_through(full_view_);
+  look_through(full_view_);
   bool moves_on = true;
   for (int k = 0; k < kMostToSettle * annealing.iterations && moves_on; ++k) {
     const double cost = linearize(cloud, 0.0);
@@ -166,8 +166,7 @@ const Eigen::VectorXd& ArticulatedRegistration::next_step(bool hold_joints) {
 /// Where the descent would end, if it is near.
 void ArticulatedRegistration::find_rest(bool hold_joints) {
   result_.at_rest = result_.configuration;
-  const Eigen::VectorXd& step = next_step(hold_joints);
-  if (!(moves_.of(step) > kNearEnough)) apply_step(step, result_.at_rest);
+  add_short_step(hold_joints, result_.at_rest);
 }
 
 /// An iteration; false if it is to be the last.

@@ -35,10 +35,9 @@ struct Annealing {
   int iterations = 3;        ///< linearisations, at most
   bool hold_joints = false;  ///< move the base only
   int narrowing = 0;         ///< linearisations until the spread is gone; 0: all of them
-  /// The start is a prediction: iterations end when what is left is one step, and of many points a
-  /// few are enough for all but the last. Where more is left, that may take twice as many
-  /// linearisations again.
-  /// Of flat faces, points are pooled (pooled_points.hpp).
+  /// The start is a prediction. Of flat faces, points are pooled (pooled_points.hpp); of many
+  /// points a few are enough for all iterations but the last, which follows as soon as steps are
+  /// short. If its own is not, it may take twice as many linearisations again.
   bool is_predicted = false;
   /// Sees the configuration after each linearisation, and whether the gates are narrow by then; may
   /// end the alignment by returning false.
@@ -90,7 +89,7 @@ class ArticulatedRegistration {
 
  private:
   void descend(const TiledCloud& cloud, const Annealing& annealing);
-  bool take_short_step(bool hold_joints);
+  bool add_short_step(bool hold_joints, Configuration& configuration);
   void settle(const TiledCloud& cloud, const Annealing& annealing, bool is_to_report);
   bool report(const Annealing& annealing, bool is_narrow);
   const Eigen::VectorXd& next_step(bool hold_joints);
