@@ -5,12 +5,17 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <random>
 
 namespace lockbox::kernels {
 namespace {
 
 constexpr float kReference = 0.7F;
+constexpr std::size_t kRowStride = kWindowSide + 5;
+constexpr std::size_t kSeen = kWindowSide - 1;  // that pixels look at, with neighbours
 
 class EdgeMoments : public ::testing::Test {
  protected:
@@ -18,36 +23,33 @@ class EdgeMoments : public ::testing::Test {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> depth(0.4F, 1.0F);
     std::uniform_int_distribution<int> body(-1, 2);
-    for (float& d : window_.d) d = depth(random);
-    for (float& b : window_.body) b = static_cast<float>(body(random));
+    for (float& d : d_) d = depth(random);
+    for (std::int16_t& b : body_) b = static_cast<std::int16_t>(body(random));
     for (float& tap : taps_.at_samples) tap = depth(random);
     for (float& tap : taps_.between_samples) tap = depth(random);
   }
 
-  static std::size_t at(std::size_t row, std::size_t column) {
-    return row * kWindowStride + column;
-  }
+  static std::size_t at(std::size_t row, std::size_t column) { return row * kRowStride + column; }
 
   /// The step to the next sample if the body moves it, and the inverse depth of the nearer.
-  std::pair<float, float> step(std::size_t here, std::size_t next, float body) const {
-    const float rise = window_.d[next] - window_.d[here];
-    const float mover = rise > 0.0F ? window_.body[next] : window_.body[here];
-    return {mover == body ? rise * kSamplesPerPixel : 0.0F,
-            std::max(window_.d[next], window_.d[here])};
+  std::pair<float, float> step(std::size_t here, std::size_t next, std::int16_t body) const {
+    const float rise = d_[next] - d_[here];
+    const float mover = rise > 0.0F ? body_[next] : body_[here];
+    return {mover == body ? rise * kSamplesPerPixel : 0.0F, std::max(d_[next], d_[here])};
   }
 
   void expect_column(const ColumnMoments& moments, std::size_t pixel_row, std::size_t column,
-                     float body) const {
+                     std::int16_t body) const {
     ColumnMoments expected{};
     for (std::size_t t = 0; t < kWindowTaps; ++t) {
       const std::size_t here = at(kSamplesPerPixel * pixel_row + t, column);
-      const float d = window_.body[here] == body ? window_.d[here] : 0.0F;
+      const float d = body_[here] == body ? d_[here] : 0.0F;
       expected.d[0] += taps_.at_samples[t] * d;
       expected.d_squared[0] += taps_.at_samples[t] * d * d;
       const auto [along_u, nearer_u] = step(here, here + 1, body);
       expected.step_u[0] += taps_.at_samples[t] * along_u;
       expected.step_u_d[0] += taps_.at_samples[t] * along_u * nearer_u;
-      const auto [along_v, nearer_v] = step(here, here + kWindowStride, body);
+      const auto [along_v, nearer_v] = step(here, here + kRowStride, body);
       expected.step_v[0] += taps_.between_samples[t] * along_v;
       expected.step_v_d[0] += taps_.between_samples[t] * along_v * nearer_v;
     }
@@ -59,7 +61,9 @@ class EdgeMoments : public ::testing::Test {
     EXPECT_NEAR(moments.step_v_d[column], expected.step_v_d[0], 1e-4);
   }
 
-  EdgeWindow window_;
+  std::array<float, kWindowSide * kRowStride> d_;
+  std::array<std::int16_t, kWindowSide * kRowStride> body_;
+  EdgeWindow window_{d_.data(), body_.data(), kRowStride};
   WindowTaps taps_;
 };
 
@@ -67,11 +71,11 @@ TEST_F(EdgeMoments, SumColumnsOfABodyWithEveryInstructionSet) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
-    for (const float body : {0.0F, 2.0F}) {
+    for (const std::int16_t body : std::array<std::int16_t, 2>{0, 2}) {
       for (std::size_t row = 0; row < kWindowPixels; ++row) {
         ColumnMoments moments;
         blur_columns(window_, taps_, row, {0, kWindowPixels}, body, moments);
-        for (std::size_t column = 0; column + 1 < kWindowRows; ++column) {
+        for (std::size_t column = 0; column + 1 < kSeen; ++column) {
           expect_column(moments, row, column, body);
         }
       }
@@ -87,10 +91,10 @@ TEST_F(EdgeMoments, SumWhatPixelsOfARowLookAtWithEveryInstructionSet) {
     for (std::size_t first = 0; first < kWindowPixels; ++first) {
       for (std::size_t end = first + 1; end <= kWindowPixels; ++end) {
         ColumnMoments moments;
-        blur_columns(window_, taps_, 3, {first, end}, 2.0F, moments);
+        blur_columns(window_, taps_, 3, {first, end}, 2, moments);
         const std::size_t end_column = kSamplesPerPixel * (end - 1) + kWindowTaps;
         for (std::size_t column = kSamplesPerPixel * first; column < end_column; ++column) {
-          if (column + 1 < kWindowRows) expect_column(moments, 3, column, 2.0F);
+          if (column + 1 < kSeen) expect_column(moments, 3, column, 2);
         }
       }
     }
@@ -105,15 +109,46 @@ TEST_F(EdgeMoments, SumSquaresWithEveryInstructionSet) {
     for (std::size_t first = 0; first < kWindowPixels; ++first) {
       alignas(64) ColumnMoments::Sums squares;
       blur_squares(window_, taps_, 5, {first, kWindowPixels}, kReference, squares);
-      for (std::size_t column = kSamplesPerPixel * first; column + 1 < kWindowRows; ++column) {
+      for (std::size_t column = kSamplesPerPixel * first; column + 1 < kSeen; ++column) {
         float expected = 0.0F;
         for (std::size_t t = 0; t < kWindowTaps; ++t) {
-          const float offset = window_.d[at(5 * kSamplesPerPixel + t, column)] - kReference;
+          const float offset = d_[at(5 * kSamplesPerPixel + t, column)] - kReference;
           expected += taps_.at_samples[t] * offset * offset;
         }
         EXPECT_NEAR(squares[column], expected, 1e-5);
       }
     }
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST_F(EdgeMoments, FindPixelsThatBendWithEveryInstructionSet) {
+  constexpr std::size_t kCentre = kWindowTaps / 2;
+  constexpr float kLeast = 0.5F;
+  for (std::size_t i = 0; i < d_.size(); i += 13) d_[i] = 0.0F;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    std::size_t found = 0;
+    for (std::size_t row = 0; row < kWindowPixels; ++row) {
+      const std::uint32_t bits = find_bending(window_, row, kLeast);
+      for (std::size_t column = 0; column < kWindowPixels; ++column) {
+        const std::size_t here =
+            at(kCentre + kSamplesPerPixel * row, kCentre + kSamplesPerPixel * column);
+        const float left = d_[here - kSamplesPerPixel];
+        const float right = d_[here + kSamplesPerPixel];
+        const float above = d_[here - kSamplesPerPixel * kRowStride];
+        const float below = d_[here + kSamplesPerPixel * kRowStride];
+        const bool shows_all = std::min({d_[here], left, right, above, below}) > 0.0F;
+        const bool bends = std::abs(left + right - 2.0F * d_[here]) > kLeast ||
+                           std::abs(above + below - 2.0F * d_[here]) > kLeast;
+        EXPECT_EQ((bits >> column & 1U) != 0, shows_all && bends) << row << ' ' << column;
+        found += shows_all && bends ? 1 : 0;
+      }
+      EXPECT_EQ(bits >> kWindowPixels, 0U);
+    }
+    EXPECT_GT(found, 5U);
+    EXPECT_LT(found, 60U);
   }
   hwy::SetSupportedTargetsForTest(0);
 }

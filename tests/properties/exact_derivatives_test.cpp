@@ -141,8 +141,10 @@ ExpectedImage expected_image(const ArticulatedModel& model, const Configuration&
     items.push_back(body_item(model.tree, b, poses[b]));
     jacobians[b] = adjoint(poses[b]) * jacobians[b];
   }
-  RenderedDepth samples;
-  DepthRenderer(refined(camera, EdgeTile::kSamples), Executor(1)).render(items, samples);
+  DepthRenderer renderer(refined(camera, EdgeTile::kSamples), Executor(1));
+  renderer.prepare(items);
+  RenderedInverseDepth samples;
+  renderer.draw({0, 0, renderer.camera().width, renderer.camera().height}, samples);
   ExpectedImage image;
   image.means.setZero(camera.width * camera.height);
   image.derivatives.setZero(image.means.size(), 6 + model.tree.variables());

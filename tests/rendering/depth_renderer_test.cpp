@@ -67,7 +67,7 @@ TEST(DepthRenderer, WindowsShowTheSameAsTheWholeImage) {
   const RenderedDepth whole = rendered(vga_camera(), items);
   DepthRenderer renderer(vga_camera(), Executor(2));
   renderer.prepare(items);
-  RenderedDepth part;
+  RenderedInverseDepth part;
   for (const ImageWindow& window : {ImageWindow{300, 200, 41, 33}, ImageWindow{0, 0, 640, 480},
                                     ImageWindow{609, 463, 31, 17}, ImageWindow{7, 430, 1, 50}}) {
     renderer.draw(window, part);
@@ -76,11 +76,10 @@ TEST(DepthRenderer, WindowsShowTheSameAsTheWholeImage) {
     for (int v = 0; v < window.height; ++v) {
       for (int u = 0; u < window.width; ++u) {
         const std::size_t i = whole.index(window.left + u, window.top + v);
-        ASSERT_EQ(part.id[part.index(u, v)], whole.id[i]) << u << ' ' << v;
-        const float depth = whole.depth[i];
-        ASSERT_TRUE(part.depth[part.index(u, v)] == depth ||
-                    std::abs(part.depth[part.index(u, v)] - depth) < 1e-6F * depth)
-            << u << ' ' << v;
+        const auto at = static_cast<std::size_t>(v * window.width + u);
+        ASSERT_EQ(part.id[at], whole.id[i]) << u << ' ' << v;
+        const float expected = 1.0F / whole.depth[i];
+        ASSERT_NEAR(part.inverse_depth[at], expected, 1e-6F * expected) << u << ' ' << v;
       }
     }
   }

@@ -2,6 +2,7 @@
 #include "lockbox/registration/edge_term.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -82,7 +83,7 @@ void EdgeTerm::prepare(const PinholeCamera& camera, const BodyPoses& T_camera_bo
 
 /// The windows of neighbouring tiles.
 void EdgeTerm::draw_samples(int first_column, int end_column, int row,
-                            RenderedDepth& samples) const {
+                            RenderedInverseDepth& samples) const {
   const auto begin_of_window = [](int tile) {
     return kSamples * (kMargin + kSide * tile) - EdgeTile::kReach;
   };
@@ -134,7 +135,7 @@ void EdgeTerm::sum_neighbours(const TiledCloud& cloud, int first_column, int end
 /// Of the tile in hand, whose first pixel is given, adds the pixels that measure an edge of the
 /// model before the model and agree with it at all.
 void EdgeTerm::compare(const TiledCloud& cloud, const Pixel& first, Worker& worker) const {
-  worker.find_variables(variables_);
+  worker.find_variables(variables_, screws_);
   worker.noise.clear(static_cast<std::size_t>(worker.residual_column() + 1));
   const int rows = std::min(kSide, cloud.camera().height - first.v);
   for (int row = 0; row < rows; ++row) {
@@ -150,8 +151,9 @@ void EdgeTerm::find_edges(const TiledCloud& cloud, const Pixel& first, int row,
                           Worker& worker) const {
   worker.columns.clear();
   const int columns = std::min(kSide, cloud.camera().width - first.u);
-  for (int column = 0; column < columns; ++column) {
-    if (!worker.tile.bends(column, row, least_bend_)) continue;
+  for (auto left = worker.tile.bending(row, least_bend_); left != 0; left &= left - 1) {
+    const int column = std::countr_zero(left);
+    if (column >= columns) break;
     const std::size_t i = index({first.u + column, first.v + row}, cloud.camera());
     if (!(cloud.depth()[i] > 0.0F) || !cloud.keeps(i)) continue;
     if (!worker.tile.may_show_nothing(column, row)) worker.columns.push_back(column);
@@ -168,7 +170,7 @@ void EdgeTerm::compare_pixel(const TiledCloud& cloud, const Pixel& first, int co
   const auto cut = static_cast<float>(options_.cut * options_.cut);
   if (residual * residual > cut * (own + worker.noise.shared_variance())) return;
   const std::span<float> values = worker.noise.add(column, row, own);
-  worker.differentiate(pixel, cloud.camera(), screws_, values);
+  worker.differentiate(pixel, cloud.camera(), values);
   values.back() = residual;
 }
 

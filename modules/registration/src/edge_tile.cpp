@@ -9,7 +9,9 @@ namespace {
 
 using Taps = std::array<float, kernels::kWindowTaps>;
 
-constexpr std::size_t kRows = kernels::kWindowRows;
+/// Samples along each side of a window that pixels look at.
+constexpr std::size_t kSeen =
+    kernels::kSamplesPerPixel * (kernels::kWindowPixels - 1) + kernels::kWindowTaps + 1;
 
 /// Gaussian density around a pixel's centre, at points `shift` of their distance after the samples.
 Taps jitter_density(double lateral_pixels, double shift) {
@@ -39,31 +41,22 @@ float blur(const kernels::ColumnMoments::Sums& columns, const Taps& taps, std::s
 EdgeTile::EdgeTile(double lateral_pixels)
     : taps_{jitter_density(lateral_pixels, 0.0), jitter_density(lateral_pixels, 0.5)} {}
 
-bool EdgeTile::read(const RenderedDepth& samples, int left, int top) {
-  const auto first_column = static_cast<std::size_t>(left);
-  const auto first_row = static_cast<std::size_t>(top);
-  const auto width = static_cast<std::size_t>(samples.width);
-  for (std::size_t j = 0; j < kRows; ++j) {
-    const float* const depths = &samples.depth[(first_row + j) * width + first_column];
-    float* const d = &window_.d[j * kernels::kWindowStride];
-    for (std::size_t i = 0; i < kRows; ++i) d[i] = 1.0F / depths[i];  // 1 / infinity = 0
-  }
-  reference_ = window_.d[kernels::kWindowStride * (kRows / 2) + kRows / 2];
-  return find_bodies(samples, first_column, first_row);
+bool EdgeTile::read(const RenderedInverseDepth& samples, int left, int top) {
+  const auto stride = static_cast<std::size_t>(samples.width);
+  const std::size_t first = static_cast<std::size_t>(top) * stride + static_cast<std::size_t>(left);
+  window_ = {&samples.inverse_depth[first], &samples.id[first], stride};
+  reference_ = window_.d[kSeen / 2 * (stride + 1)];
+  return find_bodies();
 }
 
-bool EdgeTile::find_bodies(const RenderedDepth& samples, std::size_t left, std::size_t top) {
+/// Most rows are as that above.
+bool EdgeTile::find_bodies() {
   body_count_ = 0;
   shows_nothing_ = false;
-  const std::int16_t* above = nullptr;
-  for (std::size_t j = 0; j < kRows; ++j) {
-    const std::int16_t* const ids =
-        &samples.id[(top + j) * static_cast<std::size_t>(samples.width) + left];
-    float* const bodies = &window_.body[j * kernels::kWindowStride];
-    for (std::size_t i = 0; i < kRows; ++i) bodies[i] = static_cast<float>(ids[i]);
-    const bool is_as_above = above != nullptr && std::equal(ids, ids + kRows, above);
-    above = ids;
-    for (std::size_t i = 0; i < kRows && !is_as_above; ++i) {
+  for (std::size_t j = 0; j < kSeen; ++j) {
+    const std::int16_t* const ids = window_.body + j * window_.stride;
+    if (j > 0 && std::equal(ids, ids + kSeen, ids - window_.stride)) continue;
+    for (std::size_t i = 0; i < kSeen; ++i) {
       if ((i == 0 || ids[i] != ids[i - 1]) && !add_body(ids[i])) return false;
     }
   }
@@ -83,19 +76,8 @@ bool EdgeTile::add_body(std::int16_t body) {
   return true;
 }
 
-/// Inverse depth is linear in the image of a plane.
-bool EdgeTile::bends(int column, int row, float least) const {
-  constexpr std::size_t kInRow = kernels::kSamplesPerPixel;
-  constexpr std::size_t kInColumn = kernels::kSamplesPerPixel * kernels::kWindowStride;
-  const float* const d =
-      &window_.d[static_cast<std::size_t>(kReach + kSamples * row) * kernels::kWindowStride +
-                 static_cast<std::size_t>(kReach + kSamples * column)];
-  const float left = *(d - kInRow);
-  const float right = *(d + kInRow);
-  const float above = *(d - kInColumn);
-  const float below = *(d + kInColumn);
-  if (std::min({*d, left, right, above, below}) == 0.0F) return false;
-  return std::abs(left + right - 2.0F * *d) > least || std::abs(above + below - 2.0F * *d) > least;
+std::uint32_t EdgeTile::bending(int row, float least) const {
+  return kernels::find_bending(window_, static_cast<std::size_t>(row), least);
 }
 
 bool EdgeTile::may_show_nothing(int column, int row) const {
@@ -103,7 +85,7 @@ bool EdgeTile::may_show_nothing(int column, int row) const {
   const auto first_column = static_cast<std::size_t>(kSamples * column);
   const auto first_row = static_cast<std::size_t>(kSamples * row);
   for (std::size_t j = 0; j < kernels::kWindowTaps; ++j) {
-    const float* const d = &window_.d[(first_row + j) * kernels::kWindowStride + first_column];
+    const float* const d = window_.d + (first_row + j) * window_.stride + first_column;
     if (std::find(d, d + kernels::kWindowTaps, 0.0F) != d + kernels::kWindowTaps) return true;
   }
   return false;
@@ -113,8 +95,7 @@ void EdgeTile::begin_row(int row, int first, int end) {
   const auto pixel_row = static_cast<std::size_t>(row);
   const kernels::PixelRange pixels{static_cast<std::size_t>(first), static_cast<std::size_t>(end)};
   for (std::size_t b = 0; b < body_count_; ++b) {
-    kernels::blur_columns(window_, taps_, pixel_row, pixels, static_cast<float>(bodies_[b]),
-                          columns_[b]);
+    kernels::blur_columns(window_, taps_, pixel_row, pixels, bodies_[b], columns_[b]);
   }
   kernels::blur_squares(window_, taps_, pixel_row, pixels, reference_, squares_);
 }

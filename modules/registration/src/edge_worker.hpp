@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,6 +26,7 @@ struct EdgeTerm::Worker {
   Worker(const SensorNoise& sensor, Index unknowns)
       : samples(), tile(sensor.lateral_pixels), noise(sensor, kSide) {
     variables.reserve(static_cast<std::size_t>(unknowns));
+    for (auto& screw : screws) screw.setZero(6, unknowns - 6);
     columns.reserve(kSide);
   }
 
@@ -32,7 +34,8 @@ struct EdgeTerm::Worker {
   /// by the variables, then the residual.
   Index residual_column() const { return 6 + static_cast<Index>(variables.size()); }
 
-  void find_variables(const std::vector<std::vector<int>>& by_body) {
+  void find_variables(const std::vector<std::vector<int>>& by_body,
+                      const std::vector<BodyJacobian>& by_unknowns) {
     variables.clear();
     for (const std::int16_t body : tile.bodies()) {
       for (const int v : by_body[static_cast<std::size_t>(body)]) {
@@ -41,20 +44,24 @@ struct EdgeTerm::Worker {
         }
       }
     }
+    for (std::size_t b = 0; b < tile.bodies().size(); ++b) {
+      const BodyJacobian& screw = by_unknowns[static_cast<std::size_t>(tile.bodies()[b])];
+      for (std::size_t k = 0; k < variables.size(); ++k) {
+        screws[b].col(static_cast<Index>(k)) = screw.col(6 + variables[k]).cast<float>();
+      }
+    }
   }
 
   /// Of the pixel that was looked at last. values: zero at first.
   void differentiate(const Pixel& pixel, const PinholeCamera& camera,
-                     const std::vector<BodyJacobian>& screws, std::span<float> values) const {
+                     std::span<float> values) const {
     const Eigen::Vector3f ray = camera.back_project(pixel.u, pixel.v, 1.0).cast<float>();
     Eigen::Map<Eigen::VectorXf> derivative(values.data(), residual_column());
     for (std::size_t b = 0; b < tile.bodies().size(); ++b) {
-      const BodyJacobian& screw = screws[static_cast<std::size_t>(tile.bodies()[b])];
       const Eigen::Matrix<float, 6, 1> by_twist = tile.derivative(b, ray.x(), ray.y(), camera);
       derivative.head<6>() += by_twist;
       for (std::size_t k = 0; k < variables.size(); ++k) {
-        derivative[6 + static_cast<Index>(k)] +=
-            by_twist.dot(screw.col(6 + variables[k]).cast<float>());
+        derivative[6 + static_cast<Index>(k)] += by_twist.dot(screws[b].col(static_cast<Index>(k)));
       }
     }
   }
@@ -84,11 +91,13 @@ struct EdgeTerm::Worker {
     return 6 + variables[static_cast<std::size_t>(column - 6)];
   }
 
-  RenderedDepth samples;  ///< of neighbouring tiles in a row
+  RenderedInverseDepth samples;  ///< of neighbouring tiles in a row
   EdgeTile tile;
   TileNoise noise;
   std::vector<int> variables;  ///< that move anything in the tile
-  std::vector<int> columns;    ///< of the row in hand: pixels that measure an edge
+  /// By body of the tile: from these variables to its twist in the camera's frame.
+  std::array<Eigen::Matrix<float, 6, Eigen::Dynamic>, EdgeTile::kMostBodies> screws;
+  std::vector<int> columns;  ///< of the row in hand: pixels that measure an edge
 };
 
 }  // namespace lockbox

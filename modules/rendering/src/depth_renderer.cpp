@@ -13,6 +13,8 @@
 namespace lockbox {
 namespace {
 
+using rendering::Canvas;
+using rendering::Edge;
 using rendering::kBandRows;
 using rendering::ScreenTriangle;
 using rendering::Vertex;
@@ -37,20 +39,58 @@ struct TriangleChunk {
   int end_column;
 };
 
-/// Whether a triangle, or any of a chunk, may touch these rows of the window.
+/// Whether the rectangle around a triangle, or around those of a chunk, touches these rows of the
+/// window.
 template <class Shape>
 bool touches(const Shape& shape, const ImageWindow& window, int first_row, int end_row) {
   return shape.first_row < end_row && shape.end_row > first_row &&
          shape.first_column < window.right() && shape.end_column > window.left;
 }
 
-void resize(const ImageWindow& window, RenderedDepth& image) {
+/// Whether a triangle that touches these rows may cover columns of the window in them: of large
+/// ones a small window mostly shows nothing.
+bool may_cover(const ScreenTriangle& t, const ImageWindow& window, int first_row, int end_row) {
+  const int first = std::max(first_row, t.first_row);
+  const int last = std::min(end_row, t.end_row) - 1;
+  const int last_upper = std::min(last, t.middle_row - 1);
+  const int first_lower = std::max(first, t.middle_row);
+  double left = std::min(t.whole.column(first), t.whole.column(last));
+  double right = std::max(t.whole.column(first), t.whole.column(last));
+  const auto extend = [&](const Edge& edge, int row) {
+    left = std::min(left, edge.column(row));
+    right = std::max(right, edge.column(row));
+  };
+  if (first <= last_upper) {
+    extend(t.upper, first);
+    extend(t.upper, last_upper);
+  }
+  if (first_lower <= last) {
+    extend(t.lower, first_lower);
+    extend(t.lower, last);
+  }
+  return left <= window.right() && right >= window.left;
+}
+
+/// A canvas in the memory of an image that shows this window.
+template <class Image>
+Canvas resize(const ImageWindow& window, std::vector<float>& inverse_z, Image& image) {
   image.width = window.width;
   image.height = window.height;
   const auto pixels =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  image.depth.resize(pixels);
+  inverse_z.resize(pixels);
   image.id.resize(pixels);
+  return {window, inverse_z.data(), image.id.data()};
+}
+
+/// Of a row that holds 1/z in the part that was drawn.
+void find_depths(float* const row, int width, const ImageWindow& drawn) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  float* const begin = row + drawn.left;
+  float* const end = row + drawn.right();
+  std::fill(row, begin, kInfinity);
+  std::transform(begin, end, begin, [](float inverse_z) { return 1.0F / inverse_z; });
+  std::fill(end, row + width, kInfinity);
 }
 
 void append_ranges(std::span<const RenderItem> items, std::size_t item, std::size_t first_vertex,
@@ -76,8 +116,8 @@ struct DepthRenderer::Workspace {
   void project(std::size_t vertex_range);
   void find_visible_backs(std::span<const RenderItem> items);
   void prepare(const Range& range, TriangleChunk& chunk) const;
-  ImageWindow drawn_part(const ImageWindow& window) const;
-  void draw_band(const ImageWindow& window, int first_row, int end_row, RenderedDepth& image) const;
+  ImageWindow drawn_part() const;
+  void draw_band(int first_row, int end_row, const Canvas& canvas) const;
 };
 
 void DepthRenderer::Workspace::plan(std::span<const RenderItem> items) {
@@ -142,12 +182,12 @@ void DepthRenderer::Workspace::prepare(const Range& range, TriangleChunk& chunk)
   }
 }
 
-/// The part of a window that triangles may touch, in its own pixels.
-ImageWindow DepthRenderer::Workspace::drawn_part(const ImageWindow& window) const {
-  int left = window.right();
-  int top = window.bottom();
-  int right = window.left;
-  int bottom = window.top;
+/// The part of the image that triangles may touch.
+ImageWindow DepthRenderer::Workspace::drawn_part() const {
+  int left = camera.width;
+  int top = camera.height;
+  int right = 0;
+  int bottom = 0;
   for (std::size_t i = 0; i < triangle_ranges.size(); ++i) {
     if (chunks[i].triangles.empty()) continue;
     left = std::min(left, chunks[i].first_column);
@@ -155,44 +195,24 @@ ImageWindow DepthRenderer::Workspace::drawn_part(const ImageWindow& window) cons
     right = std::max(right, chunks[i].end_column);
     bottom = std::max(bottom, chunks[i].end_row);
   }
-  left = std::max(left, window.left);
-  top = std::max(top, window.top);
-  right = std::min(right, window.right());
-  bottom = std::min(bottom, window.bottom());
   if (left >= right || top >= bottom) return {};
-  return {left - window.left, top - window.top, right - left, bottom - top};
+  return {left, top, right - left, bottom - top};
 }
 
 /// Rows of the camera's image, at most kBandRows of them.
-void DepthRenderer::Workspace::draw_band(const ImageWindow& window, int first_row, int end_row,
-                                         RenderedDepth& image) const {
-  const auto pixels_before = [&](int row) {
-    return static_cast<std::ptrdiff_t>(image.index(0, row - window.top));
-  };
-  std::fill(image.depth.begin() + pixels_before(first_row),
-            image.depth.begin() + pixels_before(end_row), std::numeric_limits<float>::infinity());
-  std::fill(image.id.begin() + pixels_before(first_row), image.id.begin() + pixels_before(end_row),
-            kNothing);
-  const int first_drawn = std::max(first_row, window.top + image.drawn.top);
-  const int end_drawn = std::min(end_row, window.top + image.drawn.bottom());
-  const auto drawn_depths = [&](int row) {
-    return std::span(&image.depth[image.index(image.drawn.left, row - window.top)],
-                     static_cast<std::size_t>(image.drawn.width));
-  };
-  // Until the band is complete, its depths hold 1/z: 0 is infinitely far.
-  for (int row = first_drawn; row < end_drawn; ++row) std::ranges::fill(drawn_depths(row), 0.0F);
+void DepthRenderer::Workspace::draw_band(int first_row, int end_row, const Canvas& canvas) const {
+  const std::size_t begin = canvas.index(canvas.window.left, first_row);
+  const std::size_t end = canvas.index(canvas.window.left, end_row);
+  std::fill(canvas.inverse_z + begin, canvas.inverse_z + end, 0.0F);
+  std::fill(canvas.ids + begin, canvas.ids + end, kNothing);
   for (std::size_t i = 0; i < triangle_ranges.size(); ++i) {
-    if (!touches(chunks[i], window, first_row, end_row)) continue;
+    if (!touches(chunks[i], canvas.window, first_row, end_row)) continue;
     for (const ScreenTriangle& t : chunks[i].triangles) {
-      if (touches(t, window, first_row, end_row)) {
-        draw_rows(t, window, first_row, end_row, image);
+      if (touches(t, canvas.window, first_row, end_row) &&
+          may_cover(t, canvas.window, first_row, end_row)) {
+        draw_rows(t, first_row, end_row, canvas);
       }
     }
-  }
-  for (int row = first_drawn; row < end_drawn; ++row) {
-    const auto depths = drawn_depths(row);
-    std::ranges::transform(depths, depths.begin(),
-                           [](float inverse_z) { return 1.0F / inverse_z; });
   }
 }
 
@@ -215,12 +235,16 @@ void DepthRenderer::render(std::span<const RenderItem> items, RenderedDepth& ima
   prepare(items);
   const Workspace& w = *workspace_;
   const ImageWindow whole{0, 0, w.camera.width, w.camera.height};
-  resize(whole, image);
-  image.drawn = w.drawn_part(whole);
+  const Canvas canvas = resize(whole, image.depth, image);
+  image.drawn = w.drawn_part();
   w.executor.for_each_chunk(static_cast<std::size_t>(image.height), kBandRows,
                             [&](std::size_t begin, std::size_t end, std::size_t) {
-                              w.draw_band(whole, static_cast<int>(begin), static_cast<int>(end),
-                                          image);
+                              w.draw_band(static_cast<int>(begin), static_cast<int>(end), canvas);
+                              for (std::size_t row = begin; row < end; ++row) {
+                                find_depths(
+                                    canvas.inverse_z + canvas.index(0, static_cast<int>(row)),
+                                    image.width, image.drawn);
+                              }
                             });
 }
 
@@ -233,12 +257,11 @@ void DepthRenderer::prepare(std::span<const RenderItem> items) {
                       [&](std::size_t i) { w.prepare(w.triangle_ranges[i], w.chunks[i]); });
 }
 
-void DepthRenderer::draw(const ImageWindow& window, RenderedDepth& image) const {
-  resize(window, image);
-  image.drawn = workspace_->drawn_part(window);
+void DepthRenderer::draw(const ImageWindow& window, RenderedInverseDepth& part) const {
+  const Canvas canvas = resize(window, part.inverse_depth, part);
   const int end = window.bottom();
   for (int row = window.top; row < end; row += kBandRows) {
-    workspace_->draw_band(window, row, std::min(row + kBandRows, end), image);
+    workspace_->draw_band(row, std::min(row + kBandRows, end), canvas);
   }
 }
 

@@ -102,18 +102,18 @@ HWY_INLINE void draw_span(const Tag tag, const ScreenTriangle& t, const float st
   }
 }
 
-void draw_rows_of(const ScreenTriangle& t, const ImageWindow& window, const int first_row,
-                  const int end_row, RenderedDepth& image) {
+void draw_rows_of(const ScreenTriangle& t, const int first_row, const int end_row,
+                  const Canvas& canvas) {
   const int first = std::max(first_row, t.first_row);
   const int count = std::min(end_row, t.end_row) - first;
   Spans spans;
-  find_spans(t, first, count, window, spans);
+  find_spans(t, first, count, canvas.window, spans);
   for (int i = 0; i < count; ++i) {
     const int pixels = spans.right[i] - spans.left[i];
     if (pixels > 0) {
-      const std::size_t at = image.index(spans.left[i] - window.left, first + i - window.top);
+      const std::size_t at = canvas.index(spans.left[i], first + i);
       draw_span(hn::CappedTag<float, 16>(), t, spans.inverse_z[i], static_cast<std::size_t>(pixels),
-                &image.depth[at], &image.id[at]);
+                canvas.inverse_z + at, canvas.ids + at);
     }
   }
 }
@@ -126,9 +126,8 @@ namespace lockbox::rendering {
 
 HWY_EXPORT(draw_rows_of);
 
-void draw_rows(const ScreenTriangle& triangle, const ImageWindow& window, int first_row,
-               int end_row, RenderedDepth& image) {
-  HWY_DYNAMIC_DISPATCH(draw_rows_of)(triangle, window, first_row, end_row, image);
+void draw_rows(const ScreenTriangle& triangle, int first_row, int end_row, const Canvas& canvas) {
+  HWY_DYNAMIC_DISPATCH(draw_rows_of)(triangle, first_row, end_row, canvas);
 }
 
 }  // namespace lockbox::rendering

@@ -11,18 +11,19 @@
 
 namespace lockbox::kernels {
 
-/// Of a row of samples; the last ones of a row and the last row are only neighbours of others.
-inline constexpr std::size_t kWindowStride = 32;
-inline constexpr std::size_t kWindowRows = 31;
+/// Samples along each side of a window; the last column and row are there for whole vectors of
+/// neighbours.
+inline constexpr std::size_t kWindowSide = 32;
 inline constexpr std::size_t kWindowPixels = 8;     ///< along each side
 inline constexpr std::size_t kSamplesPerPixel = 3;  ///< along each side
 /// Pixel i of a row or column looks at samples 3 i .. 3 i + 8.
 inline constexpr std::size_t kWindowTaps = 9;
 
+/// Of a larger rendering, from the window's first sample on.
 struct EdgeWindow {
-  using Samples = std::array<float, kWindowStride*(kWindowRows + 1)>;
-  alignas(64) Samples d;     ///< 1/metre; 0: nothing
-  alignas(64) Samples body;  ///< a number
+  const float* d;            ///< 1/metre; 0: nothing
+  const std::int16_t* body;  ///< a number
+  std::size_t stride;        ///< from row to row
 };
 
 struct WindowTaps {
@@ -39,7 +40,7 @@ struct PixelRange {
 /// Sums over the samples of a column. step: d of the next sample less that of this one, a step each
 /// pixel, by the body of the nearer of both; along rows (u) and columns (v).
 struct ColumnMoments {
-  using Sums = std::array<float, kWindowStride>;
+  using Sums = std::array<float, kWindowSide>;
   alignas(64) Sums d;
   alignas(64) Sums d_squared;
   alignas(64) Sums step_u;
@@ -50,10 +51,14 @@ struct ColumnMoments {
 
 /// Of one body, around pixels of a row.
 void blur_columns(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
-                  const PixelRange& pixels, float body, ColumnMoments& moments);
+                  const PixelRange& pixels, std::int16_t body, ColumnMoments& moments);
 
 /// Of all bodies: of (d - reference)^2.
 void blur_squares(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
                   const PixelRange& pixels, float reference, ColumnMoments::Sums& squares);
+
+/// The pixels of a row, bit by bit, whose d bends towards that of their neighbours by more than
+/// this; not where one of them shows nothing.
+std::uint32_t find_bending(const EdgeWindow& window, std::size_t pixel_row, float least);
 
 }  // namespace lockbox::kernels

@@ -60,7 +60,7 @@ class EdgeTerm {
     double pixels = 0.0;
   };
   void prepare(const PinholeCamera& camera, const BodyPoses& T_camera_body);
-  void draw_samples(int first_column, int end_column, int row, RenderedDepth& samples) const;
+  void draw_samples(int first_column, int end_column, int row, RenderedInverseDepth& samples) const;
   void express_in_camera(const BodyPoses& T_camera_body,
                          const std::vector<BodyJacobian>& jacobians);
   void sum_row(const TiledCloud& cloud, int row, RowSums& sums);

@@ -37,18 +37,19 @@ class EdgeTile {
 
   /// Samples along each side of what a tile is read from, of which kReach lie before the centre of
   /// its first pixel.
-  static constexpr int kWindow = static_cast<int>(kernels::kWindowRows);
+  static constexpr int kWindow = static_cast<int>(kernels::kWindowSide);
 
-  /// Reads the tile whose window begins at sample (left, top) of a rendering with kSamples samples
-  /// a pixel and axis. False if it shows too many bodies, or none.
-  bool read(const RenderedDepth& samples, int left, int top);
+  /// Reads the tile whose window begins at sample (left, top), and lies within a rendering with
+  /// kSamples samples a pixel and axis, which must outlive what is asked of the tile. False if it
+  /// shows too many bodies, or none.
+  bool read(const RenderedInverseDepth& samples, int left, int top);
 
   /// Bodies that the tile shows.
   std::span<const std::int16_t> bodies() const { return {bodies_.data(), body_count_}; }
 
-  /// Whether the inverse depth of the tile's pixel in this column and row bends towards its
-  /// neighbours by more than this (1/metre), or breaks; not if one of them shows nothing.
-  bool bends(int column, int row, float least) const;
+  /// The pixels of this row, bit by bit, whose inverse depth bends towards that of their neighbours
+  /// by more than this (1/metre), or breaks; not if one of them shows nothing.
+  std::uint32_t bending(int row, float least) const;
   /// Of the tile's pixel in this column and row: whether it may show nothing of the model.
   bool may_show_nothing(int column, int row) const;
 
@@ -78,7 +79,7 @@ class EdgeTile {
     float step_v_d;
   };
 
-  bool find_bodies(const RenderedDepth& samples, std::size_t left, std::size_t top);
+  bool find_bodies();
   bool add_body(std::int16_t body);
 
   kernels::WindowTaps taps_;

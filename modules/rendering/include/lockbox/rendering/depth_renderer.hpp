@@ -58,6 +58,14 @@ struct RenderedDepth {
   }
 };
 
+/// A window of an image, row by row.
+struct RenderedInverseDepth {
+  int width = 0;
+  int height = 0;
+  std::vector<float> inverse_depth;  ///< 1/metre; 0 where nothing is
+  std::vector<std::int16_t> id;      ///< of the nearest item; kNothing where nothing is
+};
+
 /// Reusable: after the first frame, frames of the same scene allocate nothing.
 class DepthRenderer {
  public:
@@ -78,9 +86,9 @@ class DepthRenderer {
 
   /// The same in two steps, for who needs few parts of the image: draw() may be called for any of
   /// them, by several threads, until the next prepare(). The window must lie within the image; its
-  /// first pixel becomes the first one of `image`, which is resized and overwritten.
+  /// first pixel becomes the first one of `part`, which is resized and overwritten.
   void prepare(std::span<const RenderItem> items);
-  void draw(const ImageWindow& window, RenderedDepth& image) const;
+  void draw(const ImageWindow& window, RenderedInverseDepth& part) const;
 
  private:
   struct Workspace;
