@@ -38,17 +38,16 @@ HWY_INLINE Float sigma_z(const PointNoise& noise, const Float z) {
                     hn::Set(df, noise.depth_floor));
 }
 
-HWY_INLINE Hit hit_of(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
-                      const Float p[3]) {
+/// p, q: the points in the camera's and in the body's frame.
+HWY_INLINE Hit hit_at(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
+                      const Float p[3], const Float q[3], const GridPosition& at) {
   const FloatTag df;
   Hit hit;
-  transform(motion, p, hit.position);
-  const GridPosition at = locate(field, hit.position);
+  for (int axis = 0; axis < 3; ++axis) hit.position[axis] = q[axis];
   hit.inside = at.inside;
   hit.distance = interpolate<true>(field, at, hit.normal);
 
   const Float p2 = dot(p, p);
-  const Float* q = hit.position;
   const Float ray[3] = {hn::Sub(q[0], hn::Set(df, motion.translation[0])),
                         hn::Sub(q[1], hn::Set(df, motion.translation[1])),
                         hn::Sub(q[2], hn::Set(df, motion.translation[2]))};
@@ -68,6 +67,13 @@ HWY_INLINE Hit hit_of(const FieldView& field, const RigidMotion& motion, const P
   hit.inverse_variance =
       hn::IfThenElseZero(hn::AndNot(far_side, at.inside), hn::Div(hn::Set(df, 1.0F), variance));
   return hit;
+}
+
+HWY_INLINE Hit hit_of(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
+                      const Float p[3]) {
+  Float q[3];
+  transform(motion, p, q);
+  return hit_at(field, motion, noise, p, q, locate(field, q));
 }
 
 /// The squared density of measurements near the surface, but for factors that all surfaces on a ray

@@ -8,6 +8,7 @@
 #define LOCKBOX_KERNELS_FIELD_LOOK_UP_INL
 #endif
 
+#include "hwy/cache_control.h"
 #include "hwy/highway.h"
 #include "lockbox/kernels/point_to_field.hpp"
 
@@ -105,6 +106,41 @@ HWY_INLINE GridPosition locate(const FieldView& field, const Float p[3]) {
   return at;
 }
 
+/// Asks for the samples of the lanes' cells.
+HWY_INLINE void prefetch(const FieldView& field, const GridPosition& at) {
+  const IntTag di;
+  HWY_ALIGN std::int32_t lower[kLanes];
+  HWY_ALIGN std::int32_t upper[kLanes];
+  hn::Store(at.byte_offset, di, lower);
+  hn::Store(hn::Add(at.byte_offset, at.stride_z), di, upper);
+  const auto* const samples = reinterpret_cast<const char*>(field.samples);
+  for (std::size_t lane = 0; lane < hn::Lanes(di); ++lane) {
+    hwy::Prefetch(samples + lower[lane]);
+    hwy::Prefetch(samples + upper[lane]);
+  }
+}
+
+/// Calls place(i, p), which writes where the points of lanes i .. are (body frame), then
+/// visit(i, p, at). A few vectors are located before the first of them is visited: points are far
+/// apart, and each look-up would wait for its samples.
+template <typename Place, typename Visit>
+HWY_INLINE void for_located(const FieldView& field, const std::size_t size, const Place& place,
+                            const Visit& visit) {
+  constexpr std::size_t kTogether = 8;
+  const std::size_t lanes = hn::Lanes(FloatTag());
+  Float p[kTogether][3];
+  GridPosition at[kTogether];
+  for (std::size_t first = 0; first < size; first += kTogether * lanes) {
+    const std::size_t vectors = HWY_MIN(kTogether, (size - first + lanes - 1) / lanes);
+    for (std::size_t k = 0; k < vectors; ++k) {
+      place(first + k * lanes, p[k]);
+      at[k] = locate(field, p[k]);
+      prefetch(field, at[k]);
+    }
+    for (std::size_t k = 0; k < vectors; ++k) visit(first + k * lanes, p[k], at[k]);
+  }
+}
+
 /// Two neighbours in x from one 32-bit load.
 HWY_INLINE void load_pair(const FieldView& field, const Int byte_offset, Float& at0, Float& at1) {
   const FloatTag df;
@@ -163,6 +199,13 @@ HWY_INLINE void transform(const RigidMotion& motion, const Float p[3], Float res
         hn::MulAdd(hn::Set(df, r[1]), p[1],
                    hn::MulAdd(hn::Set(df, r[2]), p[2], hn::Set(df, motion.translation[row]))));
   }
+}
+
+HWY_INLINE void load(const PointSpan& points, const std::size_t i, Float p[3]) {
+  const FloatTag df;
+  p[0] = hn::LoadU(df, points.x + i);
+  p[1] = hn::LoadU(df, points.y + i);
+  p[2] = hn::LoadU(df, points.z + i);
 }
 
 HWY_INLINE Float dot(const Float a[3], const Float b[3]) {

@@ -46,10 +46,15 @@ void look_up_points(const FieldView& field, const RigidMotion& motion, const Poi
                     const PointSpan& points, const PredictedPixels& predicted, float body,
                     float cut, const FieldHits& hits, const BodyPlanes& planes, bool& has_planes) {
   const FloatTag df;
-  for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
-    const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
-                        hn::LoadU(df, points.z + i)};
-    Hit hit = hit_of(field, motion, noise, p);
+  const auto place = [&](std::size_t i, Float q[3]) HWY_ATTR {
+    Float p[3];
+    load(points, i, p);
+    transform(motion, p, q);
+  };
+  const auto visit = [&](std::size_t i, const Float q[3], const GridPosition& at) HWY_ATTR {
+    Float p[3];
+    load(points, i, p);
+    Hit hit = hit_at(field, motion, noise, p, q, at);
     hn::StoreU(hn::IfThenElse(hit.inside, hit.distance, hn::Set(df, kPadding)), df,
                hits.nearest + i);
     const Float depth = hn::LoadU(df, predicted.depth + i);
@@ -69,7 +74,8 @@ void look_up_points(const FieldView& field, const RigidMotion& motion, const Poi
       }
     }
     store(hit, hits, i);
-  }
+  };
+  for_located(field, points.size, place, visit);
 }
 
 void frozen_point_distances(const RigidMotion& motion, const PointSpan& points,
@@ -77,8 +83,8 @@ void frozen_point_distances(const RigidMotion& motion, const PointSpan& points,
                             const float* nearest, float* distance) {
   const FloatTag df;
   for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
-    const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
-                        hn::LoadU(df, points.z + i)};
+    Float p[3];
+    load(points, i, p);
     const Float normal[3] = {hn::LoadU(df, planes.normal[0] + i),
                              hn::LoadU(df, planes.normal[1] + i),
                              hn::LoadU(df, planes.normal[2] + i)};
@@ -98,16 +104,17 @@ void frozen_point_distances(const RigidMotion& motion, const PointSpan& points,
 
 void look_up_point_distances(const FieldView& field, const RigidMotion& motion,
                              const PointSpan& points, float* distance) {
-  const FloatTag df;
-  for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
-    const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
-                        hn::LoadU(df, points.z + i)};
-    Float q[3];
+  const auto place = [&](std::size_t i, Float q[3]) HWY_ATTR {
+    Float p[3];
+    load(points, i, p);
     transform(motion, p, q);
-    const GridPosition at = locate(field, q);
+  };
+  const auto visit = [&](std::size_t i, const Float /*q*/[3], const GridPosition& at) HWY_ATTR {
+    const FloatTag df;
     const Float d = interpolate<false>(field, at, nullptr);
     hn::StoreU(hn::IfThenElse(at.inside, d, hn::Set(df, kPadding)), df, distance + i);
-  }
+  };
+  for_located(field, points.size, place, visit);
 }
 
 /// exp(-s / 2) with s = distance^2 / variance; 0 where the body explains nothing.

@@ -21,11 +21,11 @@ struct Nearest {
   Float distance;
 };
 
-HWY_INLINE Nearest nearest(const FieldView& field, const Float p[3]) {
+HWY_INLINE Nearest nearest_at(const FieldView& field, const Float p[3], const GridPosition& at) {
   const FloatTag df;
   Nearest result;
   Float gradient[3];
-  result.distance = interpolate<true>(field, locate(field, p), gradient);
+  result.distance = interpolate<true>(field, at, gradient);
   const Float length2 = hn::Max(dot(gradient, gradient), hn::Set(df, 1e-12F));
   const Float scale = hn::Div(hn::Set(df, 1.0F), hn::Sqrt(length2));
   for (int axis = 0; axis < 3; ++axis) {
@@ -33,6 +33,21 @@ HWY_INLINE Nearest nearest(const FieldView& field, const Float p[3]) {
     result.p[axis] = hn::NegMulAdd(result.distance, result.normal[axis], p[axis]);
   }
   return result;
+}
+
+HWY_INLINE Nearest nearest(const FieldView& field, const Float p[3]) {
+  return nearest_at(field, p, locate(field, p));
+}
+
+HWY_INLINE void load(const float* const axes[3], const std::size_t i, Float vector[3]) {
+  for (int axis = 0; axis < 3; ++axis) vector[axis] = hn::LoadU(FloatTag(), axes[axis] + i);
+}
+
+HWY_INLINE void store(const Nearest& at, const TouchPoints& points, const std::size_t i) {
+  for (int axis = 0; axis < 3; ++axis) {
+    hn::StoreU(at.p[axis], FloatTag(), points.p[axis] + i);
+    hn::StoreU(at.normal[axis], FloatTag(), points.normal[axis] + i);
+  }
 }
 
 struct Rays {
@@ -60,14 +75,26 @@ HWY_INLINE void replace(const hn::Mask<FloatTag> where, const Nearest& by, Neare
   }
 }
 
-/// By alternating projections. p: on the rays.
-HWY_INLINE Nearest nearest_to_rays(const FieldView& field, const Rays& rays, Float p[3]) {
-  Nearest at = nearest(field, p);
-  for (int k = 1; k < kProjections; ++k) {
-    onto_rays(rays, at.p, 0.0F, p);
-    at = nearest(field, p);
+HWY_INLINE Rays rays_at(const RaySpan& span, const std::size_t i) {
+  Rays rays;
+  for (int axis = 0; axis < 3; ++axis) rays.origin[axis] = hn::Set(FloatTag(), span.origin[axis]);
+  load(span.direction, i, rays.direction);
+  return rays;
+}
+
+/// Where the surface comes nearest to rays, by alternating projections. nearest: points on the rays
+/// at first.
+HWY_INLINE void come_nearest(const FieldView& field, const RaySpan& rays,
+                             const TouchPoints& nearest) {
+  for (int k = 0; k < kProjections; ++k) {
+    const auto place = [&](std::size_t i, Float p[3]) HWY_ATTR {
+      load(nearest.p, i, p);
+      if (k > 0) onto_rays(rays_at(rays, i), p, 0.0F, p);
+    };
+    const auto visit = [&](std::size_t i, const Float p[3], const GridPosition& at)
+                           HWY_ATTR { store(nearest_at(field, p, at), nearest, i); };
+    for_located(field, rays.size, place, visit);
   }
-  return at;
 }
 
 /// Along a side that is turned to the camera: steps along the ray lead into the body, and back onto
@@ -94,32 +121,25 @@ HWY_INLINE void slide_back(const FieldView& field, const Rays& rays, Nearest& at
 }
 
 void touch_rays(const FieldView& field, const RaySpan& rays, const TouchPoints& result) {
-  const FloatTag df;
-  Rays lanes;
-  for (int axis = 0; axis < 3; ++axis) lanes.origin[axis] = hn::Set(df, rays.origin[axis]);
-  for (std::size_t i = 0; i < rays.size; i += hn::Lanes(df)) {
-    Float p[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      lanes.direction[axis] = hn::LoadU(df, rays.direction[axis] + i);
-      p[axis] = hn::LoadU(df, result.p[axis] + i);
-    }
-    Nearest at = nearest_to_rays(field, lanes, p);
-    slide_back(field, lanes, at);
-    for (int axis = 0; axis < 3; ++axis) {
-      hn::StoreU(at.p[axis], df, result.p[axis] + i);
-      hn::StoreU(at.normal[axis], df, result.normal[axis] + i);
-    }
+  come_nearest(field, rays, result);
+  for (std::size_t i = 0; i < rays.size; i += hn::Lanes(FloatTag())) {
+    Nearest at;
+    load(result.p, i, at.p);
+    load(result.normal, i, at.normal);
+    slide_back(field, rays_at(rays, i), at);
+    store(at, result, i);
   }
 }
 
 void normals_at_points(const FieldView& field, const PointSpan& points, float* const normal[3]) {
-  const FloatTag df;
-  for (std::size_t i = 0; i < points.size; i += hn::Lanes(df)) {
-    const Float p[3] = {hn::LoadU(df, points.x + i), hn::LoadU(df, points.y + i),
-                        hn::LoadU(df, points.z + i)};
-    const Nearest at = nearest(field, p);
-    for (int axis = 0; axis < 3; ++axis) hn::StoreU(at.normal[axis], df, normal[axis] + i);
-  }
+  const auto place = [&](std::size_t i, Float p[3]) HWY_ATTR { load(points, i, p); };
+  const auto visit = [&](std::size_t i, const Float p[3], const GridPosition& at) HWY_ATTR {
+    const Nearest found = nearest_at(field, p, at);
+    for (int axis = 0; axis < 3; ++axis) {
+      hn::StoreU(found.normal[axis], FloatTag(), normal[axis] + i);
+    }
+  };
+  for_located(field, points.size, place, visit);
 }
 
 }  // namespace lockbox::kernels::HWY_NAMESPACE
