@@ -70,24 +70,6 @@ TEST_F(FindFlatTest, WhereAnotherBodyBeginsOrNothingIsThereIsNot) {
   EXPECT_EQ(bent(), (std::vector<std::size_t>{9, 10, 11, 30, 49, 50, 51}));
 }
 
-/// Whatever the labels say.
-TEST_F(FindFlatTest, BendsAreWhereTheDepthIsBentOrSteps) {
-  depths[1][20] += 1e-4F;
-  for (auto& row : depths) {
-    for (std::size_t u = 35; u < kWidth; ++u) row[u] = 1.0F / (1.0F / row[u] - 0.05F);
-    row[50] = kNothing;
-  }
-  for (auto& row : labels) std::fill(row.begin() + 30, row.end(), std::int16_t{5});
-  std::vector<std::uint8_t> bends(kWidth - 2, 2);
-  find_bends({depths[0].data(), depths[1].data(), depths[2].data()}, 1, kWidth - 1, kBend,
-             bends.data());
-  std::vector<std::size_t> columns;
-  for (std::size_t i = 0; i < bends.size(); ++i) {
-    if (bends[i] == 1) columns.push_back(i + 1);
-  }
-  EXPECT_EQ(columns, (std::vector<std::size_t>{19, 20, 21, 34, 35}));
-}
-
 TEST_F(FindFlatTest, EveryInstructionSetFindsTheSame) {
   depths[1][20] += 1e-4F;
   labels[1][47] = 4;

@@ -80,50 +80,55 @@ TEST_F(OutlinePullTest, TheLastColumnDoesNotCount) {
   EXPECT_EQ(pull().u, 0);
 }
 
-/// Rows of a length that no number of lanes divides; some pixels lie 5 % farther away.
-class FindJumpsTest : public ::testing::Test {
+/// Three rows of a plane that is seen aslant, of a length that no number of lanes divides. It is
+/// bent, steps and ends.
+class FindBendsTest : public ::testing::Test {
  protected:
   static constexpr std::size_t kWidth = 53;
-  static constexpr float kFloor = 0.01F;
-  static constexpr float kQuadratic = 0.01F;
+  static constexpr float kBend = 2e-5F;  // 1 / metre
 
-  FindJumpsTest() {
-    for (auto& row : rows) row.fill(1.0F);
-    rows[0][7] = rows[1][20] = rows[2][51] = 1.05F;
-    rows[1][0] = 0.95F;      // nearer
-    rows[0][30] = 1.015F;    // within the zone
-    rows[1][40] = kNoDepth;  // nothing lies beyond nothing
-    rows[2][40] = 1.3F;
+  FindBendsTest() {
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t u = 0; u < kWidth; ++u) {
+        const float step = u < 35 ? 0.0F : 0.05F;
+        rows[row][u] = 1.0F / (0.8F + 0.004F * static_cast<float>(u) -
+                               0.007F * static_cast<float>(row) - step);
+      }
+      rows[row][50] = kNoDepth;
+    }
+    rows[1][20] += 1e-4F;
   }
 
-  std::vector<std::int32_t> jumps(std::size_t first, std::size_t end) const {
+  std::vector<std::int32_t> bends(std::size_t first, std::size_t end) const {
     std::vector<std::int32_t> columns(end - first + kLanes);
-    columns.resize(find_jumps({rows[0].data(), rows[1].data(), rows[2].data()}, first, end, kFloor,
-                              kQuadratic, columns.data()));
+    columns.resize(find_bends({rows[0].data(), rows[1].data(), rows[2].data()}, first, end, kBend,
+                              columns.data()));
     return columns;
   }
 
   std::array<std::array<float, kWidth>, 3> rows;
 };
 
-TEST_F(FindJumpsTest, FindsThePixelsBesideWhatLiesFartherAway) {
-  EXPECT_EQ(jumps(1, kWidth - 1), (std::vector<std::int32_t>{7, 19, 21, 39, 41, 51}));
-  EXPECT_EQ(jumps(8, 21), (std::vector<std::int32_t>{19}));
-  EXPECT_TRUE(jumps(5, 5).empty());
+TEST_F(FindBendsTest, FindsWhereTheDepthIsBentOrStepsButNotWhereItEnds) {
+  EXPECT_EQ(bends(1, kWidth - 1), (std::vector<std::int32_t>{19, 20, 21, 34, 35}));
+  EXPECT_EQ(bends(20, 35), (std::vector<std::int32_t>{20, 21, 34}));
+  EXPECT_TRUE(bends(20, 20).empty());
 }
 
-TEST_F(FindJumpsTest, EveryInstructionSetFindsTheSame) {
-  const auto first = jumps(1, kWidth - 1);
+TEST_F(FindBendsTest, EveryInstructionSetFindsTheSame) {
+  const auto first = bends(1, kWidth - 1);
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
-    EXPECT_EQ(jumps(1, kWidth - 1), first) << hwy::TargetName(target);
+    EXPECT_EQ(bends(1, kWidth - 1), first) << hwy::TargetName(target);
   }
   hwy::SetSupportedTargetsForTest(0);
 }
 
-/// The same rows; labels change at column 33, and right below column 45.
-class FindEdgesTest : public FindJumpsTest {
+/// Labels change at column 33, and right below column 45.
+class FindEdgesTest : public ::testing::Test {
  protected:
+  static constexpr std::size_t kWidth = 53;
+
   FindEdgesTest() {
     for (auto& row : rows) row.fill(1.0F);
     for (auto& row : labels) row.fill(2);
@@ -142,6 +147,7 @@ class FindEdgesTest : public FindJumpsTest {
     return columns;
   }
 
+  std::array<std::array<float, kWidth>, 3> rows;
   std::array<std::array<std::int16_t, kWidth>, 3> labels;
 };
 

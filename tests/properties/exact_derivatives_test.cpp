@@ -103,12 +103,14 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   const Configuration at = displaced(1.5);
   VisibleSurface surface;
   surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
+  ViewEdges edges;
+  edges.find(surface.view(), executor);
   SamplingPlan plan;
-  plan.plan(surface.view(), 1, cloud.camera().fx, 0.0, surface.view().id.size(), executor);
+  plan.plan(surface.view(), edges, 1, cloud.camera().fx, 0.0, surface.view().id.size(), executor);
   ViewSamples samples;
   samples.collect(surface, plan.density(), 1, executor);
   OutlinePoints outlines;
-  outlines.collect(model, surface, 1, options, executor);
+  outlines.collect(model, surface, edges, 1, options, executor);
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
   constexpr double kSpread = 0.005;

@@ -21,6 +21,15 @@ namespace {
 constexpr int kFiner = 16;  // samples a pixel and axis, of the view that knows better
 const PinholeCamera kCamera{160, 120, 144.0, 144.0, 79.5, 59.5};
 
+OutlinePoints outlines_of(const ArticulatedModel& model, const VisibleSurface& surface, int spacing,
+                          const Executor& executor) {
+  ViewEdges edges;
+  edges.find(surface.view(), executor);
+  OutlinePoints outlines;
+  outlines.collect(model, surface, edges, spacing, {}, executor);
+  return outlines;
+}
+
 class OutlinePointsTest : public ::testing::Test {
  protected:
   const ArticulatedModel& model = mechanism();
@@ -35,9 +44,7 @@ class OutlinePointsTest : public ::testing::Test {
   OutlinePoints outlines_seen_by(const PinholeCamera& camera, int columns, int spacing) const {
     VisibleSurface surface;
     surface.render(model, poses, camera, columns, executor);
-    OutlinePoints outlines;
-    outlines.collect(model, surface, spacing, {}, executor);
-    return outlines;
+    return outlines_of(model, surface, spacing, executor);
   }
 
   /// Pixels of the camera along the outlines of a body, and how many points they are made of.
@@ -148,8 +155,7 @@ TEST(OutlinePointsOfAStraightEdge, LieEvenlyAlongIt) {
   VisibleSurface surface;
   const PinholeCamera camera = refined(kCamera, 4);
   surface.render(model, poses, camera, camera.width, Executor(1));
-  OutlinePoints outlines;
-  outlines.collect(model, surface, 1, {}, Executor(1));
+  const OutlinePoints outlines = outlines_of(model, surface, 1, Executor(1));
   std::vector<double> along;
   for (std::size_t i = 0; i < outlines.bands(); ++i) {
     for (const OutlinePoint& point : outlines.band(i)) {
@@ -192,8 +198,7 @@ TEST(OutlinePointsBesideARail, DoNotMoveOnToTheNextOutline) {
   VisibleSurface surface;
   const PinholeCamera camera = refined(kCamera, 4);
   surface.render(model, poses, camera, camera.width, Executor(1));
-  OutlinePoints outlines;
-  outlines.collect(model, surface, 1, {}, Executor(1));
+  const OutlinePoints outlines = outlines_of(model, surface, 1, Executor(1));
   int at_front_edge = 0;
   for (std::size_t i = 0; i < outlines.bands(); ++i) {
     for (const OutlinePoint& point : outlines.band(i)) {

@@ -31,8 +31,11 @@ class PooledPointsTest : public ::testing::Test {
     forward_kinematics(model.tree, predicted, poses);
     VisibleSurface surface;
     surface.render(model, poses, cloud.camera(), cloud.camera().width / 2, executor);
+    ViewEdges edges;
+    edges.find(surface.view(), executor);
     SamplingPlan plan;
-    plan.plan(surface.view(), surface.reduction(), surface.view_camera().fx, 0.0, budget, executor);
+    plan.plan(surface.view(), edges, surface.reduction(), surface.view_camera().fx, 0.0, budget,
+              executor);
     PooledPoints points;
     points.assign(cloud, surface, plan.density(), 1, RegistrationOptions{}, executor);
     return points;

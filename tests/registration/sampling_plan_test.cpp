@@ -38,10 +38,18 @@ RenderedDepth plates() {
   return view;
 }
 
-SamplingDensity planned(std::size_t budget, double reach = 0.0, int threads = 1) {
+SamplingDensity planned_of(const RenderedDepth& view, std::size_t budget, double reach,
+                           int threads = 1) {
+  const Executor executor(threads);
+  ViewEdges edges;
+  edges.find(view, executor);
   SamplingPlan plan;
-  plan.plan(plates(), 1, kFocalLength, reach, budget, Executor(threads));
+  plan.plan(view, edges, 1, kFocalLength, reach, budget, executor);
   return plan.density();
+}
+
+SamplingDensity planned(std::size_t budget, double reach = 0.0, int threads = 1) {
+  return planned_of(plates(), budget, reach, threads);
 }
 
 int spacing_at(const SamplingDensity& density, int u, int v) {
@@ -66,10 +74,8 @@ std::size_t samples(const SamplingDensity& density) {
 TEST(SamplingPlan, NeedsToKnowOnlyWhereTheViewIsDrawn) {
   RenderedDepth view = plates();
   view.drawn = {60, 40, 200, 160};  // as tight as can be
-  SamplingPlan plan;
   for (const std::size_t budget : {std::size_t{300}, std::size_t{2000}, std::size_t{100000}}) {
-    plan.plan(view, 1, kFocalLength, 0.1, budget, Executor(1));
-    EXPECT_EQ(plan.density().spacing, planned(budget, 0.1).spacing);
+    EXPECT_EQ(planned_of(view, budget, 0.1).spacing, planned(budget, 0.1).spacing);
   }
 }
 
@@ -121,9 +127,8 @@ TEST(SamplingPlan, OfNothingIsNothing) {
   RenderedDepth view = plates();
   std::fill(view.id.begin(), view.id.end(), kNothing);
   std::fill(view.depth.begin(), view.depth.end(), std::numeric_limits<float>::infinity());
-  SamplingPlan plan;
-  plan.plan(view, 1, kFocalLength, 0.1, 6000, Executor(1));
-  EXPECT_TRUE(std::all_of(plan.density().spacing.begin(), plan.density().spacing.end(),
+  const SamplingDensity density = planned_of(view, 6000, 0.1);
+  EXPECT_TRUE(std::all_of(density.spacing.begin(), density.spacing.end(),
                           [](std::uint8_t spacing) { return spacing == 0; }));
 }
 

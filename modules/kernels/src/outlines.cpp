@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "outlines.cpp"
@@ -10,6 +11,7 @@
 // After foreach_target, which includes this file once for each instruction set.
 #include "hwy/highway.h"
 #include "label_rows-inl.hpp"
+#include "plane_rows-inl.hpp"
 #include "pull_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -36,16 +38,23 @@ HWY_INLINE std::size_t collect(std::size_t first, std::size_t end, const Find& f
   return count;
 }
 
-std::size_t find_jumps_in_row(const DepthRows& rows, std::size_t first, std::size_t end,
-                              float floor, float quadratic, std::int32_t* columns) {
-  const auto jumps = [&](auto df, std::size_t u) HWY_ATTR {
-    const auto z = hn::LoadU(df, rows.here + u);
-    const auto beside = hn::Max(hn::LoadU(df, rows.here + u - 1), hn::LoadU(df, rows.here + u + 1));
-    const auto across = hn::Max(hn::LoadU(df, rows.above + u), hn::LoadU(df, rows.below + u));
-    const auto zone = hn::MulAdd(hn::Set(df, quadratic), hn::Mul(z, z), hn::Set(df, floor));
-    return hn::Gt(hn::Max(beside, across), hn::Add(z, zone));
+/// Of the pixels and their neighbours in row and column.
+template <typename D>
+HWY_INLINE hn::Vec<D> farthest(const D df, const DepthRows& depths, const std::size_t u) {
+  const auto in_row =
+      hn::Max(hn::LoadU(df, depths.here + u - 1), hn::LoadU(df, depths.here + u + 1));
+  const auto in_column = hn::Max(hn::LoadU(df, depths.above + u), hn::LoadU(df, depths.below + u));
+  return hn::Max(hn::LoadU(df, depths.here + u), hn::Max(in_row, in_column));
+}
+
+std::size_t find_bends_in_row(const DepthRows& depths, std::size_t first, std::size_t end,
+                              float bend, std::int32_t* columns) {
+  const auto bends = [&](auto df, std::size_t u) HWY_ATTR {
+    const auto show_something =
+        hn::Lt(farthest(df, depths, u), hn::Set(df, std::numeric_limits<float>::infinity()));
+    return hn::AndNot(is_plane(df, depths, u, bend), show_something);
   };
-  return collect(first, end, jumps, columns);
+  return collect(first, end, bends, columns);
 }
 
 std::size_t find_edges_in_row(const DepthRows& depths, const LabelRows& labels, std::size_t first,
@@ -99,13 +108,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lockbox::kernels {
 
-HWY_EXPORT(find_jumps_in_row);
+HWY_EXPORT(find_bends_in_row);
 HWY_EXPORT(find_edges_in_row);
 HWY_EXPORT(pull_of);
 
-std::size_t find_jumps(const DepthRows& rows, std::size_t first, std::size_t end, float floor,
-                       float quadratic, std::int32_t* columns) {
-  return HWY_DYNAMIC_DISPATCH(find_jumps_in_row)(rows, first, end, floor, quadratic, columns);
+std::size_t find_bends(const DepthRows& depths, std::size_t first, std::size_t end, float bend,
+                       std::int32_t* columns) {
+  return HWY_DYNAMIC_DISPATCH(find_bends_in_row)(depths, first, end, bend, columns);
 }
 
 std::size_t find_edges(const DepthRows& depths, const LabelRows& labels, std::size_t first,

@@ -27,7 +27,8 @@ double deviation(const VisibleSurface& surface, const Pixel& pixel, double expec
   const double sigma = noise.sigma_z(expected);
   if (std::abs(behind) <= sigma) return sigma;
   const double steepness = TangentPlane(surface.view(), pixel.u, pixel.v).steepness();
-  return std::hypot(sigma, noise.lateral_pixels * steepness / surface.reduction() * expected);
+  const double lateral = noise.lateral_pixels * steepness / surface.reduction() * expected;
+  return std::sqrt(sigma * sigma + lateral * lateral);
 }
 
 /// Whether the surface is measured where it is expected, by so much (metres), in a pixel beside

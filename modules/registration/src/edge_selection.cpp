@@ -3,8 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <span>
 
-#include "lockbox/kernels/flatness.hpp"
+#include "lockbox/kernels/outlines.hpp"
 
 namespace lockbox {
 namespace {
@@ -66,7 +67,7 @@ void EdgeSelection::find_edges(const VisibleSurface& surface, float least_bend, 
   const int first = std::max(view.drawn.left, 1);
   const int end = std::min(view.drawn.right(), view.width - 1);
   if (first >= end) return;
-  row.bends.resize(static_cast<std::size_t>(end - first));
+  row.bends.resize(static_cast<std::size_t>(view.width) + kernels::kLanes);
   const int top = kSide * number;
   const int bottom = top + kSide;
   const int first_v = std::max({view.drawn.top, 1, (top - kAside) / surface.reduction() - 1});
@@ -76,10 +77,10 @@ void EdgeSelection::find_edges(const VisibleSurface& surface, float least_bend, 
     if (camera_v < top - kAside) continue;
     if (camera_v >= bottom + kAside) break;
     const float* const z = view.depth.data() + view.index(0, v);
-    kernels::find_bends({z - view.width, z, z + view.width}, static_cast<std::size_t>(first),
-                        static_cast<std::size_t>(end), least_bend, row.bends.data());
-    for (int u = first; u < end; ++u) {
-      if (row.bends[static_cast<std::size_t>(u - first)] == 0) continue;
+    const std::size_t count =
+        kernels::find_bends({z - view.width, z, z + view.width}, static_cast<std::size_t>(first),
+                            static_cast<std::size_t>(end), least_bend, row.bends.data());
+    for (const int u : std::span(row.bends.data(), count)) {
       mark(surface.camera_pixel(u, v).u, row);
       if (camera_v >= top && camera_v < bottom) row.edges.push_back({u, v});
     }

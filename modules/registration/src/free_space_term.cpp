@@ -18,10 +18,15 @@ constexpr double kSurely = 0.99;       // of the dead zone
 /// From far off there are more, which all say the same: then each of those stands for several.
 constexpr std::size_t kMostSamples = 6000;
 
-/// In the mixture of kernels::associate for a single body: 1 for small residuals, 0 for outliers.
-double gaussian_share(double residual, double inverse_variance, double cut) {
+/// In the mixture of kernels::associate for a single body: 1 for small residuals, 0 for outliers,
+/// whose density beside the largest of a residual is given.
+double gaussian_share(double residual, double inverse_variance, double outliers) {
   const double gaussian = std::exp(-0.5 * residual * residual * inverse_variance);
-  return gaussian / (gaussian + std::exp(-0.5 * cut * cut));
+  return gaussian / (gaussian + outliers);
+}
+
+double density_of_outliers(double cut) {
+  return std::exp(-0.5 * cut * cut);
 }
 
 constexpr double kAnyDirection = 1.0 / 3.0;  // of a random unit vector's square, along each axis
@@ -34,6 +39,7 @@ class PullFinder {
         camera_(scene.cloud.camera()),
         observed_(scene.model, scene.surface, T_body_camera, scene.cloud, scene.options, spread),
         options_(scene.options),
+        outliers_(density_of_outliers(scene.options.cut)),
         spread_(spread) {}
 
   /// weight: how many samples this one stands for.
@@ -84,8 +90,7 @@ class PullFinder {
     pull.target = *nearest;
     pull.direction = (p - *nearest) / way;
     pull.variance = variance_of(p, pull.direction);
-    if (gaussian_share(way, 1.0 / (pull.variance + spread_ * spread_), options_.cut) <=
-        kLeastWeight) {
+    if (gaussian_share(way, 1.0 / (pull.variance + spread_ * spread_), outliers_) <= kLeastWeight) {
       return std::nullopt;
     }
     // Noise at either end turns a short pull.
@@ -114,6 +119,7 @@ class PullFinder {
   const PinholeCamera& camera_;
   const ObservedSurface observed_;
   const RegistrationOptions& options_;
+  double outliers_;
   double spread_;
 };
 
@@ -239,6 +245,7 @@ void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::siz
 void FreeSpaceTerm::find_tile_systems(std::span<const FreeSpacePull> pulls,
                                       const BodyPoses& T_camera_body, std::size_t first_tile,
                                       double weight, std::vector<TileSystem>& systems) const {
+  const double outliers = density_of_outliers(cut_);
   systems.clear();
   for (const FreeSpacePull& pull : pulls) {
     const std::size_t tile = first_tile + pull.tile;
@@ -246,16 +253,18 @@ void FreeSpaceTerm::find_tile_systems(std::span<const FreeSpacePull> pulls,
         systems.back().pixels != pull.pixels) {
       systems.push_back({tile, pull.body, pull.pixels, Matrix6::Zero(), Twist::Zero()});
     }
-    add_to(systems.back(), pull, T_camera_body[static_cast<std::size_t>(pull.body)], weight);
+    add_to(systems.back(), pull, T_camera_body[static_cast<std::size_t>(pull.body)], outliers,
+           weight);
   }
 }
 
 void FreeSpaceTerm::add_to(TileSystem& system, const FreeSpacePull& pull,
-                           const Eigen::Isometry3d& T_camera_body, double weight) const {
+                           const Eigen::Isometry3d& T_camera_body, double outliers,
+                           double weight) const {
   const double residual = pull.direction.dot(T_camera_body * pull.p_body - pull.target);
   const double inverse_variance = 1.0 / (pull.variance + spread2_);
-  const double w =
-      weight * pull.pixels * gaussian_share(residual, inverse_variance, cut_) * inverse_variance;
+  const double w = weight * pull.pixels * gaussian_share(residual, inverse_variance, outliers) *
+                   inverse_variance;
   const Eigen::Vector3d n_body = T_camera_body.linear().transpose() * pull.direction;
   Twist row;
   row << n_body, pull.p_body.cross(n_body);

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
 
 #include "lockbox/rendering/depth_renderer.hpp"
 
@@ -26,7 +25,7 @@ class TangentPlane {
   Eigen::Vector2d slopes() const { return {slope_u_, slope_v_}; }
 
   /// Largest change of the depth from one pixel to the next, as a share of the depth.
-  double steepness() const { return std::hypot(slope_u_, slope_v_); }
+  double steepness() const { return slopes().norm(); }
 
  private:
   static constexpr double kHorizon = 0.1;

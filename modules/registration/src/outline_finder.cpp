@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "lockbox/kernels/outlines.hpp"
-
 namespace lockbox {
 namespace {
 
@@ -34,28 +32,29 @@ Eigen::Vector3d across_ray(const Eigen::Vector3d& p, const PinholeCamera& camera
 }  // namespace
 
 OutlineFinder::OutlineFinder(const ArticulatedModel& model, const VisibleSurface& surface,
-                             int spacing, const RegistrationOptions& options)
+                             const ViewEdges& edges, int spacing,
+                             const RegistrationOptions& options)
     : model_(model),
       surface_(surface),
       view_(surface.view()),
+      edges_(edges),
       camera_(surface.view_camera()),
       options_(options),
       points_per_pixel_(std::max(1, surface.reduction() / spacing)) {}
 
-std::span<const std::int32_t> OutlineFinder::find_jumps(int v,
-                                                        std::vector<std::int32_t>& columns) const {
-  const ImageWindow& drawn = view_.drawn;
-  const auto first = static_cast<std::size_t>(std::max(drawn.left, 1));
-  const auto end = static_cast<std::size_t>(std::min(drawn.right(), view_.width - 1));
-  if (first >= end) return {};
-  columns.resize(static_cast<std::size_t>(view_.width) + kernels::kLanes);
-  const float* here = view_.depth.data() + view_.index(0, v);
+void OutlineFinder::append_jumps(int v, std::vector<Pixel>& pixels) const {
+  const int first = std::max(view_.drawn.left, 1);
+  const int end = std::min(view_.drawn.right(), view_.width - 1);
+  const float* const z = view_.depth.data() + view_.index(0, v);
   const auto dead_zone = static_cast<float>(options_.free_space_dead_zone);
   const float floor = dead_zone * static_cast<float>(options_.noise.depth_floor);
   const float quadratic = dead_zone * static_cast<float>(options_.noise.depth_quadratic);
-  const std::size_t count = kernels::find_jumps({here - view_.width, here, here + view_.width},
-                                                first, end, floor, quadratic, columns.data());
-  return {columns.data(), count};
+  for (const int u : edges_.row(v)) {
+    if (u < first || u >= end) continue;
+    const float beside =
+        std::max(std::max(z[u - 1], z[u + 1]), std::max(z[u - view_.width], z[u + view_.width]));
+    if (beside > z[u] + (quadratic * (z[u] * z[u]) + floor)) pixels.push_back({u, v});
+  }
 }
 
 std::optional<OutlinePixel> OutlineFinder::look_beside(int u, int v) const {

@@ -4,9 +4,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "lockbox/model/articulated_model.hpp"
@@ -30,12 +28,12 @@ struct OutlinePixel {
 class OutlineFinder {
  public:
   /// All of these must outlive the object. spacing: see OutlinePoints::collect.
-  OutlineFinder(const ArticulatedModel& model, const VisibleSurface& surface, int spacing,
-                const RegistrationOptions& options);
+  OutlineFinder(const ArticulatedModel& model, const VisibleSurface& surface,
+                const ViewEdges& edges, int spacing, const RegistrationOptions& options);
 
-  /// Of row v, the columns of the pixels to look beside: they have a neighbour which lies farther
-  /// away by more than noise. In memory of the caller's.
-  std::span<const std::int32_t> find_jumps(int v, std::vector<std::int32_t>& columns) const;
+  /// The pixels of row v to look beside: they have a neighbour which lies farther away by more than
+  /// noise.
+  void append_jumps(int v, std::vector<Pixel>& pixels) const;
 
   /// That the pixel shows.
   int body(int u, int v) const { return view_.id[view_.index(u, v)]; }
@@ -68,6 +66,7 @@ class OutlineFinder {
   const ArticulatedModel& model_;
   const VisibleSurface& surface_;
   const RenderedDepth& view_;
+  const ViewEdges& edges_;
   const PinholeCamera& camera_;
   const RegistrationOptions& options_;
   int points_per_pixel_;

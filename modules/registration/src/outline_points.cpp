@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <span>
 
@@ -90,11 +89,7 @@ class Band {
   /// Pixels beside which outlines pass, body by body, in a part of the view.
   void find_pixels(const OutlineFinder& finder, std::size_t bodies, const ImageWindow& rows) {
     jumps_.clear();
-    for (int v = rows.top; v < rows.bottom(); ++v) {
-      for (const std::int32_t u : finder.find_jumps(v, columns_)) {
-        jumps_.push_back({u, v});
-      }
-    }
+    for (int v = rows.top; v < rows.bottom(); ++v) finder.append_jumps(v, jumps_);
     bring_together(finder, bodies, rows.right());
     pixels_.clear();
     for (const Pixel& jump : sorted_jumps_) {
@@ -145,10 +140,9 @@ class Band {
     }
   }
 
-  std::vector<std::int32_t> columns_;  ///< of the row that is looked at
-  std::vector<Pixel> jumps_;           ///< row by row
-  std::vector<Pixel> sorted_jumps_;    ///< body by body
-  std::vector<std::size_t> next_;      ///< of them, by body and group of columns
+  std::vector<Pixel> jumps_;         ///< row by row
+  std::vector<Pixel> sorted_jumps_;  ///< body by body
+  std::vector<std::size_t> next_;    ///< of them, by body and group of columns
   std::vector<OutlinePixel> pixels_;
   TouchingRays rays_;
   std::vector<OutlinePoint> points_;
@@ -166,10 +160,10 @@ OutlinePoints::OutlinePoints(OutlinePoints&&) noexcept = default;
 OutlinePoints& OutlinePoints::operator=(OutlinePoints&&) noexcept = default;
 
 void OutlinePoints::collect(const ArticulatedModel& model, const VisibleSurface& surface,
-                            int spacing, const RegistrationOptions& options,
+                            const ViewEdges& edges, int spacing, const RegistrationOptions& options,
                             const Executor& executor) {
   const RenderedDepth& view = surface.view();
-  const OutlineFinder finder(model, surface, spacing, options);
+  const OutlineFinder finder(model, surface, edges, spacing, options);
   std::vector<Band>& bands = workspace_->bands;
   bands.resize(static_cast<std::size_t>((view.height + kRowsInBand - 1) / kRowsInBand));
   executor.for_each(bands.size(), [&](std::size_t i) {

@@ -35,12 +35,13 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   const bool is_thinned = point_budget_ > 0;
   const int columns = view_columns(detail_.rays, model, poses_, cloud.camera());
   surface_.render(model, poses_, cloud.camera(), columns, executor);
-  plan_.plan(surface_.view(), surface_.reduction(), surface_.view_camera().fx, reach,
+  view_edges_.find(surface_.view(), executor);
+  plan_.plan(surface_.view(), view_edges_, surface_.reduction(), surface_.view_camera().fx, reach,
              is_thinned ? point_budget_ : kViewSamples, executor);
   const bool is_pooled = is_predicted && !cloud.is_masked();
   samples_.collect(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
   if (options.lambda_free > 0.0) {
-    outlines_.collect(model, surface_, detail_.outline_spacing, options, executor);
+    outlines_.collect(model, surface_, view_edges_, detail_.outline_spacing, options, executor);
   }
   if (is_pooled) {
     pooled_.assign(cloud, surface_, plan_.density(), is_thinned ? kLeastSpacing : 1, options,

@@ -5,15 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
-
-#include "lockbox/kernels/outlines.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr int kCell = SamplingDensity::kCellSize;
-constexpr float kRelief = 1.5e-3F;  // of the depth: a bend or a step within a body
 
 /// From one sample to the next, pixels of the view: in cells with edges, and in others.
 struct Spacing {
@@ -40,26 +36,10 @@ std::int16_t body_at(const RenderedDepth& view, int u, int v) {
                    view.id[view.index(u, std::min(v + 1, view.height - 1))]});
 }
 
-/// The columns of the pixels at edges, in memory of the caller's.
-std::span<const std::int32_t> edges_in_row(const RenderedDepth& view, int v, int first_column,
-                                           int end_column, std::vector<std::int32_t>& columns) {
-  columns.resize(static_cast<std::size_t>(view.width) + kernels::kLanes);
-  const std::size_t above = view.index(0, std::max(v - 1, 0));
-  const std::size_t here = view.index(0, v);
-  const std::size_t below = view.index(0, std::min(v + 1, view.height - 1));
-  const float* z = view.depth.data();
-  const std::int16_t* label = view.id.data();
-  const std::size_t count = kernels::find_edges(
-      {z + above, z + here, z + below}, {label + above, label + here, label + below},
-      static_cast<std::size_t>(first_column), static_cast<std::size_t>(end_column), kRelief,
-      columns.data());
-  return {columns.data(), count};
-}
-
 }  // namespace
 
-void SamplingPlan::plan(const RenderedDepth& view, int scale, double fx, double reach,
-                        std::size_t budget, const Executor& executor) {
+void SamplingPlan::plan(const RenderedDepth& view, const ViewEdges& edges, int scale, double fx,
+                        double reach, std::size_t budget, const Executor& executor) {
   density_.columns = (view.width + kCell - 1) / kCell;
   density_.rows = (view.height + kCell - 1) / kCell;
   density_.scale = scale;
@@ -67,7 +47,7 @@ void SamplingPlan::plan(const RenderedDepth& view, int scale, double fx, double 
       static_cast<std::size_t>(density_.columns) * static_cast<std::size_t>(density_.rows);
   shows_model_.assign(cells, 0);
   bands_.resize(static_cast<std::size_t>(density_.rows));
-  executor.for_each(bands_.size(), [&](std::size_t row) { find_edges(view, row); });
+  executor.for_each(bands_.size(), [&](std::size_t row) { count_edges(view, edges, row); });
   score_cells();
   float nearest = std::numeric_limits<float>::infinity();
   for (const Band& band : bands_) nearest = std::min(nearest, band.nearest);
@@ -86,30 +66,29 @@ void SamplingPlan::add_edge(std::uint32_t first_cell, int column, std::int16_t b
   band.edges.push_back({first_cell + static_cast<std::uint32_t>(column), body, 1});
 }
 
-/// Where bodies end, and where their depth bends: there the view is drawn, or right beside. An edge
-/// at the border of the image is seen from within.
-void SamplingPlan::find_edges(const RenderedDepth& view, std::size_t row_of_cells) {
+/// Where the view shows the model, and at which bodies' edges.
+void SamplingPlan::count_edges(const RenderedDepth& view, const ViewEdges& edges,
+                               std::size_t row_of_cells) {
   Band& band = bands_[row_of_cells];
   band.edges.clear();
   band.latest.assign(static_cast<std::size_t>(density_.columns), kNone);
   band.nearest = std::numeric_limits<float>::infinity();
   const ImageWindow& drawn = view.drawn;
+  if (drawn.width == 0) return;
   const int first = static_cast<int>(row_of_cells) * kCell;
   const int first_row = std::max(first, drawn.top - 1);
   const int end_row = std::min({first + kCell, drawn.bottom() + 1, view.height});
-  const int first_column = std::max(drawn.left - 1, 1);
-  const int end_column = std::min(drawn.right() + 1, view.width - 1);
-  if (drawn.width == 0 || first_row >= end_row || first_column >= end_column) return;
+  const int last_column = std::min(drawn.right(), view.width - 1);
   std::uint8_t* const shows_model =
       &shows_model_[row_of_cells * static_cast<std::size_t>(density_.columns)];
   const auto first_cell = static_cast<std::uint32_t>(shows_model - shows_model_.data());
   for (int v = first_row; v < end_row; ++v) {
     // Without an edge all pixels of the cell's row show the same.
     const std::int16_t* const id = view.id.data() + view.index(0, v);
-    for (int u = (first_column - 1) / kCell * kCell; u <= end_column; u += kCell) {
+    for (int u = std::max(drawn.left - 1, 0) / kCell * kCell; u <= last_column; u += kCell) {
       shows_model[u / kCell] |= static_cast<std::uint8_t>(id[u] != kNothing);
     }
-    for (const int u : edges_in_row(view, v, first_column, end_column, band.columns)) {
+    for (const int u : edges.row(v)) {
       shows_model[u / kCell] = 1;
       add_edge(first_cell, u / kCell, body_at(view, u, v), band);
       band.nearest = std::min(band.nearest, view.depth[view.index(u, v)]);

@@ -15,7 +15,7 @@ constexpr std::size_t kRowsPerChunk = 16;
 constexpr std::size_t kColumnsPerChunk = 64;
 constexpr std::size_t kTilesPerChunk = 8;
 constexpr std::uint8_t kFarthestCounted = 255;
-constexpr float kFarthestLabel = -1.0F - kFarthestCounted;
+constexpr std::int16_t kFarthestLabel = -1 - kFarthestCounted;
 
 /// distance <- min(distance, neighbour + 1) for each pixel of a row and its neighbour in another
 /// one. Without a branch, so that it is done for many pixels at once.
@@ -39,16 +39,13 @@ void fill_gap(std::uint8_t* row, std::size_t begin, std::size_t end, std::size_t
 
 /// Pixels along a row to the nearest that shows the model.
 void measure_row_distance(const std::int16_t* id, std::size_t width, std::uint8_t* row) {
+  const auto column = [id](const std::int16_t* at) { return static_cast<std::size_t>(at - id); };
   for (std::size_t u = 0; u < width;) {
-    const bool is_model = id[u] != kNothing;
-    std::size_t end = u + 1;
-    while (end < width && (id[end] != kNothing) == is_model) ++end;
-    if (is_model) {
-      std::fill(row + u, row + end, std::uint8_t{0});
-    } else {
-      fill_gap(row, u, end, width);
-    }
-    u = end;
+    const std::size_t begin = column(
+        std::find_if(id + u, id + width, [](std::int16_t label) { return label != kNothing; }));
+    fill_gap(row, u, begin, width);
+    u = column(std::find(id + begin, id + width, kNothing));
+    std::fill(row + begin, row + u, std::uint8_t{0});
   }
 }
 
@@ -148,21 +145,26 @@ void VisibleSurface::label_pixels(const Executor& executor) {
 }
 
 void VisibleSurface::label_row(int v) {
+  static_assert(kNothing == -1);
   const ImageWindow& drawn = image_.drawn;
   const int nearest_v = std::clamp(v, drawn.top, drawn.bottom() - 1);
   const int rows = std::abs(v - nearest_v);
   const std::int16_t* __restrict id = image_.id.data() + image_.index(0, nearest_v);
   const std::uint8_t* __restrict distance = outline_distance_.data() + image_.index(0, nearest_v);
-  float* __restrict label = label_.data() + image_.index(0, v);
+  std::int16_t* __restrict label = label_.data() + image_.index(0, v);
   const auto beside = [](int pixels) {
-    return std::max(kFarthestLabel, -1.0F - static_cast<float>(pixels));
+    return static_cast<std::int16_t>(std::max<int>(kFarthestLabel, -1 - pixels));
   };
   for (int u = 0; u < drawn.left; ++u) {
     label[u] = beside(rows + drawn.left - u + distance[drawn.left]);
   }
-  for (int u = drawn.left; u < drawn.right(); ++u) {
-    const bool shows_body = rows == 0 && id[u] != kNothing;
-    label[u] = shows_body ? static_cast<float>(id[u]) : beside(rows + distance[u]);
+  if (rows == 0) {
+    // Of bodies the distance is zero, of nothing the number is -1.
+    for (int u = drawn.left; u < drawn.right(); ++u) {
+      label[u] = static_cast<std::int16_t>(id[u] - distance[u]);
+    }
+  } else {
+    for (int u = drawn.left; u < drawn.right(); ++u) label[u] = beside(rows + distance[u]);
   }
   for (int u = drawn.right(); u < image_.width; ++u) {
     label[u] = beside(rows + u - drawn.right() + 1 + distance[drawn.right() - 1]);
@@ -181,7 +183,7 @@ void VisibleSurface::predict(const PointTiles& points, const Executor& executor,
     float* __restrict depth = prediction.depth.data() + tile.first;
     for (std::size_t i = 0; i < tile.padded; ++i) {
       const std::uint32_t at = view_pixel_[pixel[i]];
-      const float label = label_[at];
+      const auto label = static_cast<float>(label_[at]);
       const float drawn = image_.depth[at];  // there is one, whatever it is: so without a branch
       const bool shows_body = label >= 0.0F;
       body[i] = shows_body ? label : kernels::label_beside((-1.0F - label) * pixel_size * z[i]);

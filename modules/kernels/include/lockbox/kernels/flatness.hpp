@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a z-buffer shows planes, and where it does not.
+// Where a z-buffer shows planes.
 //
 // Written once with Highway, compiled for every instruction set, chosen at run time.
 #pragma once
@@ -17,10 +17,5 @@ namespace lockbox::kernels {
 /// [first, end), which have neighbours to all sides; flat[0] is that of `first`.
 void find_flat(const DepthRows& depths, const LabelRows& labels, std::size_t first, std::size_t end,
                float bend, std::uint8_t* flat);
-
-/// The opposite, whatever bodies are shown: 1 for each pixel whose 1 / depth bends by more. Where
-/// it or a neighbour shows nothing (an infinite depth), 0.
-void find_bends(const DepthRows& depths, std::size_t first, std::size_t end, float bend,
-                std::uint8_t* bends);
 
 }  // namespace lockbox::kernels

@@ -18,11 +18,12 @@ struct DepthRows {
   const float* below;
 };
 
-/// Writes the columns, in order, of the pixels that have a neighbour which lies farther away by
-/// more than floor + quadratic z^2, and returns how many. Pixels [first, end), which have
+/// Writes the columns, in order, of the pixels whose 1 / depth bends from one neighbour to the
+/// opposite one by more than `bend` (1 / metre), and returns how many. Not of those that show
+/// nothing (an infinite depth), or have a neighbour that does. Pixels [first, end), which have
 /// neighbours to all sides; columns: room for end - first + kLanes numbers.
-std::size_t find_jumps(const DepthRows& rows, std::size_t first, std::size_t end, float floor,
-                       float quadratic, std::int32_t* columns);
+std::size_t find_bends(const DepthRows& depths, std::size_t first, std::size_t end, float bend,
+                       std::int32_t* columns);
 
 inline constexpr int kPullReach = 3;  ///< pixels around a pixel in which an outline counts as near
 inline constexpr int kPullRows = 2 * kPullReach + 1;

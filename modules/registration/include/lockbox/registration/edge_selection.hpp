@@ -39,7 +39,7 @@ class EdgeSelection {
 
  private:
   struct Row {
-    std::vector<std::uint8_t> bends;       ///< by pixel of a row of the view
+    std::vector<std::int32_t> bends;       ///< of a row of the view: the columns of pixels
     std::vector<Pixel> edges;              ///< pixels of the view in these tiles that bend
     std::vector<std::uint8_t> shows_edge;  ///< by tile
     std::vector<float> scores;             ///< by tile and variable

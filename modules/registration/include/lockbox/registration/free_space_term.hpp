@@ -69,7 +69,7 @@ class FreeSpaceTerm {
                          std::size_t first_tile, double weight,
                          std::vector<TileSystem>& systems) const;
   void add_to(TileSystem& system, const FreeSpacePull& pull, const Eigen::Isometry3d& T_camera_body,
-              double weight) const;
+              double outliers, double weight) const;
 
   BodyPoses T_body_camera_;
   double lambda_ = 1.0;

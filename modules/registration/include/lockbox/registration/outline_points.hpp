@@ -11,6 +11,7 @@
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/view_edges.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
@@ -34,9 +35,10 @@ class OutlinePoints {
   OutlinePoints(OutlinePoints&&) noexcept;
   OutlinePoints& operator=(OutlinePoints&&) noexcept;
 
-  /// spacing: pixels of the camera from one point to the next, where the view has as many.
-  void collect(const ArticulatedModel& model, const VisibleSurface& surface, int spacing,
-               const RegistrationOptions& options, const Executor& executor);
+  /// edges: of the surface's view. spacing: pixels of the camera from one point to the next, where
+  /// the view has as many.
+  void collect(const ArticulatedModel& model, const VisibleSurface& surface, const ViewEdges& edges,
+               int spacing, const RegistrationOptions& options, const Executor& executor);
 
   /// By bands of rows of the view, in each of which there may be none.
   std::size_t bands() const;

@@ -55,6 +55,7 @@ class PredictedView {
   bool is_drawn_ = false;
   Configuration configuration_;  ///< as it was drawn
   VisibleSurface surface_;
+  ViewEdges view_edges_;
   SamplingPlan plan_;
   ViewSamples samples_;
   OutlinePoints outlines_;

@@ -10,6 +10,7 @@
 
 #include "lockbox/cloud/thinned_points.hpp"
 #include "lockbox/core/parallel.hpp"
+#include "lockbox/registration/view_edges.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
 
 namespace lockbox {
@@ -17,11 +18,11 @@ namespace lockbox {
 class SamplingPlan {
  public:
   /// Spends about that many samples on the cells that show the model, edges first, those of small
-  /// bodies before those of large ones. scale: pixels of the camera along a pixel of the view,
-  /// whose focal length is fx. reach: metres beside the model where its points may be; there
-  /// samples are few.
-  void plan(const RenderedDepth& view, int scale, double fx, double reach, std::size_t budget,
-            const Executor& executor);
+  /// bodies before those of large ones. edges: of the view. scale: pixels of the camera along a
+  /// pixel of the view, whose focal length is fx. reach: metres beside the model where its points
+  /// may be; there samples are few.
+  void plan(const RenderedDepth& view, const ViewEdges& edges, int scale, double fx, double reach,
+            std::size_t budget, const Executor& executor);
 
   const SamplingDensity& density() const { return density_; }
 
@@ -35,12 +36,11 @@ class SamplingPlan {
   /// A row of cells.
   struct Band {
     std::vector<Edges> edges;
-    std::vector<std::size_t> latest;    ///< of them, by column of cells
-    std::vector<std::int32_t> columns;  ///< of the row of pixels in hand: those at edges
-    float nearest = 0.0F;               ///< metres, of its edges
+    std::vector<std::size_t> latest;  ///< of them, by column of cells
+    float nearest = 0.0F;             ///< metres, of its edges
   };
 
-  void find_edges(const RenderedDepth& view, std::size_t row_of_cells);
+  void count_edges(const RenderedDepth& view, const ViewEdges& edges, std::size_t row_of_cells);
   static void add_edge(std::uint32_t first_cell, int column, std::int16_t body, Band& band);
   void score_cells();
   void mark_cells_beside(int cells);

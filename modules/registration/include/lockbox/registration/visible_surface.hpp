@@ -55,7 +55,7 @@ class VisibleSurface {
   /// Pixels of the view, up to 255; 0 on the model. Only where the view is drawn.
   std::vector<std::uint8_t> outline_distance_;
   /// Number of the body, or -1 less the pixels of the view to the nearest that shows one.
-  std::vector<float> label_;
+  std::vector<std::int16_t> label_;
   int reduction_ = 1;
   std::vector<std::uint32_t> view_pixel_;  ///< by pixel of the camera
 };
