@@ -61,6 +61,24 @@ void land_exactly(const Eigen::Vector3d& p, const TiledCloud& cloud, std::size_t
   landings.expected[k] = static_cast<float>(p.z());
 }
 
+/// Metres from a body within which what is measured is explained by it.
+double gate(const RegistrationOptions& options, float expected) {
+  return options.cut * options.noise.sigma_z(static_cast<double>(expected));
+}
+
+/// Whether the point is as near as that to the sample itself, which lies on the surface and falls
+/// into the point's pixel. q: the point, on the ray of the pixel's centre.
+bool is_at_sample(const Eigen::Vector3f& q, float expected, double gate,
+                  const PinholeCamera& camera) {
+  constexpr double kHalfDiagonal = 0.71;  // of a pixel
+  constexpr double kSurely = 0.9;         // of the gate
+  const auto depth = static_cast<double>(expected);
+  const double along =
+      std::abs(static_cast<double>(q.z()) - depth) * static_cast<double>(q.norm() / q.z());
+  const double across = kHalfDiagonal * depth / std::min(camera.fx, camera.fy);
+  return along + across < kSurely * gate;
+}
+
 void add(const Agreement& counts, Agreement& sum) {
   sum.explained += counts.explained;
   sum.contradicted += counts.contradicted;
@@ -137,16 +155,20 @@ void AgreementMeter::reserve(const Executor& executor) {
   landings_.reserve(executor);
   points_.resize(static_cast<std::size_t>(executor.threads()) + 1);
   for (MeasuredPoints& points : points_) {
-    points.number.resize(ViewSamples::kMostInChunk);
+    for (auto* numbers : {&points.number, &points.index}) {
+      numbers->resize(ViewSamples::kMostInChunk);
+    }
     points.pixel.resize(ViewSamples::kMostInChunk);
-    for (auto* array : {&points.x, &points.y, &points.z, &points.expected, &points.distance}) {
+    points.is_near.resize(ViewSamples::kMostInChunk);
+    for (auto* array :
+         {&points.depth, &points.expected, &points.x, &points.y, &points.z, &points.distance}) {
       array->resize(ViewSamples::kMostInChunk);
     }
   }
 }
 
-/// Counts what needs no field, and collects the measured points of which a field has to tell how
-/// far they lie from the body.
+/// Counts what was not measured, and collects what was. Most of it is where it is expected, and no
+/// field has to tell that it is near.
 void AgreementMeter::look_at_chunk(const Scene& scene, std::size_t chunk_index) {
   const ViewSamples::Chunk& chunk = scene.samples.chunks()[chunk_index];
   const auto& T_camera_body = scene.T_camera_body[static_cast<std::size_t>(chunk.body)];
@@ -154,6 +176,7 @@ void AgreementMeter::look_at_chunk(const Scene& scene, std::size_t chunk_index) 
       landings_.land(scene.samples, chunk, scene.T_camera_body, scene.cloud);
   MeasuredPoints& points = points_[Executor::worker()];
   points.size = 0;
+  points.unsure = 0;
   Agreement& counts = chunk_counts_[chunk_index];
   for (std::size_t k = 0; k < chunk.count; ++k) {
     const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + k);
@@ -169,39 +192,47 @@ void AgreementMeter::look_at_chunk(const Scene& scene, std::size_t chunk_index) 
       continue;
     }
     const std::size_t i = points.size++;
-    points.x[i] = landings.x[k];
-    points.y[i] = landings.y[k];
-    points.z[i] = landings.measured[k];
+    points.depth[i] = landings.measured[k];
     points.expected[i] = landings.expected[k];
     points.number[i] = static_cast<std::uint32_t>(k);
     points.pixel[i] = landings.pixel[k];
+    const Eigen::Vector3f q(landings.x[k], landings.y[k], landings.measured[k]);
+    points.is_near[i] = is_at_sample(q, points.expected[i], gate(scene.options, points.expected[i]),
+                                     scene.cloud.camera());
+    if (points.is_near[i] != 0) continue;
+    const std::size_t u = points.unsure++;
+    points.index[u] = static_cast<std::uint32_t>(i);
+    points.x[u] = q.x();
+    points.y[u] = q.y();
+    points.z[u] = q.z();
   }
-  find_distances(scene, chunk.body, points);
+  ask_field(scene, chunk.body, points);
   count_points(scene, chunk, points, counts);
 }
 
-/// How far the points lie from the body; those at the gate, which rounding would decide, as with
-/// any instruction set.
-void AgreementMeter::find_distances(const Scene& scene, int body, MeasuredPoints& points) {
+/// Which of the unsure points are near; those at the gate, which rounding would decide, as with any
+/// instruction set.
+void AgreementMeter::ask_field(const Scene& scene, int body, MeasuredPoints& points) {
   const auto b = static_cast<std::size_t>(body);
-  const std::size_t padded = kernels::padded(points.size);
+  const std::size_t padded = kernels::padded(points.unsure);
   for (auto* array : {&points.x, &points.y, &points.z}) {
-    std::fill(array->begin() + static_cast<std::ptrdiff_t>(points.size),
+    std::fill(array->begin() + static_cast<std::ptrdiff_t>(points.unsure),
               array->begin() + static_cast<std::ptrdiff_t>(padded), kernels::kPadding);
   }
   const Eigen::Isometry3d T_body_camera = scene.T_camera_body[b].inverse();
   kernels::look_up_distance(scene.model.fields[b]->view(), to_rigid_motion(T_body_camera),
                             {points.x.data(), points.y.data(), points.z.data(), padded},
                             points.distance.data());
-  for (std::size_t i = 0; i < points.size; ++i) {
-    const double gate =
-        scene.options.cut * scene.options.noise.sigma_z(static_cast<double>(points.expected[i]));
-    if (std::abs(std::abs(points.distance[i]) - static_cast<float>(gate)) > kDistanceRounding) {
-      continue;
+  for (std::size_t u = 0; u < points.unsure; ++u) {
+    const std::size_t i = points.index[u];
+    const auto least = static_cast<float>(gate(scene.options, points.expected[i]));
+    float distance = points.distance[u];
+    if (std::abs(std::abs(distance) - least) <= kDistanceRounding) {
+      const Eigen::Vector3d p =
+          Eigen::Vector3f(points.x[u], points.y[u], points.z[u]).cast<double>();
+      distance = scene.model.fields[b]->sample((T_body_camera * p).cast<float>()).distance;
     }
-    const Eigen::Vector3f p(points.x[i], points.y[i], points.z[i]);
-    const Eigen::Vector3f p_body = (T_body_camera * p.cast<double>()).cast<float>();
-    points.distance[i] = scene.model.fields[b]->sample(p_body).distance;
+    points.is_near[i] = std::abs(distance) < least;
   }
 }
 
@@ -212,14 +243,12 @@ void AgreementMeter::count_points(const Scene& scene, const ViewSamples::Chunk& 
   AgreementPatch patch(scene.options, scene.surface.reduction(), counts);
   for (std::size_t i = 0; i < points.size; ++i) {
     const auto expected = static_cast<double>(points.expected[i]);
-    const double behind = static_cast<double>(points.z[i]) - expected;
+    const double behind = static_cast<double>(points.depth[i]) - expected;
     const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + points.number[i]);
     const double sigma = deviation(scene.surface, sample.pixel, expected, behind, noise);
-    const bool is_near =
-        std::abs(static_cast<double>(points.distance[i])) < cut * noise.sigma_z(expected);
     if (behind > cut * sigma && is_beside(scene.cloud, points.pixel[i], expected, cut * sigma)) {
       counts.unknown += sample.pixels;
-    } else if (is_near) {
+    } else if (points.is_near[i] != 0) {
       patch.explain(sample, behind, sigma);
     } else if (behind > 0.0) {
       patch.contradict(sample, behind, sigma);

@@ -53,19 +53,25 @@ class AgreementMeter {
   /// What was measured where samples of a body are, camera's frame: memory of a worker.
   struct MeasuredPoints {
     std::size_t size = 0;
+    std::vector<float> depth;
+    std::vector<float> expected;        ///< depth of the sample
+    std::vector<std::uint8_t> is_near;  ///< whether the point is within the body's gate
+    std::vector<std::uint32_t> number;  ///< of the sample, in its chunk
+    std::vector<std::int32_t> pixel;    ///< of the image
+
+    /// Those of which the body's field has to tell.
+    std::size_t unsure = 0;
+    std::vector<std::uint32_t> index;  ///< among all
     std::vector<float> x;
     std::vector<float> y;
     std::vector<float> z;
-    std::vector<float> expected;        ///< depth of the sample
-    std::vector<float> distance;        ///< of the point from the body
-    std::vector<std::uint32_t> number;  ///< of the sample, in its chunk
-    std::vector<std::int32_t> pixel;    ///< of the image
+    std::vector<float> distance;
   };
   struct Scene;
 
   void reserve(const Executor& executor);
   void look_at_chunk(const Scene& scene, std::size_t chunk);
-  static void find_distances(const Scene& scene, int body, MeasuredPoints& points);
+  static void ask_field(const Scene& scene, int body, MeasuredPoints& points);
   static void count_points(const Scene& scene, const ViewSamples::Chunk& chunk,
                            const MeasuredPoints& points, Agreement& counts);
 
