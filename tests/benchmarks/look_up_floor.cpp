@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bare_sums.hpp"
+#include "lockbox/cloud/image_points.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/registration/rigid_motion.hpp"
 
@@ -20,9 +21,11 @@ std::vector<std::vector<Eigen::Vector3f>> points_at_bodies(const View& view,
                                                            const BodyPoses& poses) {
   const auto& fields = model.fields;
   std::vector<std::vector<Eigen::Vector3f>> by_body(fields.size());
-  for (const Tile& tile : view.cloud.tiles()) {
+  ImagePoints points;
+  points.assign(view.cloud, Executor(1));
+  for (const Tile& tile : points.tiles()) {
     for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-      const Eigen::Vector3f p(view.cloud.x()[i], view.cloud.y()[i], view.cloud.z()[i]);
+      const Eigen::Vector3f p(points.x()[i], points.y()[i], points.z()[i]);
       std::size_t nearest = fields.size();
       double least = kNear;
       for (std::size_t b = 0; b < fields.size(); ++b) {

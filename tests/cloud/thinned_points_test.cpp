@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "lockbox/cloud/image_points.hpp"
+
 namespace lockbox {
 namespace {
 
@@ -54,17 +56,24 @@ std::map<std::uint32_t, std::size_t> by_pixel(const PointTiles& points) {
   return found;
 }
 
+ImagePoints all_of(const TiledCloud& cloud) {
+  ImagePoints points;
+  points.assign(cloud, Executor(1));
+  return points;
+}
+
 TEST(ThinnedPoints, WithoutGapsAreThePointsOfTheCloud) {
   const TiledCloud cloud = slope();
   const ThinnedPoints points = thinned(cloud, even(1));
-  const auto all = by_pixel(cloud);
+  const ImagePoints image = all_of(cloud);
+  const auto all = by_pixel(image);
   const auto found = by_pixel(points);
   ASSERT_EQ(found.size(), all.size());
   for (const auto& [pixel, i] : all) {
     const std::size_t k = found.at(pixel);
-    EXPECT_EQ(points.x()[k], cloud.x()[i]);
-    EXPECT_EQ(points.y()[k], cloud.y()[i]);
-    EXPECT_EQ(points.z()[k], cloud.z()[i]);
+    EXPECT_EQ(points.x()[k], image.x()[i]);
+    EXPECT_EQ(points.y()[k], image.y()[i]);
+    EXPECT_EQ(points.z()[k], image.z()[i]);
   }
 }
 
@@ -82,7 +91,7 @@ TEST(ThinnedPoints, AreThoseOfAGridThatMayBeFinerInSomeCells) {
     EXPECT_EQ(v % spacing, spacing / 2);
     EXPECT_FALSE(u / kCell == 1 && v / kCell == 2);
   }
-  const auto expected = static_cast<double>(cloud.valid_points()) / 16.0;
+  const auto expected = static_cast<double>(all_of(cloud).valid_points()) / 16.0;
   EXPECT_NEAR(static_cast<double>(points.valid_points()), expected, 0.1 * expected);
 }
 
@@ -110,7 +119,7 @@ TEST(ThinnedPoints, AreOnlyThoseThatTheCloudKeeps) {
   cloud.keep(mask);
   for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = i % 2 == 0 ? 1 : 0;
   cloud.keep(mask);
-  EXPECT_EQ(by_pixel(thinned(cloud, even(1))).size(), cloud.valid_points());
+  EXPECT_EQ(by_pixel(thinned(cloud, even(1))).size(), all_of(cloud).valid_points());
   for (const auto& [pixel, i] : by_pixel(thinned(cloud, even(1)))) EXPECT_EQ(pixel % 6, 0U);
 }
 

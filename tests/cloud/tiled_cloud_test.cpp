@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "lockbox/cloud/image_points.hpp"
 #include "lockbox/core/error.hpp"
 
 namespace lockbox {
@@ -42,47 +43,57 @@ TiledCloud converted(const DepthFrame& frame, const CloudOptions& options = {}, 
   return cloud;
 }
 
+ImagePoints points_of(const TiledCloud& cloud, int threads = 2) {
+  ImagePoints points;
+  points.assign(cloud, Executor(threads));
+  return points;
+}
+
+std::size_t count(const TiledCloud& cloud) {
+  return points_of(cloud).valid_points();
+}
+
 /// Calls visit(index) for all valid points.
 template <typename Visit>
-void for_each_point(const TiledCloud& cloud, const Visit& visit) {
-  for (const Tile& tile : cloud.tiles()) {
+void for_each_point(const PointTiles& points, const Visit& visit) {
+  for (const Tile& tile : points.tiles()) {
     for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
       visit(i);
     }
   }
 }
 
-TEST(TiledCloud, BackProjectsEveryMeasurementOnce) {
+TEST(ImagePoints, AreTheMeasurementsEachOnce) {
   const DepthFrame frame = random_frame();
-  const TiledCloud cloud = converted(frame, {.flying_pixel_jump = 0.0});
+  const ImagePoints points = points_of(converted(frame, {.flying_pixel_jump = 0.0}));
   std::vector<int> seen(frame.depth.size(), 0);
-  for_each_point(cloud, [&](std::size_t i) {
-    const auto pixel = cloud.pixel()[i];
+  for_each_point(points, [&](std::size_t i) {
+    const auto pixel = points.pixel()[i];
     ++seen[pixel];
     const auto expected =
         kCamera.back_project(pixel % 100, pixel / 100, 0.001 * frame.depth[pixel]);
-    EXPECT_NEAR(cloud.x()[i], expected.x(), 1e-6);
-    EXPECT_NEAR(cloud.y()[i], expected.y(), 1e-6);
-    EXPECT_NEAR(cloud.z()[i], expected.z(), 1e-6);
+    EXPECT_NEAR(points.x()[i], expected.x(), 1e-6);
+    EXPECT_NEAR(points.y()[i], expected.y(), 1e-6);
+    EXPECT_NEAR(points.z()[i], expected.z(), 1e-6);
   });
   for (std::size_t pixel = 0; pixel < seen.size(); ++pixel) {
     EXPECT_EQ(seen[pixel], frame.depth[pixel] > 0 ? 1 : 0);
   }
 }
 
-TEST(TiledCloud, TilesBoundTheirPointsAndPadWithNone) {
-  const TiledCloud cloud = converted(random_frame());
-  ASSERT_EQ(cloud.tiles().size(), 7U * 5U);
-  for (const Tile& tile : cloud.tiles()) {
+TEST(ImagePoints, AreBoundedByTilesThatArePaddedWithNone) {
+  const ImagePoints points = points_of(converted(random_frame()));
+  ASSERT_EQ(points.tiles().size(), 7U * 5U);
+  for (const Tile& tile : points.tiles()) {
     ASSERT_GT(tile.count, 0U);
     EXPECT_GE(tile.padded, tile.count);
     Eigen::AlignedBox3f bounds;
     for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-      bounds.extend(Eigen::Vector3f(cloud.x()[i], cloud.y()[i], cloud.z()[i]));
+      bounds.extend(Eigen::Vector3f(points.x()[i], points.y()[i], points.z()[i]));
     }
     EXPECT_TRUE(bounds.isApprox(tile.bounds));
     for (std::size_t i = tile.first + tile.count; i < tile.first + tile.padded; ++i) {
-      EXPECT_FALSE(bounds.contains(Eigen::Vector3f(cloud.x()[i], cloud.y()[i], cloud.z()[i])));
+      EXPECT_FALSE(bounds.contains(Eigen::Vector3f(points.x()[i], points.y()[i], points.z()[i])));
     }
   }
 }
@@ -95,7 +106,7 @@ TEST(TiledCloud, DropsWhatIsOutOfRange) {
   frame.depth[pixel_at(9, 3)] = 2001;
   const CloudOptions range{.min_depth = 0.4999, .max_depth = 2.0001, .flying_pixel_jump = 0.0};
   const TiledCloud cloud = converted(frame, range);
-  EXPECT_EQ(cloud.valid_points(), 2U);
+  EXPECT_EQ(count(cloud), 2U);
   EXPECT_EQ(cloud.depth()[pixel_at(3, 3)], 0.0F);
   EXPECT_NEAR(cloud.depth()[pixel_at(5, 3)], 0.5F, 1e-6F);
   EXPECT_NEAR(cloud.depth()[pixel_at(7, 3)], 2.0F, 1e-6F);
@@ -123,7 +134,7 @@ TEST(TiledCloud, KeepsBothSidesOfASharpEdge) {
   for (int v = 20; v < 50; ++v) {
     std::fill_n(frame.depth.begin() + static_cast<std::ptrdiff_t>(pixel_at(30, v)), 40, 700);
   }
-  EXPECT_EQ(converted(frame).valid_points(), frame.depth.size());
+  EXPECT_EQ(count(converted(frame)), frame.depth.size());
 }
 
 TEST(TiledCloud, FiltersTheMirroredImageAlike) {
@@ -141,7 +152,7 @@ TEST(TiledCloud, FiltersTheMirroredImageAlike) {
   const TiledCloud of_flipped = converted(flipped);
   const auto unmeasured = static_cast<std::size_t>(
       std::count(frame.depth.begin(), frame.depth.end(), std::uint16_t{0}));
-  EXPECT_LT(cloud.valid_points(), frame.depth.size() - unmeasured);  // there is what to filter
+  EXPECT_LT(count(cloud), frame.depth.size() - unmeasured);  // there is what to filter
   for (int v = 0; v < kCamera.height; ++v) {
     for (int u = 0; u < kCamera.width; ++u) {
       EXPECT_EQ(of_mirrored.depth()[pixel_at(99 - u, v)], cloud.depth()[pixel_at(u, v)]);
@@ -161,38 +172,43 @@ TEST(TiledCloud, KeepsTheMaskedPixelsOnly) {
     expected += mask[pixel] != 0 && frame.depth[pixel] != 0 ? 1 : 0;
   }
   cloud.keep(mask);
-  EXPECT_EQ(cloud.valid_points(), expected);
   EXPECT_EQ(cloud.depth(), depth);
-  for_each_point(cloud, [&](std::size_t i) {
-    EXPECT_EQ(cloud.pixel()[i] % 5, 0U);
-    EXPECT_NEAR(cloud.z()[i], depth[cloud.pixel()[i]], 1e-6F);
+  const ImagePoints points = points_of(cloud);
+  EXPECT_EQ(points.valid_points(), expected);
+  for_each_point(points, [&](std::size_t i) {
+    EXPECT_EQ(points.pixel()[i] % 5, 0U);
+    EXPECT_NEAR(points.z()[i], depth[points.pixel()[i]], 1e-6F);
   });
 }
 
 TEST(TiledCloud, SameForAnyNumberOfThreads) {
   const DepthFrame frame = random_frame();
-  const TiledCloud reference = converted(frame, {}, 1);
+  const TiledCloud expected = converted(frame, {}, 1);
+  const ImagePoints reference = points_of(expected, 1);
   for (const int threads : {2, 8}) {
     const TiledCloud cloud = converted(frame, {}, threads);
-    EXPECT_EQ(cloud.depth(), reference.depth());
-    ASSERT_EQ(cloud.valid_points(), reference.valid_points());
+    EXPECT_EQ(cloud.depth(), expected.depth());
+    const ImagePoints points = points_of(cloud, threads);
+    ASSERT_EQ(points.valid_points(), reference.valid_points());
     for_each_point(reference, [&](std::size_t i) {
-      EXPECT_EQ(cloud.pixel()[i], reference.pixel()[i]);
-      EXPECT_EQ(cloud.x()[i], reference.x()[i]);
-      EXPECT_EQ(cloud.y()[i], reference.y()[i]);
-      EXPECT_EQ(cloud.z()[i], reference.z()[i]);
+      EXPECT_EQ(points.pixel()[i], reference.pixel()[i]);
+      EXPECT_EQ(points.x()[i], reference.x()[i]);
+      EXPECT_EQ(points.y()[i], reference.y()[i]);
+      EXPECT_EQ(points.z()[i], reference.z()[i]);
     });
   }
 }
 
 TEST(TiledCloud, IsReusedForAnotherImageSize) {
   TiledCloud cloud = converted(random_frame());
+  ImagePoints points = points_of(cloud);
   DepthFrame small;
   small.camera = {8, 6, 10.0, 10.0, 3.5, 2.5};
   small.depth.assign(48, 1000);
   cloud.assign(small, {}, Executor(2));
-  EXPECT_EQ(cloud.tiles().size(), 1U);
-  EXPECT_EQ(cloud.valid_points(), 48U);
+  points.assign(cloud, Executor(2));
+  EXPECT_EQ(points.tiles().size(), 1U);
+  EXPECT_EQ(points.valid_points(), 48U);
 }
 
 TEST(TiledCloud, RefusesWhatDoesNotFitTogether) {
@@ -219,7 +235,6 @@ TEST(TiledCloud, DepthsInMetresGiveTheSameCloudAsTheFrame) {
   cloud.assign(kCamera, metres, {}, Executor(2));
   EXPECT_TRUE(cloud.has_image());
   EXPECT_EQ(cloud.depth(), expected.depth());
-  EXPECT_EQ(cloud.valid_points(), expected.valid_points());
   metres.pop_back();
   EXPECT_THROW(cloud.assign(kCamera, metres, {}, Executor(2)), InputError);
 }
@@ -245,10 +260,11 @@ class UnorganizedCloudTest : public ::testing::Test {
 TEST_F(UnorganizedCloudTest, HoldsEachPointInFrontOnceAndNoImage) {
   EXPECT_FALSE(cloud.has_image());
   std::vector<int> seen(points.size(), 0);
-  for_each_point(cloud, [&](std::size_t i) {
-    const auto point = cloud.pixel()[i];
+  for_each_point(cloud.blocks(), [&](std::size_t i) {
+    const auto point = cloud.blocks().pixel()[i];
     ++seen[point];
-    EXPECT_EQ(Eigen::Vector3f(cloud.x()[i], cloud.y()[i], cloud.z()[i]), points[point]);
+    EXPECT_EQ(Eigen::Vector3f(cloud.blocks().x()[i], cloud.blocks().y()[i], cloud.blocks().z()[i]),
+              points[point]);
   });
   EXPECT_EQ(seen[10], 0);
   EXPECT_EQ(seen[11], 0);
@@ -256,10 +272,10 @@ TEST_F(UnorganizedCloudTest, HoldsEachPointInFrontOnceAndNoImage) {
 }
 
 TEST_F(UnorganizedCloudTest, TilesAreFullAndCompact) {
-  ASSERT_EQ(cloud.tiles().size(), 20U);  // 4998 / 256, rounded up
+  ASSERT_EQ(cloud.blocks().tiles().size(), 20U);  // 4998 / 256, rounded up
   float volume = 0.0F;
-  for (const Tile& tile : cloud.tiles()) {
-    EXPECT_TRUE(tile.count == kTilePoints || &tile == &cloud.tiles().back());
+  for (const Tile& tile : cloud.blocks().tiles()) {
+    EXPECT_TRUE(tile.count == kTilePoints || &tile == &cloud.blocks().tiles().back());
     volume += tile.bounds.volume();
   }
   EXPECT_LT(volume, 1.0F);  // of the cube: blocks that do not overlap
@@ -267,8 +283,8 @@ TEST_F(UnorganizedCloudTest, TilesAreFullAndCompact) {
 
 TEST_F(UnorganizedCloudTest, NoPointsGiveNoTiles) {
   cloud.assign_unorganized({}, kCamera);
-  EXPECT_TRUE(cloud.tiles().empty());
-  EXPECT_EQ(cloud.valid_points(), 0U);
+  EXPECT_TRUE(cloud.blocks().tiles().empty());
+  EXPECT_EQ(cloud.blocks().valid_points(), 0U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "initialization/seen_model.hpp"
+#include "lockbox/cloud/image_points.hpp"
 #include "lockbox/model/surface_levers.hpp"
 #include "lockbox/registration/collision_term.hpp"
 #include "lockbox/registration/edge_tile.hpp"
@@ -73,16 +74,18 @@ class ExactDerivatives : public ::testing::Test {
 
 TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
   const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
+  ImagePoints points;
+  points.assign(cloud, executor);
   const RegistrationOptions options;
   VisibleSurface surface;
   PixelPrediction predicted;
   for (const double spread : {0.0, 0.01}) {
     const Configuration at = displaced(0.7);
     surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
-    surface.predict(cloud, executor, predicted);
+    surface.predict(points, executor, predicted);
     ModelTerm term;
     std::vector<BodySystem> systems(model.tree.bodies.size());
-    const ModelTerm::Scene scene{model, cloud, cloud.camera(), predicted, options, executor};
+    const ModelTerm::Scene scene{model, points, cloud.camera(), predicted, options, executor};
     const double cost = term.linearize(scene, poses(at), spread, systems);
     EXPECT_NEAR(term.cost(scene, poses(at)), cost, 1e-5 * std::abs(cost));
     const NormalEquations analytic = mapped(systems, at);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "initialization/seen_model.hpp"
+#include "lockbox/cloud/image_points.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/simulation/trajectory.hpp"
@@ -62,20 +63,22 @@ TEST(Surroundings, PointsAreLabelledByTheirDistanceFromTheOutline) {
   VisibleSurface surface;
   surface.render(model, poses, cloud.camera(), cloud.camera().width, Executor());
   PixelPrediction predicted;
-  surface.predict(cloud, Executor(), predicted);
+  ImagePoints points;
+  points.assign(cloud, Executor());
+  surface.predict(points, Executor(), predicted);
   int beside = 0;
-  for (std::size_t t = 0; t < cloud.tiles().size(); t += 7) {
-    if (cloud.tiles()[t].count == 0) continue;
-    const std::size_t point = cloud.tiles()[t].first;
-    const auto pixel = static_cast<int>(cloud.pixel()[point]);
+  for (std::size_t t = 0; t < points.tiles().size(); t += 7) {
+    if (points.tiles()[t].count == 0) continue;
+    const std::size_t point = points.tiles()[t].first;
+    const auto pixel = static_cast<int>(points.pixel()[point]);
     const int width = cloud.camera().width;
     const int steps = std::min(steps_to_model(surface.view(), pixel % width, pixel / width), 255);
     if (steps == 0) {
       EXPECT_EQ(predicted.body[point], 0.0F);
-      EXPECT_NEAR(predicted.depth[point], cloud.z()[point], 0.02);
+      EXPECT_NEAR(predicted.depth[point], points.z()[point], 0.02);
       continue;
     }
-    const double metres = steps / cloud.camera().fx * cloud.z()[point];
+    const double metres = steps / cloud.camera().fx * points.z()[point];
     EXPECT_EQ(predicted.depth[point], 0.0F);
     EXPECT_NEAR(predicted.body[point], kernels::label_beside(static_cast<float>(metres)), 1e-6);
     beside += steps < 100 ? 1 : 0;

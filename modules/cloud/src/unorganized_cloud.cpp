@@ -47,7 +47,10 @@ void TiledCloud::assign_unorganized(std::span<const Eigen::Vector3f> points,
   camera_ = camera;
   depth_.clear();
   mask_.clear();
-  tile_columns_ = 0;
+  blocks_.assign(points);
+}
+
+void TiledCloud::Blocks::assign(std::span<const Eigen::Vector3f> points) {
   std::vector<std::uint32_t> order;
   order.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

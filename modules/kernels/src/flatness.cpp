@@ -5,14 +5,12 @@
 #define HWY_TARGET_INCLUDE "flatness.cpp"
 #include "hwy/foreach_target.h"
 // After foreach_target, which includes this file once for each instruction set.
-#include "hwy/highway.h"
+#include "columns-inl.hpp"
 #include "label_rows-inl.hpp"
 #include "plane_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
 /// Stores one byte of 0 or 1 for each of the lanes' pixels.
 template <typename D>
 HWY_INLINE void store_bytes(const D /*df*/, const hn::Mask<D> mask, std::uint8_t* bytes) {
@@ -20,15 +18,6 @@ HWY_INLINE void store_bytes(const D /*df*/, const hn::Mask<D> mask, std::uint8_t
   const hn::Rebind<std::uint8_t, D> db;
   const auto ones = hn::IfThenElseZero(hn::RebindMask(di, mask), hn::Set(di, 1));
   hn::StoreU(hn::DemoteTo(db, ones), db, bytes);
-}
-
-/// Calls visit(tag, column) for all columns in [first, end): many at once, then one by one.
-template <typename Visit>
-HWY_INLINE void for_columns(std::size_t first, std::size_t end, const Visit& visit) {
-  const hn::CappedTag<float, kLanes> many;
-  std::size_t u = first;
-  for (; u + hn::Lanes(many) <= end; u += hn::Lanes(many)) visit(many, u);
-  for (; u < end; ++u) visit(hn::CappedTag<float, 1>(), u);
 }
 
 void find_flat_in_row(const DepthRows& depths, const LabelRows& labels, std::size_t first,

@@ -9,15 +9,13 @@
 #define HWY_TARGET_INCLUDE "outlines.cpp"
 #include "hwy/foreach_target.h"
 // After foreach_target, which includes this file once for each instruction set.
-#include "hwy/highway.h"
+#include "columns-inl.hpp"
 #include "label_rows-inl.hpp"
 #include "plane_rows-inl.hpp"
 #include "pull_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
 /// Calls find(tag, column), which returns the lanes that are wanted, for all columns in
 /// [first, end): many at once, and one by one what is left.
 template <typename Find>
@@ -31,10 +29,7 @@ HWY_INLINE std::size_t collect(std::size_t first, std::size_t end, const Find& f
     count += hn::CompressStore(hn::Iota(di, static_cast<std::int32_t>(u)),
                                hn::RebindMask(di, wanted), di, columns + count);
   };
-  const hn::CappedTag<float, kLanes> many;
-  std::size_t u = first;
-  for (; u + hn::Lanes(many) <= end; u += hn::Lanes(many)) collect_with(many, u);
-  for (; u < end; ++u) collect_with(hn::CappedTag<float, 1>(), u);
+  for_columns(first, end, collect_with);
   return count;
 }
 

@@ -25,10 +25,10 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
                             const RegistrationOptions& options, const Executor& executor) {
   is_drawn_ = true;
   configuration_ = configuration;
-  points_ = &cloud;
   if (!cloud.has_image()) {
-    prediction_.body.assign(cloud.x().size(), kernels::label_beside(0.0F));
-    prediction_.depth.assign(cloud.x().size(), 0.0F);
+    points_ = &cloud.blocks();
+    prediction_.body.assign(points_->x().size(), kernels::label_beside(0.0F));
+    prediction_.depth.assign(points_->x().size(), 0.0F);
     return;
   }
   forward_kinematics(model.tree, configuration, poses_);
@@ -50,6 +50,9 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   } else if (is_thinned) {
     thinned_.assign(cloud, plan_.density());
     points_ = &thinned_;
+  } else {
+    all_.assign(cloud, executor);
+    points_ = &all_;
   }
   surface_.predict(*points_, executor, prediction_);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_registration.hpp"
 
+#include "lockbox/cloud/image_points.hpp"
 #include "lockbox/core/error.hpp"
 #include "surface_pairs.hpp"
 
@@ -85,8 +86,11 @@ Eigen::Isometry3d ScanRegistration::T_base_cloud() const {
 std::vector<ScanRegistration::Pair> ScanRegistration::pairs(double reach) const {
   BodyPoses poses;
   forward_kinematics(model_->tree, placed_, poses);
+  ImagePoints of_image;
+  if (cloud_.has_image()) of_image.assign(cloud_, executor_);
+  const PointTiles& points = cloud_.has_image() ? of_image : cloud_.blocks();
   std::vector<Pair> pairs;
-  for (const SurfacePair& pair : surface_pairs(*model_, poses, cloud_, reach, kMaxPairs)) {
+  for (const SurfacePair& pair : surface_pairs(*model_, poses, points, reach, kMaxPairs)) {
     pairs.push_back({pair.point, samples_->nearest(pair.body, pair.p_body), pair.squared_distance});
   }
   return pairs;

@@ -49,15 +49,15 @@ std::optional<SurfacePair> nearest_surface(const ArticulatedModel& model,
 
 std::vector<SurfacePair> surface_pairs(const ArticulatedModel& model,
                                        const std::vector<Eigen::Isometry3d>& T_camera_body,
-                                       const TiledCloud& cloud, double reach,
+                                       const PointTiles& points, double reach,
                                        std::size_t max_pairs) {
   const Eigen::AlignedBox3f box = reachable(model, T_camera_body, reach);
   std::vector<const Tile*> tiles;
-  std::size_t points = 0;
-  for (const Tile& tile : cloud.tiles()) {
+  std::size_t count = 0;
+  for (const Tile& tile : points.tiles()) {
     if (tile.count > 0 && box.intersects(tile.bounds)) {
       tiles.push_back(&tile);
-      points += tile.count;
+      count += tile.count;
     }
   }
   std::vector<Eigen::Isometry3f> T_body_camera;
@@ -65,17 +65,17 @@ std::vector<SurfacePair> surface_pairs(const ArticulatedModel& model,
   for (const Eigen::Isometry3d& T : T_camera_body) {
     T_body_camera.push_back(T.inverse().cast<float>());
   }
-  const std::size_t stride = std::max<std::size_t>(1, (points + max_pairs - 1) / max_pairs);
+  const std::size_t stride = std::max<std::size_t>(1, (count + max_pairs - 1) / max_pairs);
   std::vector<SurfacePair> pairs;
   std::size_t next = 0;  // within the tile
   for (const Tile* const tile : tiles) {
     for (; next < tile->count; next += stride) {
       const std::size_t i = tile->first + next;
       std::optional<SurfacePair> pair =
-          nearest_surface(model, T_body_camera, {cloud.x()[i], cloud.y()[i], cloud.z()[i]},
+          nearest_surface(model, T_body_camera, {points.x()[i], points.y()[i], points.z()[i]},
                           static_cast<float>(reach));
       if (pair) {
-        pair->point = cloud.pixel()[i];
+        pair->point = points.pixel()[i];
         pairs.push_back(*pair);
       }
     }

@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/cloud/point_tiles.hpp"
 #include "lockbox/model/articulated_model.hpp"
 
 namespace lockbox {
 
 struct SurfacePair {
-  std::uint32_t point;     ///< TiledCloud::pixel() of the measured point
+  std::uint32_t point;     ///< PointTiles::pixel() of the measured point
   std::size_t body;        ///< whose surface is nearest
   Eigen::Vector3f p_body;  ///< the measured point in its frame
   float squared_distance;  ///< to its surface, m^2
@@ -20,7 +20,7 @@ struct SurfacePair {
 /// that lie farther than reach (metres) from every body.
 std::vector<SurfacePair> surface_pairs(const ArticulatedModel& model,
                                        const std::vector<Eigen::Isometry3d>& T_camera_body,
-                                       const TiledCloud& cloud, double reach,
+                                       const PointTiles& points, double reach,
                                        std::size_t max_pairs);
 
 }  // namespace lockbox

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The organized cloud as the registration reads it: square tiles of the image. A cloud without an
-// image is cut into blocks of space instead.
+// The cloud as the registration reads it: a filtered depth image, of which points are made where
+// they are wanted (image_points.hpp, thinned_points.hpp). A cloud without an image is cut into
+// blocks of space.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +24,7 @@ struct CloudOptions {
 };
 
 /// Buffers are reused: assign() allocates only when the image size changes.
-class TiledCloud : public PointTiles {
+class TiledCloud {
  public:
   /// Converts and filters in one pass. Throws InputError if camera and depth do not fit together.
   void assign(const DepthFrame& frame, const CloudOptions& options, const Executor& executor);
@@ -32,13 +33,17 @@ class TiledCloud : public PointTiles {
   void assign(const PinholeCamera& camera, std::span<const float> depth,
               const CloudOptions& options, const Executor& executor);
 
-  /// Points without an image, seen from the origin along z: depth() is empty, pixel() the number of
-  /// the point in the span. Points that are not finite, or not in front, are left out. Of the
-  /// camera only the focal lengths mean something: how exact the points are across their rays.
+  /// Points without an image, seen from the origin along z: depth() is empty, blocks() holds the
+  /// points, whose pixel() is their number in the span. Points that are not finite, or not in
+  /// front, are left out. Of the camera only the focal lengths mean something: how exact the points
+  /// are across their rays.
   void assign_unorganized(std::span<const Eigen::Vector3f> points, const PinholeCamera& camera);
 
   /// Whether there is an image: depth() and pixels, to look things up in.
   bool has_image() const { return !depth_.empty(); }
+
+  /// Of a cloud without an image.
+  const PointTiles& blocks() const { return blocks_; }
 
   /// Keeps only points whose pixel is set in the mask (one byte a pixel); depth() stays as it is.
   /// Throws InputError if the mask has another size than the image.
@@ -53,20 +58,20 @@ class TiledCloud : public PointTiles {
   bool keeps(std::size_t pixel) const { return mask_.empty() || mask_[pixel] != 0; }
 
  private:
+  class Blocks : public PointTiles {
+   public:
+    void assign(std::span<const Eigen::Vector3f> points);
+  };
+
   void resize(const PinholeCamera& camera);
-  template <typename Depth>
-  void convert(const Depth& raw, const CloudOptions& options, const Executor& executor);
-  void filter_row(const CloudOptions& options, std::size_t v);
-  void fill_tile(int column, int row);
+  template <typename ReadRow>
+  void convert(const ReadRow& read_row, const CloudOptions& options, const Executor& executor);
 
   PinholeCamera camera_;
-  std::vector<float> raw_;      ///< depth as measured, metres; 0 where nothing was
-  std::vector<float> nowhere_;  ///< a row without measurements
-  std::vector<float> ray_x_;    ///< by column, metres per metre of depth
-  std::vector<float> ray_y_;    ///< by row
+  std::vector<float> measured_;  ///< metres, 0 where nothing was; a border of zeros around them
   std::vector<float> depth_;
   std::vector<std::uint8_t> mask_;  ///< of keep(), if it was called
-  int tile_columns_ = 0;
+  Blocks blocks_;
 };
 
 }  // namespace lockbox

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "lockbox/cloud/image_points.hpp"
 #include "lockbox/cloud/thinned_points.hpp"
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/parallel.hpp"
@@ -42,7 +43,7 @@ class PredictedView {
 
   /// Those of the cloud that were chosen.
   const PointTiles& points() const { return *points_; }
-  /// Whether their tiles are not those of the cloud.
+  /// Whether their tiles are not those of the image.
   bool has_own_tiles() const { return points_ == &thinned_ || points_ == &pooled_; }
   const PixelPrediction& prediction() const { return prediction_; }  ///< of the points
   const VisibleSurface& surface() const { return surface_; }
@@ -59,6 +60,7 @@ class PredictedView {
   SamplingPlan plan_;
   ViewSamples samples_;
   OutlinePoints outlines_;
+  ImagePoints all_;
   ThinnedPoints thinned_;
   PooledPoints pooled_;
   const PointTiles* points_ = nullptr;
