@@ -83,14 +83,17 @@ Canvas resize(const ImageWindow& window, std::vector<float>& inverse_z, Image& i
   return {window, inverse_z.data(), image.id.data()};
 }
 
-/// Of a row that holds 1/z in the part that was drawn.
-void find_depths(float* const row, int width, const ImageWindow& drawn) {
+/// Of rows that hold 1/z in the part that was drawn.
+void find_depths(int first_row, int end_row, RenderedDepth& image) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  float* const begin = row + drawn.left;
-  float* const end = row + drawn.right();
-  std::fill(row, begin, kInfinity);
-  std::transform(begin, end, begin, [](float inverse_z) { return 1.0F / inverse_z; });
-  std::fill(end, row + width, kInfinity);
+  for (int row = first_row; row < end_row; ++row) {
+    float* const depths = image.depth.data() + image.index(0, row);
+    float* const begin = depths + image.drawn.left;
+    float* const end = depths + image.drawn.right();
+    std::fill(depths, begin, kInfinity);
+    std::transform(begin, end, begin, [](float inverse_z) { return 1.0F / inverse_z; });
+    std::fill(end, depths + image.width, kInfinity);
+  }
 }
 
 void append_ranges(std::span<const RenderItem> items, std::size_t item, std::size_t first_vertex,
@@ -239,12 +242,10 @@ void DepthRenderer::render(std::span<const RenderItem> items, RenderedDepth& ima
   image.drawn = w.drawn_part();
   w.executor.for_each_chunk(static_cast<std::size_t>(image.height), kBandRows,
                             [&](std::size_t begin, std::size_t end, std::size_t) {
-                              w.draw_band(static_cast<int>(begin), static_cast<int>(end), canvas);
-                              for (std::size_t row = begin; row < end; ++row) {
-                                find_depths(
-                                    canvas.inverse_z + canvas.index(0, static_cast<int>(row)),
-                                    image.width, image.drawn);
-                              }
+                              const int first_row = static_cast<int>(begin);
+                              const int end_row = static_cast<int>(end);
+                              w.draw_band(first_row, end_row, canvas);
+                              find_depths(first_row, end_row, image);
                             });
 }
 
