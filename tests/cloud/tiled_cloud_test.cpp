@@ -204,11 +204,14 @@ TEST(TiledCloud, IsReusedForAnotherImageSize) {
   ImagePoints points = points_of(cloud);
   DepthFrame small;
   small.camera = {8, 6, 10.0, 10.0, 3.5, 2.5};
-  small.depth.assign(48, 1000);
+  for (int i = 0; i < 48; ++i)
+    small.depth.push_back(static_cast<std::uint16_t>(700 + 100 * (i % 5)));
   cloud.assign(small, {}, Executor(2));
+  EXPECT_EQ(cloud.depth(), converted(small).depth());  // whatever lay beyond it
   points.assign(cloud, Executor(2));
   EXPECT_EQ(points.tiles().size(), 1U);
-  EXPECT_EQ(points.valid_points(), 48U);
+  EXPECT_EQ(points.valid_points(), count(converted(small)));
+  EXPECT_GT(points.valid_points(), 0U);
 }
 
 TEST(TiledCloud, RefusesWhatDoesNotFitTogether) {
