@@ -9,18 +9,11 @@
 #endif
 
 #include "hwy/cache_control.h"
-#include "hwy/highway.h"
 #include "lockbox/kernels/point_to_field.hpp"
+#include "vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-// At most kLanes lanes, also where vectors are longer.
-using FloatTag = hn::CappedTag<float, kLanes>;
-using IntTag = hn::RebindToSigned<FloatTag>;
-using Float = hn::Vec<FloatTag>;
-using Int = hn::Vec<IntTag>;
 
 /// Position of points on the field's grids, chosen lane by lane between fine and coarse.
 struct GridPosition {
@@ -188,28 +181,6 @@ HWY_INLINE Float interpolate(const FieldView& field, const GridPosition& at, Flo
     gradient[2] = hn::Mul(unit, hn::Sub(y1, y0));
   }
   return hn::Mul(at.scale, lerp(y0, y1, t[2]));
-}
-
-HWY_INLINE void transform(const RigidMotion& motion, const Float p[3], Float result[3]) {
-  const FloatTag df;
-  for (int row = 0; row < 3; ++row) {
-    const float* r = motion.rotation + static_cast<std::ptrdiff_t>(3) * row;
-    result[row] = hn::MulAdd(
-        hn::Set(df, r[0]), p[0],
-        hn::MulAdd(hn::Set(df, r[1]), p[1],
-                   hn::MulAdd(hn::Set(df, r[2]), p[2], hn::Set(df, motion.translation[row]))));
-  }
-}
-
-HWY_INLINE void load(const PointSpan& points, const std::size_t i, Float p[3]) {
-  const FloatTag df;
-  p[0] = hn::LoadU(df, points.x + i);
-  p[1] = hn::LoadU(df, points.y + i);
-  p[2] = hn::LoadU(df, points.z + i);
-}
-
-HWY_INLINE Float dot(const Float a[3], const Float b[3]) {
-  return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
 }
 
 }  // namespace lockbox::kernels::HWY_NAMESPACE

@@ -13,22 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
 
-HWY_INLINE void load(const float* const axes[3], std::size_t i, Float result[3]) {
-  for (int axis = 0; axis < 3; ++axis) result[axis] = hn::LoadU(FloatTag(), axes[axis] + i);
-}
-
-/// A vector of the camera's frame in that of the body.
-HWY_INLINE void rotate_back(const RigidMotion& camera_from_body, const Float v[3],
-                            Float result[3]) {
-  const FloatTag df;
-  for (int column = 0; column < 3; ++column) {
-    const Float r[3] = {hn::Set(df, camera_from_body.rotation[column]),
-                        hn::Set(df, camera_from_body.rotation[3 + column]),
-                        hn::Set(df, camera_from_body.rotation[6 + column])};
-    result[column] = dot(r, v);
-  }
-}
-
 struct Residuals {
   Float p[3];
   Float direction[3];

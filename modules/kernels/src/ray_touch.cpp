@@ -39,15 +39,9 @@ HWY_INLINE Nearest nearest(const FieldView& field, const Float p[3]) {
   return nearest_at(field, p, locate(field, p));
 }
 
-HWY_INLINE void load(const float* const axes[3], const std::size_t i, Float vector[3]) {
-  for (int axis = 0; axis < 3; ++axis) vector[axis] = hn::LoadU(FloatTag(), axes[axis] + i);
-}
-
 HWY_INLINE void store(const Nearest& at, const TouchPoints& points, const std::size_t i) {
-  for (int axis = 0; axis < 3; ++axis) {
-    hn::StoreU(at.p[axis], FloatTag(), points.p[axis] + i);
-    hn::StoreU(at.normal[axis], FloatTag(), points.normal[axis] + i);
-  }
+  store(at.p, points.p, i);
+  store(at.normal, points.normal, i);
 }
 
 struct Rays {
@@ -133,12 +127,8 @@ void touch_rays(const FieldView& field, const RaySpan& rays, const TouchPoints& 
 
 void normals_at_points(const FieldView& field, const PointSpan& points, float* const normal[3]) {
   const auto place = [&](std::size_t i, Float p[3]) HWY_ATTR { load(points, i, p); };
-  const auto visit = [&](std::size_t i, const Float p[3], const GridPosition& at) HWY_ATTR {
-    const Nearest found = nearest_at(field, p, at);
-    for (int axis = 0; axis < 3; ++axis) {
-      hn::StoreU(found.normal[axis], FloatTag(), normal[axis] + i);
-    }
-  };
+  const auto visit = [&](std::size_t i, const Float p[3], const GridPosition& at)
+                         HWY_ATTR { store(nearest_at(field, p, at).normal, normal, i); };
   for_located(field, points.size, place, visit);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "lockbox/kernels/outlines.hpp"
 
@@ -19,26 +20,18 @@ bool inside(const RenderedDepth& image, int u, int v) {
 /// Relative change of 1 / depth from pixel (u, v) along (du, dv): of both ways the one that changes
 /// less, for the other may lead over an edge.
 double slope(const RenderedDepth& image, int u, int v, int du, int dv) {
+  constexpr float kUnknown = std::numeric_limits<float>::infinity();
   const std::size_t here = image.index(u, v);
-  double best = 0.0;
-  bool known = false;
-  for (const int way : {-1, 1}) {
-    if (!inside(image, u + way * du, v + way * dv)) {
-      continue;
-    }
+  const auto change = [&](int way) {
+    if (!inside(image, u + way * du, v + way * dv)) return kUnknown;
     const std::size_t there = image.index(u + way * du, v + way * dv);
-    if (image.id[there] != image.id[here]) {
-      continue;
-    }
-    const double change =
-        way *
-        (static_cast<double>(image.depth[here]) / static_cast<double>(image.depth[there]) - 1.0);
-    if (!known || std::abs(change) < std::abs(best)) {
-      best = change;
-      known = true;
-    }
-  }
-  return best;
+    const float nearer = image.depth[here] / image.depth[there] - 1.0F;
+    return image.id[there] == image.id[here] ? nearer : kUnknown;
+  };
+  const float before = -change(-1);
+  const float after = change(1);
+  const float least = std::abs(after) < std::abs(before) ? after : before;
+  return std::abs(least) < kUnknown ? static_cast<double>(least) : 0.0;
 }
 
 }  // namespace

@@ -8,34 +8,15 @@
 namespace lockbox {
 namespace {
 
-/// How far beside an outline the field is asked. At a distance d from an edge tri-linear distances
-/// are too large by up to voxel^2 / (8 d), but fine samples reach 20 mm only.
-constexpr double kVoxelsAside = 4.0;
-constexpr double kFarthestAside = 0.016;  // metres
-constexpr double kPixelsBeyond = 1.5;     // an outline: where something farther away is to be seen
-constexpr double kFarthestOff = 2.0;      // farther from the pixel it is another outline
-constexpr double kLeastAgreement = 0.5;   // of the field's normal with the z-buffer's: a cosine
-
-/// The part of a vector that is orthogonal to a ray.
-Eigen::Vector3d across(const Eigen::Vector3d& ray, const Eigen::Vector3d& vector) {
-  return vector - ray.dot(vector) / ray.squaredNorm() * ray;
-}
-
-/// Unit vector in the camera's frame that moves a point at p along a direction of the image, across
-/// its ray.
-Eigen::Vector3d across_ray(const Eigen::Vector3d& p, const PinholeCamera& camera,
-                           const Eigen::Vector2d& direction) {
-  const Eigen::Vector3d along_image(direction.x() / camera.fx, direction.y() / camera.fy, 0.0);
-  return across(p, along_image).normalized();
-}
+constexpr float kPixelsBeyond = 1.5F;    // an outline: where something farther away is to be seen
+constexpr float kFarthestOff = 2.0F;     // farther from the pixel it is another outline
+constexpr float kLeastAgreement = 0.5F;  // of the field's normal with the z-buffer's: a cosine
 
 }  // namespace
 
-OutlineFinder::OutlineFinder(const ArticulatedModel& model, const VisibleSurface& surface,
-                             const ViewEdges& edges, int spacing,
+OutlineFinder::OutlineFinder(const VisibleSurface& surface, const ViewEdges& edges, int spacing,
                              const RegistrationOptions& options)
-    : model_(model),
-      surface_(surface),
+    : surface_(surface),
       view_(surface.view()),
       edges_(edges),
       camera_(surface.view_camera()),
@@ -68,22 +49,7 @@ std::optional<OutlinePixel> OutlineFinder::look_beside(int u, int v) const {
   if (in_image.isZero()) {
     return std::nullopt;
   }
-  const Eigen::Vector3d p = camera_.back_project(u, v, here);
-  return OutlinePixel{view_.id[view_.index(u, v)],     u, v, plane, p,
-                      across_ray(p, camera_, in_image)};
-}
-
-Eigen::Vector3d OutlineFinder::beside(const OutlinePixel& pixel) const {
-  const auto body = static_cast<std::size_t>(pixel.body);
-  return surface_.T_body_camera()[body] * (pixel.p + aside(pixel) * pixel.outwards);
-}
-
-Eigen::Vector3d OutlineFinder::beside(const OutlinePixel& pixel,
-                                      const Eigen::Vector3d& normal) const {
-  const auto body = static_cast<std::size_t>(pixel.body);
-  const Eigen::Isometry3d& T_body_camera = surface_.T_body_camera()[body];
-  const Eigen::Vector3d p = T_body_camera * pixel.p;
-  return p + aside(pixel) * across(p - T_body_camera.translation(), normal).normalized();
+  return OutlinePixel{{u, v}, static_cast<float>(here), plane, in_image.cast<float>()};
 }
 
 void OutlineFinder::spread(const OutlinePoint& point, std::vector<OutlinePoint>& points) const {
@@ -99,34 +65,22 @@ void OutlineFinder::spread(const OutlinePoint& point, std::vector<OutlinePoint>&
   }
 }
 
-double OutlineFinder::aside(const OutlinePixel& pixel) const {
-  const double pixel_size = pixel.p.z() / camera_.fx;
-  const double voxel = model_.fields[static_cast<std::size_t>(pixel.body)]->voxel();
-  return pixel_size + std::clamp(kFarthestAside - pixel_size, voxel, kVoxelsAside * voxel);
-}
-
 std::optional<OutlinePoint> OutlineFinder::point(const OutlinePixel& pixel,
-                                                 const Eigen::Vector3d& touch,
-                                                 const Eigen::Vector3d& normal) const {
-  const Eigen::Isometry3d& T_body_camera =
-      surface_.T_body_camera()[static_cast<std::size_t>(pixel.body)];
-  const Eigen::Vector3d from_camera = touch - T_body_camera.translation();
-  const Eigen::Vector3d across_body = across(from_camera, normal);
-  const Eigen::Vector3d outwards = T_body_camera.linear().transpose() * across_body;
-  const Eigen::Vector3d outline = T_body_camera.linear().transpose() * from_camera;
-  const Eigen::Vector2d off = camera_.project(outline) - Eigen::Vector2d(pixel.u, pixel.v);
-  if (off.norm() > kFarthestOff || outwards.dot(pixel.outwards) < kLeastAgreement ||
-      !stands_out(outline, outwards)) {
+                                                 const OutlineTouch& touch) const {
+  const Eigen::Vector2f off =
+      touch.at - Eigen::Vector2f(static_cast<float>(pixel.at.u), static_cast<float>(pixel.at.v));
+  if (!(off.squaredNorm() <= kFarthestOff * kFarthestOff) || touch.agreement < kLeastAgreement ||
+      !stands_out(touch)) {
     return std::nullopt;
   }
-  const double here = pixel.p.z();
-  return OutlinePoint{touch,
-                      across_body.normalized(),
-                      pixel.plane.slopes().dot(outwards.head<2>().normalized()) * camera_.fx / here,
+  const auto here = static_cast<double>(pixel.depth);
+  return OutlinePoint{touch.p_body.cast<double>(),
+                      touch.normal_body.cast<double>(),
+                      pixel.plane.slopes().dot(touch.direction.cast<double>()) * camera_.fx / here,
                       pixel.plane.steepness() / surface_.reduction(),
-                      std::max(0.0, outline.z() - here),
+                      std::max(0.0, static_cast<double>(touch.depth) - here),
                       static_cast<double>(surface_.reduction()) / points_per_pixel_,
-                      pixel.body};
+                      body(pixel.at.u, pixel.at.v)};
 }
 
 /// Depths that differ by less may be noise, metres.
@@ -138,21 +92,22 @@ bool OutlineFinder::ends_beside(const TangentPlane& plane, int u, int v, double 
   constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   const double here = depth(u, v);
   return std::any_of(kBeside.begin(), kBeside.end(), [&](const auto& d) {
-    return depth(u + d[0], v + d[1]) > here * (plane.relative_depth(d[0], d[1]) + jump);
+    const double nearness = plane.relative_nearness(d[0], d[1]);
+    return depth(u + d[0], v + d[1]) * nearness > here * (1.0 + jump * nearness);
   });
 }
 
 /// Whether what the view shows just beyond the outline lies behind it by more than noise.
-bool OutlineFinder::stands_out(const Eigen::Vector3d& p, const Eigen::Vector3d& outwards) const {
-  const Eigen::Vector2d beyond = camera_.project(p) +
-                                 kPixelsBeyond * outwards.head<2>().normalized() +
-                                 Eigen::Vector2d(0.5, 0.5);
+bool OutlineFinder::stands_out(const OutlineTouch& touch) const {
+  const Eigen::Vector2f beyond =
+      touch.at + kPixelsBeyond * touch.direction + Eigen::Vector2f(0.5F, 0.5F);
   const int u = static_cast<int>(beyond.x());
   const int v = static_cast<int>(beyond.y());
   if (u < 0 || v < 0 || u >= view_.width || v >= view_.height) {
     return false;
   }
-  return depth(u, v) > p.z() + zone(p.z());
+  const auto here = static_cast<double>(touch.depth);
+  return depth(u, v) > here + zone(here);
 }
 
 }  // namespace lockbox

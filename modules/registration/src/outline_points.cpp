@@ -2,13 +2,10 @@
 #include "lockbox/registration/outline_points.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numeric>
-#include <span>
 
-#include "lockbox/kernels/ray_touch.hpp"
 #include "outline_finder.hpp"
+#include "outline_rays.hpp"
 
 namespace lockbox {
 namespace {
@@ -16,97 +13,30 @@ namespace {
 constexpr int kRowsInBand = 16;
 constexpr int kColumnsTogether = 8;
 
-/// Rays that pass beside one body, and where they touch it; body frame.
-class TouchingRays {
- public:
-  /// beside: where each of them passes the outline closely.
-  template <typename Beside>
-  void pass(std::size_t count, const Beside& beside) {
-    for (auto* vectors : {&direction_, &p_, &normal_}) {
-      for (auto& axis : *vectors) axis.resize(kernels::padded(count));
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::Vector3f p = beside(i).template cast<float>();
-      for (std::size_t axis = 0; axis < 3; ++axis) p_[axis][i] = p[static_cast<Eigen::Index>(axis)];
-    }
-    // What is left of the last lanes repeats the last ray.
-    for (auto& axis : p_) {
-      std::fill(axis.begin() + static_cast<std::ptrdiff_t>(count), axis.end(), axis[count - 1]);
-    }
-  }
-
-  void touch(const SignedDistanceField& field, const Eigen::Vector3d& origin) {
-    aim(origin);
-    kernels::touch(field.view(),
-                   {origin_.data(),
-                    {direction_[0].data(), direction_[1].data(), direction_[2].data()},
-                    p_[0].size()},
-                   {{p_[0].data(), p_[1].data(), p_[2].data()},
-                    {normal_[0].data(), normal_[1].data(), normal_[2].data()}});
-  }
-
-  /// Only the normals, of the surface nearest to where the rays pass.
-  void find_normals(const SignedDistanceField& field) {
-    float* const normals[3] = {normal_[0].data(), normal_[1].data(), normal_[2].data()};
-    kernels::surface_normals(field.view(), {p_[0].data(), p_[1].data(), p_[2].data(), p_[0].size()},
-                             normals);
-  }
-
-  Eigen::Vector3d p(std::size_t i) const { return vector(p_, i); }
-  Eigen::Vector3d normal(std::size_t i) const { return vector(normal_, i); }
-
- private:
-  using ByAxis = std::array<std::vector<float>, 3>;
-
-  void aim(const Eigen::Vector3d& origin) {
-    origin_ = origin.cast<float>();
-    for (std::size_t i = 0; i < p_[0].size(); ++i) {
-      const float x = p_[0][i] - origin_[0];
-      const float y = p_[1][i] - origin_[1];
-      const float z = p_[2][i] - origin_[2];
-      const float scale = 1.0F / std::sqrt(x * x + y * y + z * z);
-      direction_[0][i] = scale * x;
-      direction_[1][i] = scale * y;
-      direction_[2][i] = scale * z;
-    }
-  }
-
-  static Eigen::Vector3d vector(const ByAxis& axes, std::size_t i) {
-    return Eigen::Vector3f(axes[0][i], axes[1][i], axes[2][i]).cast<double>();
-  }
-
-  Eigen::Vector3f origin_ = Eigen::Vector3f::Zero();
-  ByAxis direction_;
-  ByAxis p_;
-  ByAxis normal_;
-};
-
 /// Some rows of the view.
 class Band {
  public:
   const std::vector<OutlinePoint>& points() const { return points_; }
 
-  /// Pixels beside which outlines pass, body by body, in a part of the view.
-  void find_pixels(const OutlineFinder& finder, std::size_t bodies, const ImageWindow& rows) {
+  /// rows: of a part of the view.
+  void find_points(const OutlineFinder& finder, const ArticulatedModel& model,
+                   const VisibleSurface& surface, const ImageWindow& rows) {
     jumps_.clear();
     for (int v = rows.top; v < rows.bottom(); ++v) finder.append_jumps(v, jumps_);
-    bring_together(finder, bodies, rows.right());
-    pixels_.clear();
-    for (const Pixel& jump : sorted_jumps_) {
-      if (const auto pixel = finder.look_beside(jump.u, jump.v)) pixels_.push_back(*pixel);
-    }
-  }
-
-  void find_points(const OutlineFinder& finder, const ArticulatedModel& model,
-                   const BodyPoses& T_body_camera) {
+    bring_together(finder, model.fields.size(), rows.right());
     points_.clear();
-    for (std::size_t first = 0; first < pixels_.size();) {
-      const auto body = static_cast<std::size_t>(pixels_[first].body);
-      std::size_t last = first;
-      while (last < pixels_.size() && pixels_[last].body == pixels_[first].body) ++last;
-      find_points_of_body(finder, {&pixels_[first], last - first}, *model.fields[body],
-                          T_body_camera[body].translation());
-      first = last;
+    for (auto first = sorted_jumps_.begin(); first != sorted_jumps_.end();) {
+      const int body = finder.body(first->u, first->v);
+      const auto last = std::find_if(first, sorted_jumps_.end(), [&](const Pixel& jump) {
+        return finder.body(jump.u, jump.v) != body;
+      });
+      rays_.clear();
+      for (; first != last; ++first) {
+        if (const auto pixel = finder.look_beside(first->u, first->v)) rays_.add(*pixel);
+      }
+      const auto b = static_cast<std::size_t>(body);
+      rays_.touch(*model.fields[b], surface.T_body_camera()[b], surface.view_camera());
+      add_points(finder);
     }
   }
 
@@ -125,17 +55,9 @@ class Band {
     for (const Pixel& jump : jumps_) sorted_jumps_[next_[group_of(jump)]++] = jump;
   }
 
-  /// First the normals are told by the field, then the points: rays that were aimed along the
-  /// normals of whole pixels would pass the outline at some places more often than at others, and
-  /// these depend on how pixels lie.
-  void find_points_of_body(const OutlineFinder& finder, std::span<const OutlinePixel> own,
-                           const SignedDistanceField& field, const Eigen::Vector3d& camera) {
-    rays_.pass(own.size(), [&](std::size_t i) { return finder.beside(own[i]); });
-    rays_.find_normals(field);
-    rays_.pass(own.size(), [&](std::size_t i) { return finder.beside(own[i], rays_.normal(i)); });
-    rays_.touch(field, camera);
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      const auto point = finder.point(own[i], rays_.p(i), rays_.normal(i));
+  void add_points(const OutlineFinder& finder) {
+    for (std::size_t i = 0; i < rays_.pixels().size(); ++i) {
+      const auto point = finder.point(rays_.pixels()[i], rays_.touch_of(i));
       if (point) finder.spread(*point, points_);
     }
   }
@@ -143,8 +65,7 @@ class Band {
   std::vector<Pixel> jumps_;         ///< row by row
   std::vector<Pixel> sorted_jumps_;  ///< body by body
   std::vector<std::size_t> next_;    ///< of them, by body and group of columns
-  std::vector<OutlinePixel> pixels_;
-  TouchingRays rays_;
+  OutlineRays rays_;
   std::vector<OutlinePoint> points_;
 };
 
@@ -163,7 +84,7 @@ void OutlinePoints::collect(const ArticulatedModel& model, const VisibleSurface&
                             const ViewEdges& edges, int spacing, const RegistrationOptions& options,
                             const Executor& executor) {
   const RenderedDepth& view = surface.view();
-  const OutlineFinder finder(model, surface, edges, spacing, options);
+  const OutlineFinder finder(surface, edges, spacing, options);
   std::vector<Band>& bands = workspace_->bands;
   bands.resize(static_cast<std::size_t>((view.height + kRowsInBand - 1) / kRowsInBand));
   executor.for_each(bands.size(), [&](std::size_t i) {
@@ -171,8 +92,7 @@ void OutlinePoints::collect(const ArticulatedModel& model, const VisibleSurface&
     ImageWindow rows = view.drawn;
     rows.top = std::max({band, 1, view.drawn.top});
     rows.height = std::min({band + kRowsInBand, view.height - 1, view.drawn.bottom()}) - rows.top;
-    bands[i].find_pixels(finder, model.fields.size(), rows);
-    bands[i].find_points(finder, model, surface.T_body_camera());
+    bands[i].find_points(finder, model, surface, rows);
   });
 }
 

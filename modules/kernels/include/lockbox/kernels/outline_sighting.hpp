@@ -11,8 +11,8 @@
 
 namespace lockbox::kernels {
 
-/// Outline points of one body, arrays of a length that is a multiple of kLanes. In double
-/// precision: a pixel more or less outwards is what the last digits of the outline's place decide.
+/// Outline points of one body, arrays with room for a multiple of kLanes. In double precision: a
+/// pixel more or less outwards is what the last digits of the outline's place decide.
 struct OutlineSpan {
   const double* p[3];       ///< metres, body frame
   const double* normal[3];  ///< unit vector across the ray, out of the body

@@ -14,7 +14,7 @@ namespace lockbox::kernels {
 struct RaySpan {
   const float* origin;        ///< of all of them, x y z, metres
   const float* direction[3];  ///< by ray, unit vectors
-  std::size_t size;           ///< a multiple of kLanes
+  std::size_t size;           ///< arrays have room for a multiple of kLanes
 };
 
 /// By ray, in the frame of the body.
