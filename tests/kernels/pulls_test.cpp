@@ -22,12 +22,11 @@ class PullsTest : public ::testing::Test {
   static constexpr std::size_t kPulls = 70;  // no multiple of any number of lanes
   static constexpr PullLoss kLoss{1e-6F, 3.0F};
 
-  PullsTest() : arrays(kNumbers, std::vector<float>(padded(kPulls), 0.0F)) {
+  PullsTest() : arrays(kNumbers, std::vector<float>(kPulls + kLanes, 1.0F)) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
     T = Eigen::Translation3d(0.05, -0.02, 1.2) *
         Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.3, 1.0, -0.2).normalized());
-    for (std::size_t i = 0; i < padded(kPulls); ++i) arrays[kVariance][i] = 1.0F;
     for (std::size_t i = 0; i < kPulls; ++i) {
       const Eigen::Vector3d p(0.3 * uniform(random), 0.2 * uniform(random), 0.02 * uniform(random));
       const Eigen::Vector3d n =
@@ -71,15 +70,16 @@ class PullsTest : public ::testing::Test {
     return static_cast<double>(arrays[which][i]);
   }
 
-  PullSpan span() const {
-    const auto at = [this](std::size_t number) { return arrays[number].data(); };
+  PullSpan span() const { return span(0, kPulls); }
+  PullSpan span(std::size_t first, std::size_t end) const {
+    const auto at = [&](std::size_t number) { return arrays[number].data() + first; };
     return {{at(kP), at(kP + 1), at(kP + 2)},
             {at(kTarget), at(kTarget + 1), at(kTarget + 2)},
             {at(kDirection), at(kDirection + 1), at(kDirection + 2)},
             at(kVariance),
             at(kTurn),
             at(kPixels),
-            padded(kPulls)};
+            end - first};
   }
 
   double residual(std::size_t i, const Eigen::Isometry3d& pose) const {
@@ -160,6 +160,30 @@ TEST_F(PullsTest, SumsAreThoseOfTheWeightedRows) {
       EXPECT_NEAR(sums.second_moment[k], second(row, column), 1e-3 * mass);
     }
   }
+}
+
+TEST_F(PullsTest, ProductsOfRunsAreTheSumsOfEach) {
+  const std::vector<std::size_t> ends{1, 9, 25, 26, 42, kPulls};
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    std::vector<PullProducts> products(ends.size());
+    multiply_runs(span(), motion, kLoss, ends, products.data());
+    std::size_t first = 0;
+    for (std::size_t run = 0; run < ends.size(); ++run) {
+      const NormalSums sums = accumulate_pulls(span(first, ends[run]), motion, kLoss);
+      int k = 0;
+      for (int row = 0; row < 6; ++row) {
+        for (int column = row; column < 6; ++column, ++k) {
+          EXPECT_NEAR(products[run].rows[row][column], sums.hessian[k], 1e-5 * sums.hessian[0]);
+          EXPECT_EQ(products[run].rows[row][column], products[run].rows[column][row]);
+        }
+        EXPECT_NEAR(products[run].rows[6][row], sums.gradient[row], 1e-6 * sums.hessian[0]);
+      }
+      first = ends[run];
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
 }
 
 TEST_F(PullsTest, EveryInstructionSetOfTheMachineAgrees) {

@@ -2,6 +2,7 @@
 #include "lockbox/kernels/pulls.hpp"
 
 #include <cmath>
+#include <iterator>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "pulls.cpp"
@@ -41,6 +42,19 @@ HWY_INLINE Residuals residuals_of(const PullSpan& pulls, std::size_t i,
   return result;
 }
 
+/// None of the pulls that follow the last one.
+HWY_INLINE Float pixels_of(const PullSpan& pulls, std::size_t i) {
+  const FloatTag df;
+  return hn::IfThenElseZero(hn::FirstN(df, pulls.size - i), hn::LoadU(df, pulls.pixels + i));
+}
+
+/// How much a pull counts by its pixels, its variance, and how likely it is to be no outlier.
+HWY_INLINE Float weight_of(const PullSpan& pulls, std::size_t i, const Residuals& at,
+                           const Float outlier) {
+  const Float share = hn::Div(at.gaussian, hn::Add(at.gaussian, outlier));
+  return hn::Mul(pixels_of(pulls, i), hn::Mul(share, at.inverse_variance));
+}
+
 NormalSums accumulate_pulls_lanes(const PullSpan& pulls, const RigidMotion& camera_from_body,
                                   const PullLoss& loss) {
   const FloatTag df;
@@ -51,8 +65,7 @@ NormalSums accumulate_pulls_lanes(const PullSpan& pulls, const RigidMotion& came
   feigned.set_zero();
   for (std::size_t i = 0; i < pulls.size; i += hn::Lanes(df)) {
     const Residuals at = residuals_of(pulls, i, camera_from_body, loss);
-    const Float share = hn::Div(at.gaussian, hn::Add(at.gaussian, outlier));
-    const Float w = hn::Mul(hn::LoadU(df, pulls.pixels + i), hn::Mul(share, at.inverse_variance));
+    const Float w = weight_of(pulls, i, at, outlier);
     Float n[3];
     rotate_back(camera_from_body, at.direction, n);
     lanes.add(at.p, n, w, hn::Neg(hn::Mul(w, at.residual)));
@@ -62,6 +75,57 @@ NormalSums accumulate_pulls_lanes(const PullSpan& pulls, const RigidMotion& came
   lanes.write(sums);
   feigned.write(sums);
   return sums;
+}
+
+/// The numbers b of pulls, four in each array.
+struct PullRows {
+  HWY_ALIGN float first[4 * padded(kMostPulls)];
+  HWY_ALIGN float last[4 * padded(kMostPulls)];
+};
+
+/// Sums of b b' over some of them.
+HWY_INLINE void multiply_run(const PullRows& rows, std::size_t begin, std::size_t end,
+                             PullProducts& products) {
+  const hn::CappedTag<float, 4> tag;
+  constexpr std::size_t kRows = std::size(PullProducts{}.rows);
+  for (std::size_t column = 0; column < 8; column += hn::Lanes(tag)) {
+    const float* const others = column < 4 ? rows.first + column : rows.last + column - 4;
+    hn::Vec<decltype(tag)> sums[kRows];
+    for (auto& sum : sums) sum = hn::Zero(tag);
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto other = hn::LoadU(tag, others + 4 * i);
+      for (std::size_t k = 0; k < kRows; ++k) {
+        const float* const own = k < 4 ? rows.first + k : rows.last + k - 4;
+        sums[k] = hn::MulAdd(hn::Set(tag, own[4 * i]), other, sums[k]);
+      }
+    }
+    for (std::size_t k = 0; k < kRows; ++k) hn::StoreU(sums[k], tag, products.rows[k] + column);
+  }
+}
+
+void multiply_runs_of(const PullSpan& pulls, const RigidMotion& camera_from_body,
+                      const PullLoss& loss, const std::size_t* ends, std::size_t runs,
+                      PullProducts* products) {
+  const FloatTag df;
+  const Float outlier = hn::Set(df, std::exp(-0.5F * loss.cut * loss.cut));
+  PullRows rows;
+  for (std::size_t i = 0; i < pulls.size; i += hn::Lanes(df)) {
+    const Residuals at = residuals_of(pulls, i, camera_from_body, loss);
+    const Float root = hn::Sqrt(weight_of(pulls, i, at, outlier));
+    Float n[3];
+    rotate_back(camera_from_body, at.direction, n);
+    for (Float& axis : n) axis = hn::Mul(root, axis);
+    hn::StoreInterleaved4(n[0], n[1], n[2], hn::MulSub(at.p[1], n[2], hn::Mul(at.p[2], n[1])), df,
+                          rows.first + 4 * i);
+    hn::StoreInterleaved4(hn::MulSub(at.p[2], n[0], hn::Mul(at.p[0], n[2])),
+                          hn::MulSub(at.p[0], n[1], hn::Mul(at.p[1], n[0])),
+                          hn::Mul(root, at.residual), hn::Zero(df), df, rows.last + 4 * i);
+  }
+  std::size_t first = 0;
+  for (std::size_t run = 0; run < runs; ++run) {
+    multiply_run(rows, first, ends[run], products[run]);
+    first = ends[run];
+  }
 }
 
 double pull_cost_lanes(const PullSpan& pulls, const RigidMotion& camera_from_body,
@@ -74,7 +138,7 @@ double pull_cost_lanes(const PullSpan& pulls, const RigidMotion& camera_from_bod
     const Residuals at = residuals_of(pulls, i, camera_from_body, loss);
     const Float gain =
         hn::Add(hn::Log(df, hn::Add(at.gaussian, outlier)), hn::Set(df, outlier_cost));
-    total = hn::NegMulAdd(hn::LoadU(df, pulls.pixels + i), gain, total);
+    total = hn::NegMulAdd(pixels_of(pulls, i), gain, total);
   }
   return sum_of_lanes(total);
 }
@@ -86,11 +150,18 @@ HWY_AFTER_NAMESPACE();
 namespace lockbox::kernels {
 
 HWY_EXPORT(accumulate_pulls_lanes);
+HWY_EXPORT(multiply_runs_of);
 HWY_EXPORT(pull_cost_lanes);
 
 NormalSums accumulate_pulls(const PullSpan& pulls, const RigidMotion& camera_from_body,
                             const PullLoss& loss) {
   return HWY_DYNAMIC_DISPATCH(accumulate_pulls_lanes)(pulls, camera_from_body, loss);
+}
+
+void multiply_runs(const PullSpan& pulls, const RigidMotion& camera_from_body, const PullLoss& loss,
+                   std::span<const std::size_t> ends, PullProducts* products) {
+  HWY_DYNAMIC_DISPATCH(multiply_runs_of)
+  (pulls, camera_from_body, loss, ends.data(), ends.size(), products);
 }
 
 double pull_cost(const PullSpan& pulls, const RigidMotion& camera_from_body, const PullLoss& loss) {

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
 #include "lockbox/core/units.hpp"
 
@@ -30,28 +28,25 @@ double systematic_floor(Index unknown, double lever) {
   return lever > 0.0 ? kJointFloor / lever : 0.0;
 }
 
-/// Of what: the tile of the image, the body, and how many pixels residuals stand for.
-auto part_of(const TileSystem& system) {
-  return std::tie(system.tile, system.body, system.pixels);
-}
-
 }  // namespace
 
 /// Brings all that speaks for the same body in the same tile together, in the order of the tiles.
 void CovarianceEstimator::merge(const std::vector<TileSystem>& tiles) {
-  order_.resize(tiles.size());
-  std::iota(order_.begin(), order_.end(), std::uint32_t{0});
-  std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tuple_cat(part_of(tiles[a]), std::tie(a)) <
-           std::tuple_cat(part_of(tiles[b]), std::tie(b));
-  });
+  order_.clear();
+  for (const TileSystem& system : tiles) {
+    order_.push_back({system.tile, system.body, system.pixels, order_.size()});
+  }
+  std::sort(order_.begin(), order_.end());
   merged_.clear();
-  for (const std::uint32_t i : order_) {
-    if (!merged_.empty() && part_of(merged_.back()) == part_of(tiles[i])) {
-      merged_.back().hessian += tiles[i].hessian;
-      merged_.back().gradient += tiles[i].gradient;
+  for (const Part& part : order_) {
+    const TileSystem& system = tiles[part.number];
+    const bool is_same = !merged_.empty() && merged_.back().tile == part.tile &&
+                         merged_.back().body == part.body && merged_.back().pixels == part.pixels;
+    if (is_same) {
+      merged_.back().hessian += system.hessian;
+      merged_.back().gradient += system.gradient;
     } else {
-      merged_.push_back(tiles[i]);
+      merged_.push_back(system);
     }
   }
 }

@@ -102,8 +102,10 @@ void EdgeSelection::keep_best(const VisibleSurface& surface,
                               std::size_t of_each_variable, const Executor& executor) {
   variables_ = static_cast<std::size_t>(screws.front().cols()) - 6;
   executor.for_each(rows_.size(), [&](std::size_t number) {
-    score(surface, screws, variables, variance, rows_[number]);
-    rows_[number].columns.clear();
+    Row& row = rows_[number];
+    score(surface, screws, variables, variance, row);
+    row.columns.swap(row.candidates);
+    row.columns.clear();
   });
   for (std::size_t v = 0; v < variables_; ++v) find_best(v, of_each_variable);
   for (Row& row : rows_) {
@@ -140,8 +142,7 @@ void EdgeSelection::score(const VisibleSurface& surface, const std::vector<BodyJ
 void EdgeSelection::find_best(std::size_t variable, std::size_t most) {
   scores_.clear();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    if (rows_[r].edges.empty()) continue;
-    for (int c = 0; c < columns_; ++c) {
+    for (const int c : rows_[r].candidates) {
       const float score = rows_[r].scores[static_cast<std::size_t>(c) * variables_ + variable];
       if (score > 0.0F) scores_.push_back({score, static_cast<int>(r), c});
     }

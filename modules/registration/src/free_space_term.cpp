@@ -2,6 +2,7 @@
 #include "lockbox/registration/free_space_term.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "image_tile.hpp"
@@ -188,13 +189,14 @@ double FreeSpaceTerm::linearize(const BodyPoses& T_camera_body, double spread,
                                 std::vector<BodySystem>& systems) {
   spread2_ = spread * spread;
   add_systems(seen_through_, T_camera_body, lambda_, systems);
-  add_systems(outlines_, T_camera_body, lambda_, systems);
+  outline_systems_.assign(systems.size(), BodySystem{});
+  add_systems(outlines_, T_camera_body, 1.0, outline_systems_);
+  add_outlines(lambda_, systems);
   return cost(T_camera_body);
 }
 
-void FreeSpaceTerm::add_outlines(const BodyPoses& T_camera_body, double weight,
-                                 std::vector<BodySystem>& systems) const {
-  add_systems(outlines_, T_camera_body, weight, systems);
+void FreeSpaceTerm::add_outlines(double weight, std::vector<BodySystem>& systems) const {
+  for (std::size_t b = 0; b < systems.size(); ++b) systems[b] += weight * outline_systems_[b];
 }
 
 void FreeSpaceTerm::add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
@@ -226,50 +228,50 @@ kernels::PullLoss FreeSpaceTerm::pull_loss() const {
 void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
                                         double outline_weight, const Executor& executor,
                                         std::vector<TileSystem>& systems) {
-  const auto seen_through = seen_through_.chunks();
-  const auto outlines = outlines_.chunks();
-  const std::size_t chunks = seen_through.size() + outlines.size();
-  chunk_systems_.resize(std::max(chunk_systems_.size(), chunks));
-  executor.for_each(chunks, [&](std::size_t i) {
-    const bool is_outline = i >= seen_through.size();
-    find_tile_systems(is_outline ? outlines[i - seen_through.size()] : seen_through[i],
-                      T_camera_body, first_tile, is_outline ? outline_weight : lambda_,
-                      chunk_systems_[i]);
+  const std::size_t of_samples = seen_through_.blocks().size();
+  const std::size_t blocks = of_samples + outlines_.blocks().size();
+  block_systems_.resize(std::max(block_systems_.size(), blocks));
+  executor.for_each(blocks, [&](std::size_t i) {
+    if (i < of_samples) {
+      find_tile_systems(seen_through_, i, T_camera_body, first_tile, lambda_, block_systems_[i]);
+    } else {
+      find_tile_systems(outlines_, i - of_samples, T_camera_body, first_tile, outline_weight,
+                        block_systems_[i]);
+    }
   });
-  for (const auto& chunk : std::span(chunk_systems_.data(), chunks)) {
-    systems.insert(systems.end(), chunk.begin(), chunk.end());
+  for (const auto& block : std::span(block_systems_.data(), blocks)) {
+    systems.insert(systems.end(), block.begin(), block.end());
   }
 }
 
 /// Neighbours mostly follow each other.
-void FreeSpaceTerm::find_tile_systems(std::span<const FreeSpacePull> pulls,
+void FreeSpaceTerm::find_tile_systems(const PullSet& pulls, std::size_t block_index,
                                       const BodyPoses& T_camera_body, std::size_t first_tile,
                                       double weight, std::vector<TileSystem>& systems) const {
-  const double outliers = density_of_outliers(cut_);
-  systems.clear();
-  for (const FreeSpacePull& pull : pulls) {
-    const std::size_t tile = first_tile + pull.tile;
-    if (systems.empty() || systems.back().tile != tile || systems.back().body != pull.body ||
-        systems.back().pixels != pull.pixels) {
-      systems.push_back({tile, pull.body, pull.pixels, Matrix6::Zero(), Twist::Zero()});
-    }
-    add_to(systems.back(), pull, T_camera_body[static_cast<std::size_t>(pull.body)], outliers,
-           weight);
+  const PullSet::Block& block = pulls.blocks()[block_index];
+  const kernels::RigidMotion motion =
+      to_rigid_motion(T_camera_body[static_cast<std::size_t>(block.body)]);
+  std::array<std::size_t, kernels::kMostPulls> ends;
+  std::array<kernels::PullProducts, kernels::kMostPulls> products;
+  std::size_t runs = 0;
+  for (std::size_t i = 1; i <= block.count; ++i) {
+    const std::size_t last = block.first + i - 1;
+    const bool goes_on = i < block.count && pulls.tile(last + 1) == pulls.tile(last) &&
+                         pulls.pixels_of(last + 1) == pulls.pixels_of(last);
+    if (!goes_on) ends[runs++] = i;
   }
-}
-
-void FreeSpaceTerm::add_to(TileSystem& system, const FreeSpacePull& pull,
-                           const Eigen::Isometry3d& T_camera_body, double outliers,
-                           double weight) const {
-  const double residual = pull.direction.dot(T_camera_body * pull.p_body - pull.target);
-  const double inverse_variance = 1.0 / (pull.variance + spread2_);
-  const double w = weight * pull.pixels * gaussian_share(residual, inverse_variance, outliers) *
-                   inverse_variance;
-  const Eigen::Vector3d n_body = T_camera_body.linear().transpose() * pull.direction;
-  Twist row;
-  row << n_body, pull.p_body.cross(n_body);
-  system.hessian.noalias() += w * row * row.transpose();
-  system.gradient += w * residual * row;
+  kernels::multiply_runs(pulls.span(block), motion, pull_loss(), {ends.data(), runs},
+                         products.data());
+  systems.clear();
+  for (std::size_t run = 0; run < runs; ++run) {
+    const std::size_t last = block.first + ends[run] - 1;
+    systems.push_back({first_tile + pulls.tile(last), block.body,
+                       static_cast<double>(pulls.pixels_of(last)), Matrix6::Zero(), Twist::Zero()});
+    using Rows = Eigen::Matrix<float, 7, 8, Eigen::RowMajor>;
+    const auto rows = Eigen::Map<const Rows>(&products[run].rows[0][0]).cast<double>();
+    systems.back().hessian = weight * rows.topLeftCorner<6, 6>();
+    systems.back().gradient = weight * rows.row(6).head<6>();
+  }
 }
 
 }  // namespace lockbox

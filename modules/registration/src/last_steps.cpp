@@ -23,7 +23,7 @@ constexpr double kMostObjection = 4.5;    // of cost: three standard deviations
 void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_joints) {
   const double outline_weight = options_.noise_correlation / options_.outline_correlation;
   std::fill(systems_.begin(), systems_.end(), BodySystem{});
-  free_term_.add_outlines(poses_, outline_weight - options_.lambda_free, systems_);
+  free_term_.add_outlines(outline_weight - options_.lambda_free, systems_);
   for (std::size_t b = 0; b < systems_.size(); ++b) {
     for (NormalEquations* equations : {&data_equations_, &equations_}) {
       equations->add(systems_[b], jacobians_[b], 1.0 / options_.noise_correlation);

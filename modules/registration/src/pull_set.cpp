@@ -7,7 +7,7 @@
 namespace lockbox {
 namespace {
 
-constexpr std::size_t kMostInBlock = 256;
+constexpr std::size_t kMostInBlock = kernels::kMostPulls;
 
 }  // namespace
 
@@ -36,9 +36,9 @@ void PullSet::finish(std::size_t bodies) {
       arrays_[variance][i] = static_cast<float>(pull.variance);
       arrays_[direction_variance][i] = static_cast<float>(pull.direction_variance);
       arrays_[pixels][i] = static_cast<float>(pull.pixels);
+      tiles_[i] = pull.tile;
     }
   }
-  pad();
 }
 
 /// Makes room for the pulls of each body.
@@ -50,26 +50,19 @@ void PullSet::lay_out(std::size_t bodies) {
   blocks_.clear();
   std::size_t end = 0;
   for (std::size_t body = 0; body < bodies; ++body) {
-    const std::size_t padded = kernels::padded(next_[body]);
+    const std::size_t count = next_[body];
     next_[body] = end;
-    for (std::size_t begin = 0; begin < padded; begin += kMostInBlock) {
+    for (std::size_t begin = 0; begin < count; begin += kMostInBlock) {
       blocks_.push_back(
-          {static_cast<int>(body), end + begin, std::min(kMostInBlock, padded - begin)});
+          {static_cast<int>(body), end + begin, std::min(kMostInBlock, count - begin)});
     }
-    end += padded;
+    end += count;
   }
-  for (std::vector<float>& array : arrays_) array.resize(end);
-}
-
-/// What is left of each body's last lanes weighs nothing.
-void PullSet::pad() {
-  for (const std::size_t first : next_) {
-    const std::size_t count = kernels::padded(first) - first;
-    for (std::vector<float>& array : arrays_) {
-      std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0F);
-    }
-    std::fill_n(arrays_[variance].begin() + static_cast<std::ptrdiff_t>(first), count, 1.0F);
-  }
+  // The last pull's vector may reach beyond it, and what it reads there must be numbers.
+  for (std::vector<float>& array : arrays_) array.resize(end + kernels::kLanes, 0.0F);
+  std::fill(arrays_[variance].begin() + static_cast<std::ptrdiff_t>(end), arrays_[variance].end(),
+            1.0F);
+  tiles_.resize(end);
 }
 
 kernels::PullSpan PullSet::span(const Block& block) const {
@@ -80,7 +73,7 @@ kernels::PullSpan PullSet::span(const Block& block) const {
           from(variance),
           from(direction_variance),
           from(pixels),
-          block.padded};
+          block.count};
 }
 
 }  // namespace lockbox

@@ -6,13 +6,14 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "lockbox/kernels/point_to_field.hpp"
 
 namespace lockbox::kernels {
 
-/// Pulls of one body: residual = direction . (camera_from_body p - target). Padding has pixels 0
-/// and a variance.
+/// Pulls of one body: residual = direction . (camera_from_body p - target). As many as the widest
+/// vector holds can be read from the last one on; they have a variance, too.
 struct PullSpan {
   const float* p[3];                ///< body frame, metres
   const float* target[3];           ///< camera frame, metres
@@ -20,7 +21,7 @@ struct PullSpan {
   const float* variance;            ///< of the residual by noise, m^2
   const float* direction_variance;  ///< squared radians
   const float* pixels;              ///< that a pull stands for
-  std::size_t size;                 ///< a multiple of kLanes
+  std::size_t size;
 };
 
 /// What is assumed of residuals: Gaussian, with so much more variance (m^2) than by noise, or
@@ -36,6 +37,19 @@ struct PullLoss {
 /// weighted_squares, weight.
 NormalSums accumulate_pulls(const PullSpan& pulls, const RigidMotion& camera_from_body,
                             const PullLoss& loss);
+
+/// Of some pulls: sum w b b', with w and a as above and b = (a, residual, 0). Their hessian, and as
+/// the seventh row their gradient.
+struct PullProducts {
+  float rows[7][8];
+};
+
+inline constexpr std::size_t kMostPulls = 256;  ///< whose products are asked for at a time
+
+/// Writes the products of runs of pulls, each of which ends where the next one begins. In few sums,
+/// so that many short runs take no longer than a long one. pulls: kMostPulls at most.
+void multiply_runs(const PullSpan& pulls, const RigidMotion& camera_from_body, const PullLoss& loss,
+                   std::span<const std::size_t> ends, PullProducts* products);
 
 /// sum pixels (E - c) with E and c as in `associate`, for a single body.
 double pull_cost(const PullSpan& pulls, const RigidMotion& camera_from_body, const PullLoss& loss);

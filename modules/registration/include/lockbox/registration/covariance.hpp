@@ -10,7 +10,8 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <cstdint>
+#include <compare>
+#include <cstddef>
 #include <vector>
 
 #include "lockbox/registration/bounded_step.hpp"
@@ -53,6 +54,15 @@ class CovarianceEstimator {
   const std::vector<bool>& observable() const { return observable_; }
 
  private:
+  /// Of what a system is: the tile of the image, the body, how many pixels residuals stand for; and
+  /// its number among those given.
+  struct Part {
+    std::size_t tile;
+    int body;
+    double pixels;
+    std::size_t number;
+    auto operator<=>(const Part&) const = default;
+  };
   /// How much more the mean residual of a tile varies than if all its residuals were independent
   /// and as large as assumed: of the tiles whose residuals stand for that many pixels.
   struct Dispersion {
@@ -75,7 +85,7 @@ class CovarianceEstimator {
   Eigen::VectorXd sigma_;
   std::vector<bool> observable_;
 
-  std::vector<std::uint32_t> order_;  ///< in which tiles are merged
+  std::vector<Part> order_;  ///< in which tiles are merged
   std::vector<TileSystem> merged_;
   Eigen::VectorXd unit_;  ///< by unknown; 0: held
   Eigen::MatrixXd information_;

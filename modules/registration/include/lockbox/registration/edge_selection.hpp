@@ -42,6 +42,7 @@ class EdgeSelection {
     std::vector<std::int32_t> bends;       ///< of a row of the view: the columns of pixels
     std::vector<Pixel> edges;              ///< pixels of the view in these tiles that bend
     std::vector<std::uint8_t> shows_edge;  ///< by tile
+    std::vector<int> candidates;           ///< tiles that show an edge, in order
     std::vector<float> scores;             ///< by tile and variable
     std::vector<int> columns;
   };

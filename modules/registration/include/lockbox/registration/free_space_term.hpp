@@ -46,9 +46,8 @@ class FreeSpaceTerm {
   /// The cost at other poses under the selection of the last linearisation.
   double cost(const BodyPoses& T_camera_body) const;
 
-  /// Adds the systems of the outlines once more, under the loss of the last linearisation.
-  void add_outlines(const BodyPoses& T_camera_body, double weight,
-                    std::vector<BodySystem>& systems) const;
+  /// Adds the systems of the outlines of the last linearisation once more.
+  void add_outlines(double weight, std::vector<BodySystem>& systems) const;
 
   /// Appends what each pull of the last linearisation had to say, with outlines so many times.
   /// first_tile: number of the first tile of the image among the tiles of the systems.
@@ -65,11 +64,9 @@ class FreeSpaceTerm {
   void add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
                    std::vector<BodySystem>& systems) const;
   kernels::PullLoss pull_loss() const;
-  void find_tile_systems(std::span<const FreeSpacePull> pulls, const BodyPoses& T_camera_body,
-                         std::size_t first_tile, double weight,
+  void find_tile_systems(const PullSet& pulls, std::size_t block_index,
+                         const BodyPoses& T_camera_body, std::size_t first_tile, double weight,
                          std::vector<TileSystem>& systems) const;
-  void add_to(TileSystem& system, const FreeSpacePull& pull, const Eigen::Isometry3d& T_camera_body,
-              double outliers, double weight) const;
 
   BodyPoses T_body_camera_;
   double lambda_ = 1.0;
@@ -79,7 +76,8 @@ class FreeSpaceTerm {
   std::vector<std::size_t> chunk_begins_;               ///< how many before each chunk; all
   PullSet seen_through_;                                ///< by chunks of samples
   PullSet outlines_;                                    ///< by bands of outlines
-  std::vector<std::vector<TileSystem>> chunk_systems_;  ///< of both
+  std::vector<BodySystem> outline_systems_;             ///< by body, of the last linearisation
+  std::vector<std::vector<TileSystem>> block_systems_;  ///< of both
   SampleLandings landings_;
   std::vector<ObservedOutline> observed_outlines_;  ///< by worker
 };

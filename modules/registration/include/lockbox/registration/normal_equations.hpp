@@ -32,6 +32,10 @@ struct BodySystem {
     return *this;
   }
 
+  friend BodySystem operator*(double weight, const BodySystem& system) {
+    return {weight * system.hessian, weight * system.gradient, weight * system.feigned};
+  }
+
   /// The curvature less what wrong normals could feign. A disk that turns about its axis slides
   /// along itself; facets and the field's cells tilt its normals, and thousands of points would
   /// make of that an angle, known to a degree.

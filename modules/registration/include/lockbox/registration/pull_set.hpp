@@ -31,7 +31,7 @@ class PullSet {
   struct Block {
     int body;
     std::size_t first;
-    std::size_t padded;
+    std::size_t count;
   };
 
   /// So many empty chunks, for pulls to be put into.
@@ -46,15 +46,19 @@ class PullSet {
   const std::vector<Block>& blocks() const { return blocks_; }
   kernels::PullSpan span(const Block& block) const;
 
+  /// Of a pull that is laid out.
+  std::size_t tile(std::size_t pull) const { return tiles_[pull]; }
+  float pixels_of(std::size_t pull) const { return arrays_[pixels][pull]; }
+
  private:
   enum Number { px, py, pz, tx, ty, tz, dx, dy, dz, variance, direction_variance, pixels, numbers };
 
   void lay_out(std::size_t bodies);
-  void pad();
 
   std::vector<std::vector<FreeSpacePull>> chunks_;  ///< more are kept for later
   std::size_t count_ = 0;                           ///< of them, in use
   std::array<std::vector<float>, numbers> arrays_;
+  std::vector<std::size_t> tiles_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> next_;  ///< by body: where its next pull goes
 };
