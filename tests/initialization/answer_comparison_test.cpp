@@ -50,6 +50,19 @@ TEST(AnswerComparison, NearEachOtherTheOneThatExplainsMostIsBest) {
   EXPECT_EQ(answers[0].total, 1000.0);
 }
 
+/// A block upside down, of which another side lies where the right one is: a drawing in pixels
+/// hardly tells them apart, but behind the wrong one points lie where its surface should be.
+TEST(AnswerComparison, OfThoseThatExplainAboutTheSameTheMoreConvincingIsBest) {
+  std::vector<Answer> answers{answer(15.5, 657.0, {1, 1, 1, 1, 0, 0}, 3.1),
+                              answer(26.6, 655.0, {1, 1, 1, 0, 1, 0}, 0.0),
+                              answer(8.0, 512.0, {1, 1, 1, 0, 0, 0}, 1.6)};
+  sort_best_first(answers, kLevers);
+  EXPECT_EQ(answers[0].total, 655.0);
+  EXPECT_EQ(answers[0].candidate.score, 26.6);
+  EXPECT_EQ(answers[1].candidate.score, 26.6 * 512.0 / 655.0);
+  EXPECT_EQ(answers[2].candidate.score, 15.5);
+}
+
 TEST(AnswerComparison, ARivalIsNearlyAsConvincingAndDoesNotCompete) {
   const Answer best = answer(40.0, 4000.0, {1, 1, 1, 0, 0, 0}, 0.0);
   const Answer turned = answer(39.9, 3900.0, {1, 1, 1, 0, 0, 0}, 3.1);

@@ -36,7 +36,9 @@ class HardScenes : public ::testing::TestWithParam<HardScene> {
 TEST_P(HardScenes, AreRight) {
   const GlobalResult result = search();
   EXPECT_TRUE(result.determined);
-  EXPECT_TRUE(result.right) << "wrong: " << result.wrong;
+  EXPECT_TRUE(result.right) << "wrong: " << result.wrong << ", the base by "
+                            << 1e3 * result.translation << " mm and " << result.rotation
+                            << " radians";
   EXPECT_EQ(result.status, TrackingStatus::tracking);
 }
 

@@ -14,6 +14,10 @@ constexpr double kNearlyAsConvincing = 0.98;
 /// kPossible five have a rival with 0.75 of it, of three wrong ones all.
 constexpr double kNotMuchLess = 0.75;
 
+/// Of the evidence that another answer has: the same, but for chance. The drawing's outlines are
+/// whole pixels, and steps of a tenth of one change the evidence by up to four hundredths.
+constexpr double kAsMuch = 0.95;
+
 /// Whether most of the pixels that either explains are the same.
 bool explain_the_same(const Answer& a, const Answer& b) {
   std::size_t by_a = 0;
@@ -35,6 +39,16 @@ bool compete(const Answer& a, const Answer& b, const ModelLevers& levers) {
          explain_the_same(a, b);
 }
 
+/// Of those from first on that compete with the last one and explain as much as it.
+void put_before_less_convincing(std::vector<Answer>::iterator first,
+                                std::vector<Answer>::iterator last, const ModelLevers& levers) {
+  const auto worse = std::find_if(first, last, [&](const Answer& other) {
+    return last->total >= kAsMuch * other.total && last->candidate.score > other.candidate.score &&
+           compete(other, *last, levers);
+  });
+  std::rotate(worse, last, last + 1);
+}
+
 double least_score_of_rivals(double best) {
   return (best < kPossible ? kNotMuchLess : kNearlyAsConvincing) * best;
 }
@@ -44,6 +58,9 @@ double least_score_of_rivals(double best) {
 void sort_best_first(std::vector<Answer>& answers, const ModelLevers& levers) {
   std::stable_sort(answers.begin(), answers.end(),
                    [](const Answer& a, const Answer& b) { return a.total > b.total; });
+  for (auto answer = answers.begin(); answer != answers.end(); ++answer) {
+    put_before_less_convincing(answers.begin(), answer, levers);
+  }
   for (auto answer = answers.begin(); answer != answers.end(); ++answer) {
     const auto best_there = std::find_if(answers.begin(), answer, [&](const Answer& other) {
       return compete(other, *answer, levers);

@@ -10,8 +10,8 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <compare>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "lockbox/registration/bounded_step.hpp"
@@ -61,7 +61,10 @@ class CovarianceEstimator {
     int body;
     double pixels;
     std::size_t number;
-    auto operator<=>(const Part&) const = default;
+    bool operator<(const Part& other) const {
+      return std::tie(tile, body, pixels, number) <
+             std::tie(other.tile, other.body, other.pixels, other.number);
+    }
   };
   /// How much more the mean residual of a tile varies than if all its residuals were independent
   /// and as large as assumed: of the tiles whose residuals stand for that many pixels.
