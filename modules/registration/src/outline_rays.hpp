@@ -48,15 +48,39 @@ class OutlineRays {
   OutlineTouch touch_of(std::size_t pixel) const;
 
  private:
-  // clang-format off
   enum Number {
-    u, v, pixel_depth, nu, nv,          // of pixels
-    px, py, pz, ox, oy, oz, aside,      // aims
-    tx, ty, tz, nx, ny, nz, dx, dy, dz, // points, their normals, directions of rays
-    ax, ay, az, agreement, at_u, at_v, du, dv, depth,  // looks
+    u,  // of pixels: where they are, depths, normals
+    v,
+    pixel_depth,
+    nu,
+    nv,
+    px,  // of aims: surface, outwards, aside
+    py,
+    pz,
+    ox,
+    oy,
+    oz,
+    aside,
+    tx,  // of rays: points that they touch, normals there, directions
+    ty,
+    tz,
+    nx,
+    ny,
+    nz,
+    dx,
+    dy,
+    dz,
+    ax,  // of what the camera sees of those points
+    ay,
+    az,
+    agreement,
+    at_u,
+    at_v,
+    du,
+    dv,
+    depth,
     numbers
   };
-  // clang-format on
 
   void lay_out();
   float* from(Number number) { return arrays_[number].data(); }
