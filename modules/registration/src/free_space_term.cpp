@@ -244,7 +244,7 @@ void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::siz
   }
 }
 
-/// Neighbours mostly follow each other.
+/// Of a block, run by run.
 void FreeSpaceTerm::find_tile_systems(const PullSet& pulls, std::size_t block_index,
                                       const BodyPoses& T_camera_body, std::size_t first_tile,
                                       double weight, std::vector<TileSystem>& systems) const {
@@ -254,11 +254,9 @@ void FreeSpaceTerm::find_tile_systems(const PullSet& pulls, std::size_t block_in
   std::array<std::size_t, kernels::kMostPulls> ends;
   std::array<kernels::PullProducts, kernels::kMostPulls> products;
   std::size_t runs = 0;
-  for (std::size_t i = 1; i <= block.count; ++i) {
-    const std::size_t last = block.first + i - 1;
-    const bool goes_on = i < block.count && pulls.tile(last + 1) == pulls.tile(last) &&
-                         pulls.pixels_of(last + 1) == pulls.pixels_of(last);
-    if (!goes_on) ends[runs++] = i;
+  for (std::size_t done = 0; done < block.count;) {
+    done = pulls.end_of_run(block.first + done, block.first + block.count) - block.first;
+    ends[runs++] = done;
   }
   kernels::multiply_runs(pulls.span(block), motion, pull_loss(), {ends.data(), runs},
                          products.data());

@@ -65,6 +65,12 @@ void PullSet::lay_out(std::size_t bodies) {
   tiles_.resize(end);
 }
 
+std::size_t PullSet::end_of_run(std::size_t pull, std::size_t end) const {
+  std::size_t next = pull + 1;
+  while (next < end && tile(next) == tile(pull) && pixels_of(next) == pixels_of(pull)) ++next;
+  return next;
+}
+
 kernels::PullSpan PullSet::span(const Block& block) const {
   const auto from = [&](std::size_t number) { return arrays_[number].data() + block.first; };
   return {{from(px), from(py), from(pz)},

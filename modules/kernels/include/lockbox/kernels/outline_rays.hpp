@@ -35,11 +35,12 @@ struct OutlineAims {
   float* aside;        ///< metres from the surface to where a ray is to pass
 };
 
-/// How far beside an outline the field is asked, metres: a pixel and as much as clamped.
+/// How far beside the surface in a pixel the field is asked, metres: a pixel, and beyond it up to
+/// `farthest` in all, but from `least` to `most`.
 struct Aside {
   float least;
   float most;
-  float farthest;  ///< in all, where that leaves the least
+  float farthest;
 };
 
 /// Where rays through pixels meet the surface, and a point on a ray beside the outline for each of
@@ -58,7 +59,7 @@ void aim_along_normals(const OutlineAims& aims, const float* const normals[3],
 /// What is written of each point where a ray touches the body.
 struct OutlineLooks {
   float* normal[3];     ///< across the ray, out of the body: unit vector in its frame
-  float* agreement;     ///< of that with the pixel's, times its length before it was made 1
+  float* agreement;     ///< its cosine with the pixel's, times the sine of surface normal and ray
   float* at[2];         ///< pixels of the view
   float* direction[2];  ///< of the normal in the view, unit vector
   float* depth;         ///< metres

@@ -46,6 +46,10 @@ class PullSet {
   const std::vector<Block>& blocks() const { return blocks_; }
   kernels::PullSpan span(const Block& block) const;
 
+  /// Past the last of the pulls from this one on, before `end`, that are in the same tile and stand
+  /// for as many pixels: neighbours mostly follow each other.
+  std::size_t end_of_run(std::size_t pull, std::size_t end) const;
+
   /// Of a pull that is laid out.
   std::size_t tile(std::size_t pull) const { return tiles_[pull]; }
   float pixels_of(std::size_t pull) const { return arrays_[pixels][pull]; }
