@@ -126,6 +126,20 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   const Eigen::VectorXd numeric =
       numeric_gradient(at, 1e-4, [&](const Configuration& x) { return term.cost(poses(x)); });
   EXPECT_LT((analytic.gradient - numeric).norm(), 3e-4 * numeric.norm());
+  // What the covariance takes for the scatter of this gradient.
+  std::vector<TileSystem> tiles;
+  term.append_tile_systems(poses(at), 0, options.lambda_free, executor, tiles);
+  ASSERT_GT(tiles.size(), 20U);
+  std::vector<BodySystem> sums(systems.size());
+  for (const TileSystem& tile : tiles) {
+    sums[static_cast<std::size_t>(tile.body)] += {tile.hessian, tile.gradient, Matrix6::Zero()};
+  }
+  for (std::size_t b = 0; b < systems.size(); ++b) {
+    EXPECT_LT((sums[b].hessian - systems[b].hessian).norm(),
+              1e-5 * systems[b].hessian.norm() + 1e-9);
+    EXPECT_LT((sums[b].gradient - systems[b].gradient).norm(),
+              1e-4 * analytic.gradient.norm() + 1e-9);
+  }
 }
 
 /// What the pixels around the model's edges are expected to measure (1/metre), with the derivative
