@@ -63,6 +63,14 @@ TEST(AnswerComparison, OfThoseThatExplainAboutTheSameTheMoreConvincingIsBest) {
   EXPECT_EQ(answers[2].candidate.score, 15.5);
 }
 
+TEST(AnswerComparison, FiftiethsOfTheEvidenceAreNoChance) {
+  std::vector<Answer> answers{answer(26.3, 1989.0, {1, 1, 1, 1, 0, 0}, 3.1),
+                              answer(41.4, 1947.0, {1, 1, 1, 0, 1, 0}, 0.0)};
+  sort_best_first(answers, kLevers);
+  EXPECT_EQ(answers[0].total, 1989.0);
+  EXPECT_EQ(answers[0].candidate.score, 26.3);
+}
+
 TEST(AnswerComparison, ARivalIsNearlyAsConvincingAndDoesNotCompete) {
   const Answer best = answer(40.0, 4000.0, {1, 1, 1, 0, 0, 0}, 0.0);
   const Answer turned = answer(39.9, 3900.0, {1, 1, 1, 0, 0, 0}, 3.1);

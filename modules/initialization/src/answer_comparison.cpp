@@ -39,7 +39,8 @@ bool compete(const Answer& a, const Answer& b, const ModelLevers& levers) {
          explain_the_same(a, b);
 }
 
-/// Of those from first on that compete with the last one and explain as much as it.
+/// Moves the last one before the first of those that compete with it, explain no more but for
+/// chance, and convince less.
 void put_before_less_convincing(std::vector<Answer>::iterator first,
                                 std::vector<Answer>::iterator last, const ModelLevers& levers) {
   const auto worse = std::find_if(first, last, [&](const Answer& other) {

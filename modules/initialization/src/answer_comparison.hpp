@@ -25,8 +25,8 @@ struct Answer {
 
 /// Puts the best answer first. Of those that compete for the same pixels the one that explains most
 /// is the best, or of those that explain about as much the one that scores most, and the scores of
-/// others become their share of what it explains.
-/// Answers that do not compete are compared by score, how convincing they are.
+/// others become their share of what it explains. Answers that do not compete are compared by
+/// score, how convincing they are.
 void sort_best_first(std::vector<Answer>& answers, const ModelLevers& levers);
 
 /// See Candidate::rival_distance. answers: best first.
