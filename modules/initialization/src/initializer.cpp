@@ -20,7 +20,7 @@ constexpr std::size_t kMostRegions = 32;
 /// kept then).
 constexpr double kConvincing = 36.0;
 constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, false};
-constexpr Breadth kWide{32, {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 2}, true};
+constexpr Breadth kWide{32, {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 4}, true};
 
 PlanarScene planes(const CoarseView& view, double noise) {
   return {view, noise, find_planar_regions(view, noise, kLeastSamples, kMostRegions)};
