@@ -123,12 +123,13 @@ struct AgreementMeter::Scene {
 void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface& surface,
                              const ViewSamples& samples, const BodyPoses& T_camera_body,
                              const TiledCloud& cloud, const RegistrationOptions& options,
-                             const Executor& executor) {
+                             const Executor& executor, FunctionRef<void()> meanwhile) {
   total_ = {};
   bodies_.assign(T_camera_body.size(), {});
   body_outlines_.assign(T_camera_body.size(), {});
   outline_ = {};
   if (!cloud.has_image()) {
+    meanwhile();
     return;
   }
   reserve(executor);
@@ -136,7 +137,13 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
   chunk_counts_.assign(chunks, {});
   chunk_outlines_.assign(chunks, {});
   const Scene scene{model, surface, samples, T_camera_body, cloud, options};
-  executor.for_each(chunks, [&](std::size_t chunk) { look_at_chunk(scene, chunk); });
+  executor.for_each(1 + chunks, [&](std::size_t i) {
+    if (i == 0) {
+      meanwhile();
+    } else {
+      look_at_chunk(scene, i - 1);
+    }
+  });
   for (std::size_t i = 0; i < chunks; ++i) {
     const auto body = static_cast<std::size_t>(samples.chunks()[i].body);
     add(chunk_counts_[i], bodies_[body]);

@@ -79,12 +79,9 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
     refine(cloud.camera(), annealing.hold_joints);
     if (annealing.iterations > 0 && !annealing.hold_joints) sight_low_relief(cloud);
   }
-  covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
-                       scale_, held_);
-  for (Index v = 0; v < static_cast<Index>(sightings_.size()); ++v) {
-    const auto& sighting = sightings_[static_cast<std::size_t>(v)];
-    if (sighting) covariance_.set_independent(6 + v, sighting->variance);
-  }
+  forward_kinematics(model_.tree, result_.configuration, poses_);
+  agreement_.measure(model_, view_->surface(), view_->samples(), poses_, cloud, options_, executor_,
+                     [&] { estimate_covariance(); });
   if (annealing.iterations > 0 && annealing.at_edges) {
     refine_at_edges(cloud, annealing.hold_joints);
   }
@@ -93,8 +90,6 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.sigma = covariance_.sigma();
   result_.observable = covariance_.observable();
   result_.last_move = moves_.of_significant(last_step_, result_.observable, result_.sigma);
-  agreement_.measure(model_, view_->surface(), view_->samples(), poses_, cloud, options_,
-                     executor_);
   result_.agreement = agreement_.total();
   result_.body_agreement = agreement_.bodies();
   result_.outline = agreement_.outline();
@@ -103,6 +98,16 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.residual_rms =
       totals.points > 0.0 ? std::sqrt(totals.weighted_squares / totals.points) : 0.0;
   return result_;
+}
+
+/// Before edges add to it.
+void ArticulatedRegistration::estimate_covariance() {
+  covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
+                       scale_, held_);
+  for (Index v = 0; v < static_cast<Index>(sightings_.size()); ++v) {
+    const auto& sighting = sightings_[static_cast<std::size_t>(v)];
+    if (sighting) covariance_.set_independent(6 + v, sighting->variance);
+  }
 }
 
 /// The descent. From a prediction, a few of many points are enough to come near, and near is where

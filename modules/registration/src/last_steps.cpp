@@ -52,7 +52,6 @@ void ArticulatedRegistration::refine_at_edges(const TiledCloud& cloud, bool hold
   if (!options_.refine_at_edges || !cloud.has_image()) return;
   const std::size_t tiles = view_detail(options_.point_budget).edge_tiles_per_joint;
   if (tiles == 0) return;
-  forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
   edges_.linearize(cloud, view_->surface(), tiles, poses_, jacobians_);
   edge_equations_.information = edges_.information();

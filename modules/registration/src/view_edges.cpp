@@ -9,7 +9,7 @@ namespace lockbox {
 namespace {
 
 constexpr float kRelief = 1.5e-3F;  // of the depth: a bend or a step within a body
-constexpr std::size_t kRowsPerChunk = 16;
+constexpr std::size_t kRowsPerChunk = 8;
 
 }  // namespace
 

@@ -11,9 +11,9 @@
 namespace lockbox {
 namespace {
 
-constexpr std::size_t kRowsPerChunk = 16;
-constexpr std::size_t kColumnsPerChunk = 64;
-constexpr std::size_t kTilesPerChunk = 8;
+constexpr std::size_t kRowsPerChunk = 8;
+constexpr std::size_t kColumnsPerChunk = 32;
+constexpr std::size_t kTilesPerChunk = 4;
 constexpr std::uint8_t kFarthestCounted = 255;
 constexpr std::int16_t kFarthestLabel = -1 - kFarthestCounted;
 

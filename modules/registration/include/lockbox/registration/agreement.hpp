@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/function_ref.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/outline_agreement.hpp"
 #include "lockbox/registration/registration_options.hpp"
@@ -41,9 +42,11 @@ struct Agreement {
 /// configuration: its samples are carried along.
 class AgreementMeter {
  public:
+  /// meanwhile: called once, by one of the threads; what no other could share with it.
   void measure(const ArticulatedModel& model, const VisibleSurface& surface,
                const ViewSamples& samples, const BodyPoses& T_camera_body, const TiledCloud& cloud,
-               const RegistrationOptions& options, const Executor& executor);
+               const RegistrationOptions& options, const Executor& executor,
+               FunctionRef<void()> meanwhile);
 
   const Agreement& total() const { return total_; }
   const std::vector<Agreement>& bodies() const { return bodies_; }

@@ -93,6 +93,7 @@ class ArticulatedRegistration {
   void settle(const TiledCloud& cloud, const Annealing& annealing, bool is_to_report);
   bool report(const Annealing& annealing, bool is_narrow);
   const Eigen::VectorXd& next_step(bool hold_joints);
+  void estimate_covariance();
   void find_rest(bool hold_joints);
   bool takes_last_steps(const TiledCloud& cloud) const;
   void look_through(PredictedView& view);
