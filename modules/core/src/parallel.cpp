@@ -42,8 +42,13 @@ void Executor::for_each(std::size_t count, FunctionRef<void(std::size_t)> body) 
     to_caller.give();
   };
   to_bodies.give();
-  impl_->arena.execute(
-      [&] { tbb::parallel_for(std::size_t{0}, count, observed_body, tbb::simple_partitioner()); });
+  impl_->arena.execute([&] {
+    if (count == 1 || threads() == 1) {  // no tasks for those who will not come
+      for (std::size_t i = 0; i < count; ++i) observed_body(i);
+    } else {
+      tbb::parallel_for(std::size_t{0}, count, observed_body, tbb::simple_partitioner());
+    }
+  });
   to_caller.receive();
   if (impl_->is_stopped) throw Stopped();
 }
