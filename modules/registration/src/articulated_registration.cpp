@@ -13,8 +13,9 @@ using Index = Eigen::Index;
 /// Points that are enough to come near. Of as many as there may be only the last steps tell more.
 constexpr std::size_t kApproachBudget = 3000;
 constexpr ViewDetail kApproachDetail{2 * kApproachBudget, 4, 0};
-constexpr double kNearEnough = 0.002;       // metres: a step that is as good as exact
-constexpr int kMostToSettle = 2;            // times the iterations, if more than a step is left
+constexpr double kNearEnough = 0.002;          // metres: a step that is as good as exact
+constexpr double kNearEnoughToSettle = 0.004;  // metres: the next steps are exact
+constexpr int kMostToSettle = 2;               // times the iterations, if more than a step is left
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
 constexpr int kMaxDampings = 5;
@@ -127,7 +128,8 @@ void ArticulatedRegistration::descend(const TiledCloud& cloud, const Annealing& 
   for (int k = 0; k < iterations && go_on; ++k) {
     const double cost = linearize(cloud, spread_of(k));
     const bool is_narrow = spread_of(k) == 0.0;
-    if (settles && add_short_step(annealing.hold_joints, result_.configuration)) {
+    if (settles &&
+        add_short_step(annealing.hold_joints, kNearEnoughToSettle, result_.configuration)) {
       linearized_spread_.reset();
       go_on = report(annealing, is_narrow);
       break;
@@ -139,10 +141,11 @@ void ArticulatedRegistration::descend(const TiledCloud& cloud, const Annealing& 
   if (settles) settle(cloud, annealing, go_on);
 }
 
-/// Adds one that is as good as exact without a trial; false if the next one is longer.
-bool ArticulatedRegistration::add_short_step(bool hold_joints, Configuration& configuration) {
+/// Adds the next one without a trial; false if it moves surfaces farther than this, metres.
+bool ArticulatedRegistration::add_short_step(bool hold_joints, double farthest,
+                                             Configuration& configuration) {
   const Eigen::VectorXd& step = next_step(hold_joints);
-  if (!(moves_.of(step) <= kNearEnough)) return false;
+  if (!(moves_.of(step) <= farthest)) return false;
   apply_step(step, configuration);
   return true;
 }
@@ -171,7 +174,7 @@ const Eigen::VectorXd& ArticulatedRegistration::next_step(bool hold_joints) {
 /// Where the descent would end, if it is near.
 void ArticulatedRegistration::find_rest(bool hold_joints) {
   result_.at_rest = result_.configuration;
-  add_short_step(hold_joints, result_.at_rest);
+  add_short_step(hold_joints, kNearEnough, result_.at_rest);
 }
 
 /// An iteration; false if it is to be the last.

@@ -89,7 +89,7 @@ class ArticulatedRegistration {
 
  private:
   void descend(const TiledCloud& cloud, const Annealing& annealing);
-  bool add_short_step(bool hold_joints, Configuration& configuration);
+  bool add_short_step(bool hold_joints, double farthest, Configuration& configuration);
   void settle(const TiledCloud& cloud, const Annealing& annealing, bool is_to_report);
   bool report(const Annealing& annealing, bool is_narrow);
   const Eigen::VectorXd& next_step(bool hold_joints);
