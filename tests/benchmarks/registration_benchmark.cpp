@@ -13,6 +13,8 @@ int main(int argc, char** argv) {
       {"three terms / floor, one thread", "three_terms_step/threads:1", "look_up_floor/threads:1"},
       {"three terms / floor, two threads", "three_terms_step/threads:2", "look_up_floor/threads:2"},
       {"step on one thread / on two", "registration_step/threads:1", "registration_step/threads:2"},
+      {"three terms on one thread / on two", "three_terms_step/threads:1",
+       "three_terms_step/threads:2"},
       {"floor on one thread / on two", "look_up_floor/threads:1", "look_up_floor/threads:2"},
       {"step of 40000 points / of all, one thread", "budgeted_step/points:40000",
        "registration_step/threads:1"},

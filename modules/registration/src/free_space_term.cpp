@@ -46,8 +46,7 @@ class PullFinder {
   /// weight: how many samples this one stands for.
   std::optional<FreeSpacePull> find(const ViewSample& sample, double weight,
                                     const Eigen::Isometry3d& T_camera_body) const {
-    const Eigen::Vector3d p_body = sample.p_body.cast<double>();
-    const Eigen::Vector3d p = T_camera_body * p_body;
+    const Eigen::Vector3d p = T_camera_body * sample.p_body.cast<double>();
     const auto pixel = camera_.pixel_of(p);
     if (!pixel || !observed_.sees_through(*pixel, p.z(), 0.0)) {
       return std::nullopt;
@@ -62,9 +61,7 @@ class PullFinder {
     if (is_beside_outline(sample, plane)) {
       return std::nullopt;
     }
-    return aim({p_body, p, Eigen::Vector3d::Zero(), 0.0, 0.0, sample.pixels * weight, sample.body,
-                tile_of(*pixel, camera_)},
-               *pixel);
+    return aim(sample, weight, p, *pixel);
   }
 
  private:
@@ -77,10 +74,10 @@ class PullFinder {
                 .isZero();
   }
 
-  /// To the nearest observed point of the object.
-  std::optional<FreeSpacePull> aim(FreeSpacePull pull, const Pixel& pixel) const {
-    const Eigen::Vector3d p = pull.target;
-    const auto nearest = observed_.nearest(p, pixel, pull.body, farthest(p));
+  /// From p to the nearest observed point of the object.
+  std::optional<FreeSpacePull> aim(const ViewSample& sample, double weight,
+                                   const Eigen::Vector3d& p, const Pixel& pixel) const {
+    const auto nearest = observed_.nearest(p, pixel, sample.body, farthest(p));
     if (!nearest) {
       return std::nullopt;
     }
@@ -88,16 +85,22 @@ class PullFinder {
     if (way < 1e-9) {
       return std::nullopt;
     }
-    pull.target = *nearest;
-    pull.direction = (p - *nearest) / way;
-    pull.variance = variance_of(p, pull.direction);
-    if (gaussian_share(way, 1.0 / (pull.variance + spread_ * spread_), outliers_) <= kLeastWeight) {
+    const Eigen::Vector3d direction = (p - *nearest) / way;
+    const double variance = variance_of(p, direction);
+    if (gaussian_share(way, 1.0 / (variance + spread_ * spread_), outliers_) <= kLeastWeight) {
       return std::nullopt;
     }
     // Noise at either end turns a short pull.
-    pull.direction_variance =
-        std::clamp(pull.variance / (way * way), kNormalVariance, kAnyDirection);
-    return pull;
+    const double direction_variance =
+        std::clamp(variance / (way * way), kNormalVariance, kAnyDirection);
+    return FreeSpacePull{sample.p_body,
+                         nearest->cast<float>(),
+                         direction.cast<float>(),
+                         static_cast<float>(variance),
+                         static_cast<float>(direction_variance),
+                         static_cast<float>(sample.pixels * weight),
+                         sample.body,
+                         tile_of(pixel, camera_)};
   }
 
   /// Metres from p to what would still weigh more than kLeastWeight.

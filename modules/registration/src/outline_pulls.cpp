@@ -20,9 +20,11 @@ void append_sightings(std::span<const OutlinePoint> points, const Eigen::Isometr
     const auto pixel = camera.pixel_of(expected);
     if (!pixel) continue;
     const Eigen::Vector3d normal = T_camera_body.linear() * point.normal_body;
-    pulls.push_back({point.p_body, expected + observed.offset_of(k) * normal, normal,
-                     observed.variance_of(k), kNormalVariance, point.pixels, point.body,
-                     tile_of(*pixel, camera)});
+    const Eigen::Vector3d target = expected + observed.offset_of(k) * normal;
+    pulls.push_back({point.p_body.cast<float>(), target.cast<float>(), normal.cast<float>(),
+                     static_cast<float>(observed.variance_of(k)),
+                     static_cast<float>(kNormalVariance), static_cast<float>(point.pixels),
+                     point.body, tile_of(*pixel, camera)});
   }
 }
 

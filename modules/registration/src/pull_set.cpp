@@ -29,13 +29,13 @@ void PullSet::finish(std::size_t bodies) {
       const std::size_t i = next_[static_cast<std::size_t>(pull.body)]++;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<Eigen::Index>(axis);
-        arrays_[px + axis][i] = static_cast<float>(pull.p_body[a]);
-        arrays_[tx + axis][i] = static_cast<float>(pull.target[a]);
-        arrays_[dx + axis][i] = static_cast<float>(pull.direction[a]);
+        arrays_[px + axis][i] = pull.p_body[a];
+        arrays_[tx + axis][i] = pull.target[a];
+        arrays_[dx + axis][i] = pull.direction[a];
       }
-      arrays_[variance][i] = static_cast<float>(pull.variance);
-      arrays_[direction_variance][i] = static_cast<float>(pull.direction_variance);
-      arrays_[pixels][i] = static_cast<float>(pull.pixels);
+      arrays_[variance][i] = pull.variance;
+      arrays_[direction_variance][i] = pull.direction_variance;
+      arrays_[pixels][i] = pull.pixels;
       tiles_[i] = pull.tile;
     }
   }

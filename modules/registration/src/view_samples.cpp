@@ -2,6 +2,7 @@
 #include "lockbox/registration/view_samples.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lockbox/registration/rigid_motion.hpp"
 
@@ -16,6 +17,11 @@ void ViewSamples::collect(const VisibleSurface& surface, const SamplingDensity& 
   });
   lay_out(surface.T_body_camera().size());
   executor.for_each(rows_.size(), [&](std::size_t row) { place(surface, rows_[row]); });
+  // From above to below, so that whoever places samples has them in its cache when they are read.
+  std::sort(chunks_.begin(), chunks_.end(), [&](const Chunk& a, const Chunk& b) {
+    return std::pair(places_[a.first].pixel.v, a.first) <
+           std::pair(places_[b.first].pixel.v, b.first);
+  });
 }
 
 void ViewSamples::choose(const RenderedDepth& view, const SamplingDensity& density,

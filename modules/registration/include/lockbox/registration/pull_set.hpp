@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,14 +15,14 @@ namespace lockbox {
 
 /// residual = direction . (T_camera_body p_body - target).
 struct FreeSpacePull {
-  Eigen::Vector3d p_body;
-  Eigen::Vector3d target;     ///< camera frame
-  Eigen::Vector3d direction;  ///< unit vector, camera frame
-  double variance;            ///< of the residual by the sensor's noise, m^2
-  double direction_variance;  ///< squared radians
-  double pixels;              ///< that it stands for
+  Eigen::Vector3f p_body;
+  Eigen::Vector3f target;     ///< camera frame
+  Eigen::Vector3f direction;  ///< unit vector, camera frame
+  float variance;             ///< of the residual by the sensor's noise, m^2
+  float direction_variance;   ///< squared radians
+  float pixels;               ///< that it stands for
   int body;
-  std::size_t tile;  ///< of the cloud, that the sample is seen in
+  std::uint32_t tile;  ///< of the cloud, that the sample is seen in
 };
 
 /// Filled chunk by chunk, by whoever finds the pulls. Reuses its buffers.
@@ -62,7 +63,7 @@ class PullSet {
   std::vector<std::vector<FreeSpacePull>> chunks_;  ///< more are kept for later
   std::size_t count_ = 0;                           ///< of them, in use
   std::array<std::vector<float>, numbers> arrays_;
-  std::vector<std::size_t> tiles_;
+  std::vector<std::uint32_t> tiles_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> next_;  ///< by body: where its next pull goes
 };
