@@ -17,6 +17,9 @@ using Index = Eigen::Index;
 
 constexpr int kMargin = 2;               // pixels around the image, into which tiles look
 constexpr std::size_t kLeastPixels = 3;  // of a tile
+/// Tiles: few enough that what is drawn of them stays in the cache, enough that windows overlap
+/// little.
+constexpr std::size_t kMostInStrip = 16;
 /// Bends of less than this many standard deviations of a pixel's own error tell nothing.
 constexpr double kLeastBend = 0.1;
 
@@ -59,9 +62,8 @@ void EdgeTerm::linearize(const TiledCloud& cloud, const VisibleSurface& view,
     selection_.keep_best(view, screws_, variables_, static_cast<float>(sigma * sigma),
                          tiles_per_joint, executor_);
   }
-  rows_.resize(selection_.rows());
-  executor_.for_each(rows_.size(),
-                     [&](std::size_t row) { sum_row(cloud, static_cast<int>(row), rows_[row]); });
+  cut_into_strips();
+  executor_.for_each(strip_count_, [&](std::size_t i) { sum_strip(cloud, strips_[i]); });
   sum_up(T_camera_body.front());
 }
 
@@ -106,29 +108,42 @@ void EdgeTerm::express_in_camera(const BodyPoses& T_camera_body,
   }
 }
 
-void EdgeTerm::sum_row(const TiledCloud& cloud, int row, RowSums& sums) {
+void EdgeTerm::cut_into_strips() {
+  strip_count_ = 0;
+  for (std::size_t row = 0; row < selection_.rows(); ++row) {
+    for (std::span<const int> rest(selection_.columns(row)); !rest.empty();) {
+      if (strip_count_ == strips_.size()) strips_.emplace_back();
+      Strip& strip = strips_[strip_count_++];
+      strip.row = static_cast<int>(row);
+      strip.columns = rest.first(std::min(rest.size(), kMostInStrip));
+      rest = rest.subspan(strip.columns.size());
+    }
+  }
+}
+
+void EdgeTerm::sum_strip(const TiledCloud& cloud, Strip& strip) {
   const Index unknowns = 6 + tree_.variables();
-  sums.products.setZero(unknowns + 1, unknowns + 1);
-  sums.pixels = 0.0;
+  strip.products.setZero(unknowns + 1, unknowns + 1);
+  strip.pixels = 0.0;
   Worker& worker = *workers_[Executor::worker()];
-  const std::vector<int>& columns = selection_.columns(static_cast<std::size_t>(row));
+  const std::span<const int> columns = strip.columns;
   for (std::size_t first = 0; first < columns.size();) {
     std::size_t end = first + 1;
     while (end < columns.size() && columns[end] == columns[end - 1] + 1) ++end;
-    sum_neighbours(cloud, columns[first], columns[end - 1] + 1, row, worker, sums);
+    sum_neighbours(cloud, columns[first], columns[end - 1] + 1, worker, strip);
     first = end;
   }
 }
 
-void EdgeTerm::sum_neighbours(const TiledCloud& cloud, int first_column, int end_column, int row,
-                              Worker& worker, RowSums& sums) const {
-  draw_samples(first_column, end_column, row, worker.samples);
+void EdgeTerm::sum_neighbours(const TiledCloud& cloud, int first_column, int end_column,
+                              Worker& worker, Strip& strip) const {
+  draw_samples(first_column, end_column, strip.row, worker.samples);
   for (int column = first_column; column < end_column; ++column) {
     if (!worker.tile.read(worker.samples, kSamples * kSide * (column - first_column), 0)) continue;
-    compare(cloud, {kSide * column, kSide * row}, worker);
+    compare(cloud, {kSide * column, kSide * strip.row}, worker);
     if (worker.noise.count() < kLeastPixels) continue;
-    worker.add_whitened(sums.products);
-    sums.pixels += static_cast<double>(worker.noise.count());
+    worker.add_whitened(strip.products);
+    strip.pixels += static_cast<double>(worker.noise.count());
   }
 }
 
@@ -178,9 +193,9 @@ void EdgeTerm::sum_up(const Eigen::Isometry3d& T_camera_base) {
   const Index unknowns = information_.rows();
   sum_.setZero(unknowns + 1, unknowns + 1);
   pixels_ = 0.0;
-  for (const RowSums& row : rows_) {
-    sum_ += row.products;
-    pixels_ += row.pixels;
+  for (const Strip& strip : std::span(strips_.data(), strip_count_)) {
+    sum_ += strip.products;
+    pixels_ += strip.pixels;
   }
   chi_squared_ = 0.0;
   information_.setZero();

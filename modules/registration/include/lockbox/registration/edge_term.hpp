@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
@@ -53,19 +54,22 @@ class EdgeTerm {
 
  private:
   struct Worker;
-  /// Sums over a row of tiles. Step: base twist in the camera's frame, joint variables, and the
-  /// residual as if it were one more.
-  struct RowSums {
+  /// Tiles of a row that one thread compares, and sums over them. Step: base twist in the camera's
+  /// frame, joint variables, and the residual as if it were one more.
+  struct Strip {
+    int row;
+    std::span<const int> columns;
+    double pixels;
     Eigen::MatrixXd products;
-    double pixels = 0.0;
   };
   void prepare(const PinholeCamera& camera, const BodyPoses& T_camera_body);
   void draw_samples(int first_column, int end_column, int row, RenderedInverseDepth& samples) const;
   void express_in_camera(const BodyPoses& T_camera_body,
                          const std::vector<BodyJacobian>& jacobians);
-  void sum_row(const TiledCloud& cloud, int row, RowSums& sums);
-  void sum_neighbours(const TiledCloud& cloud, int first_column, int end_column, int row,
-                      Worker& worker, RowSums& sums) const;
+  void cut_into_strips();
+  void sum_strip(const TiledCloud& cloud, Strip& strip);
+  void sum_neighbours(const TiledCloud& cloud, int first_column, int end_column, Worker& worker,
+                      Strip& strip) const;
   void compare(const TiledCloud& cloud, const Pixel& first, Worker& worker) const;
   void find_edges(const TiledCloud& cloud, const Pixel& first, int row, Worker& worker) const;
   void compare_pixel(const TiledCloud& cloud, const Pixel& first, int column, int row,
@@ -83,7 +87,8 @@ class EdgeTerm {
   std::vector<RenderItem> items_;
   std::vector<BodyJacobian> screws_;         ///< by body: to its twist in the camera's frame
   std::vector<std::vector<int>> variables_;  ///< by body: those that move it
-  std::vector<RowSums> rows_;
+  std::vector<Strip> strips_;                ///< more are kept for later
+  std::size_t strip_count_ = 0;
   Eigen::MatrixXd sum_;
   Eigen::MatrixXd information_;
   Eigen::VectorXd gradient_;
