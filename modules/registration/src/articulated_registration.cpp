@@ -14,7 +14,7 @@ using Index = Eigen::Index;
 constexpr std::size_t kApproachBudget = 3000;
 constexpr ViewDetail kApproachDetail{2 * kApproachBudget, 4, 0};
 constexpr double kNearEnough = 0.002;          // metres: a step that is as good as exact
-constexpr double kNearEnoughToSettle = 0.004;  // metres: the next steps are exact
+constexpr double kNearEnoughToSettle = 0.004;  // the same, where the last iteration follows
 constexpr int kMostToSettle = 2;               // times the iterations, if more than a step is left
 constexpr double kStaleSelection = 0.0005;  // the same, until what is seen through is sought anew
 constexpr double kNeverSelected = -1.0;
@@ -99,16 +99,6 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.residual_rms =
       totals.points > 0.0 ? std::sqrt(totals.weighted_squares / totals.points) : 0.0;
   return result_;
-}
-
-/// Before edges add to it.
-void ArticulatedRegistration::estimate_covariance() {
-  covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
-                       scale_, held_);
-  for (Index v = 0; v < static_cast<Index>(sightings_.size()); ++v) {
-    const auto& sighting = sightings_[static_cast<std::size_t>(v)];
-    if (sighting) covariance_.set_independent(6 + v, sighting->variance);
-  }
 }
 
 /// The descent. From a prediction, a few of many points are enough to come near, and near is where

@@ -46,8 +46,19 @@ void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_join
   }
 }
 
+/// Before edges add to it.
+void ArticulatedRegistration::estimate_covariance() {
+  covariance_.estimate(data_equations_, tile_systems_, options_.noise_correlation, jacobians_,
+                       scale_, held_);
+  for (Index v = 0; v < static_cast<Index>(sightings_.size()); ++v) {
+    const auto& sighting = sightings_[static_cast<std::size_t>(v)];
+    if (sighting) covariance_.set_independent(6 + v, sighting->variance);
+  }
+}
+
 /// The last step, from all that has been found: a pixel or less. What is not known yet stays so: a
-/// smooth disk has edges, but what they tell about its angle are its facets.
+/// smooth disk has edges, but what they tell about its angle are its facets. poses_
+/// stand at the configuration.
 void ArticulatedRegistration::refine_at_edges(const TiledCloud& cloud, bool hold_joints) {
   if (!options_.refine_at_edges || !cloud.has_image()) return;
   const std::size_t tiles = view_detail(options_.point_budget).edge_tiles_per_joint;
