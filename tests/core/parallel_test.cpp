@@ -24,6 +24,35 @@ TEST(ExecutorTest, VisitsEveryIndexOnce) {
   }
 }
 
+TEST(ExecutorTest, VisitsEveryIndexOfSeveralLoopsOnce) {
+  for (const int threads : {1, 2, 3, 8, 100}) {
+    const Executor executor(threads);
+    std::vector<std::vector<std::atomic<int>>> visits(4);
+    const std::vector<std::size_t> counts{1, 0, 7, 100};
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      visits[k] = std::vector<std::atomic<int>>(counts[k]);
+    }
+    const auto visit = [&](std::size_t loop) {
+      return [&visits, loop](std::size_t i) { ++visits[loop].at(i); };
+    };
+    const auto first = visit(0);
+    const auto second = visit(1);
+    const auto third = visit(2);
+    const auto last = visit(3);
+    executor.for_each(
+        {{counts[0], first}, {counts[1], second}, {}, {counts[2], third}, {counts[3], last}});
+    for (const auto& loop : visits) {
+      for (const auto& count : loop) EXPECT_EQ(count.load(), 1) << threads;
+    }
+  }
+}
+
+TEST(ExecutorTest, NothingToDoIsDone) {
+  const Executor executor(2);
+  executor.for_each(0, [](std::size_t) { FAIL(); });
+  executor.for_each({});
+}
+
 TEST(ExecutorTest, ChunksCoverTheRangeWithoutOverlap) {
   const Executor executor(2);
   std::vector<std::pair<std::size_t, std::size_t>> ranges(chunk_count(103, 10));

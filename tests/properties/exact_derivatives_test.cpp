@@ -111,9 +111,14 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   SamplingPlan plan;
   plan.plan(surface.view(), edges, 1, cloud.camera().fx, 0.0, surface.view().id.size(), executor);
   ViewSamples samples;
-  samples.collect(surface, plan.density(), 1, executor);
+  samples.choose(surface, plan.density(), 1, executor);
+  for (std::size_t row = 0; row < samples.rows(); ++row) samples.place_row(surface, row);
+  samples.finish();
   OutlinePoints outlines;
-  outlines.collect(model, surface, edges, 1, options, executor);
+  outlines.begin(surface.view());
+  for (std::size_t i = 0; i < outlines.bands(); ++i) {
+    outlines.find_band({model, surface, edges, 1, options}, i);
+  }
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
   constexpr double kSpread = 0.005;

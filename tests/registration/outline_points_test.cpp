@@ -26,7 +26,10 @@ OutlinePoints outlines_of(const ArticulatedModel& model, const VisibleSurface& s
   ViewEdges edges;
   edges.find(surface.view(), executor);
   OutlinePoints outlines;
-  outlines.collect(model, surface, edges, spacing, {}, executor);
+  outlines.begin(surface.view());
+  executor.for_each(outlines.bands(), [&](std::size_t i) {
+    outlines.find_band({model, surface, edges, spacing, {}}, i);
+  });
   return outlines;
 }
 

@@ -38,7 +38,12 @@ class PooledPointsTest : public ::testing::Test {
     plan.plan(surface.view(), edges, surface.reduction(), surface.view_camera().fx, 0.0, budget,
               executor);
     PooledPoints points;
-    points.assign(cloud, surface, plan.density(), 1, RegistrationOptions{}, executor);
+    const RegistrationOptions options;
+    points.begin(plan.density());
+    executor.for_each(points.bands(), [&](std::size_t i) {
+      points.fill_band({cloud, surface, plan.density(), 1, options}, i);
+    });
+    points.finish();
     return points;
   }
 

@@ -137,13 +137,8 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
   chunk_counts_.assign(chunks, {});
   chunk_outlines_.assign(chunks, {});
   const Scene scene{model, surface, samples, T_camera_body, cloud, options};
-  executor.for_each(1 + chunks, [&](std::size_t i) {
-    if (i == 0) {
-      meanwhile();
-    } else {
-      look_at_chunk(scene, i - 1);
-    }
-  });
+  executor.for_each({{1, [&](std::size_t) { meanwhile(); }},
+                     {chunks, [&](std::size_t i) { look_at_chunk(scene, i); }}});
   for (std::size_t i = 0; i < chunks; ++i) {
     const auto body = static_cast<std::size_t>(samples.chunks()[i].body);
     add(chunk_counts_[i], bodies_[body]);

@@ -200,10 +200,7 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
   forward_kinematics(model_.tree, result_.configuration, poses_);
   body_jacobians(model_.tree, poses_, jacobians_);
   std::fill(systems_.begin(), systems_.end(), BodySystem{});
-  result_.model_cost = ahead_spread_ == spread
-                           ? model_term_.take_ahead(systems_)
-                           : model_term_.linearize(scene(cloud), poses_, spread, systems_);
-  ahead_spread_.reset();
+  linearize_at_points(cloud, spread);
   result_.free_cost = 0.0;
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
     select_free_space(cloud, spread);
@@ -214,11 +211,24 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
     data_equations_.add(systems_[b], jacobians_[b], 1.0 / options_.noise_correlation);
   }
   equations_ = data_equations_;
-  result_.collision_cost = collision_.evaluate(model_, poses_, &equations_);
+  result_.collision_cost = collision_.sum_up(model_, poses_, &equations_);
   linearized_spread_ = spread;
   cost_ = (result_.model_cost + result_.free_cost) / options_.noise_correlation +
           result_.collision_cost;
   return cost_;
+}
+
+/// The model term, and collisions along with it.
+void ArticulatedRegistration::linearize_at_points(const TiledCloud& cloud, double spread) {
+  const auto collide = [&](std::size_t i) { collision_.evaluate_part(model_, poses_, i); };
+  const Loop collisions{collision_.begin(poses_), collide};
+  if (ahead_spread_ == spread) {
+    result_.model_cost = model_term_.take_ahead(systems_);
+    executor_.for_each({collisions});
+  } else {
+    result_.model_cost = model_term_.linearize(scene(cloud), poses_, spread, systems_, collisions);
+  }
+  ahead_spread_.reset();
 }
 
 /// A selection lasts while the configuration stays where it was made: selecting anew at each
@@ -239,12 +249,15 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
 double ArticulatedRegistration::cost_at(const TiledCloud& cloud, const Configuration& configuration,
                                         std::optional<double> next_spread) {
   forward_kinematics(model_.tree, configuration, trial_poses_);
-  double cost = next_spread ? model_term_.cost_ahead(scene(cloud), trial_poses_, *next_spread)
-                            : model_term_.cost(scene(cloud), trial_poses_);
+  const auto collide = [&](std::size_t i) { collision_.evaluate_part(model_, trial_poses_, i); };
+  const Loop collisions{collision_.begin(trial_poses_), collide};
+  double cost = next_spread
+                    ? model_term_.cost_ahead(scene(cloud), trial_poses_, *next_spread, collisions)
+                    : model_term_.cost(scene(cloud), trial_poses_, collisions);
   if (options_.lambda_free > 0.0 && cloud.has_image()) {
     cost += free_term_.cost(trial_poses_);
   }
-  return cost / options_.noise_correlation + collision_.evaluate(model_, trial_poses_, nullptr);
+  return cost / options_.noise_correlation + collision_.sum_up(model_, trial_poses_, nullptr);
 }
 
 /// Takes the best acceptable step; false if there was none, or none worth taking. Mostly the first

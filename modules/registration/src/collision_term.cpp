@@ -182,12 +182,22 @@ void CollisionTerm::add_sample(const SignedDistanceField& field, const Eigen::Al
 
 double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                                NormalEquations* equations) {
-  if (!stands_at(T_camera_body)) {
-    halves_.resize(2 * pairs_.size());
-    executor_.for_each(halves_.size(),
-                       [&](std::size_t i) { evaluate_half(model, T_camera_body, i); });
-    evaluated_ = T_camera_body;
-  }
+  executor_.for_each(begin(T_camera_body),
+                     [&](std::size_t i) { evaluate_part(model, T_camera_body, i); });
+  return sum_up(model, T_camera_body, equations);
+}
+
+/// A step that is taken was evaluated when it was tried.
+std::size_t CollisionTerm::begin(const BodyPoses& T_camera_body) {
+  if (stands_at(T_camera_body)) return 0;
+  evaluated_.clear();
+  halves_.resize(2 * pairs_.size());
+  return halves_.size();
+}
+
+double CollisionTerm::sum_up(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                             NormalEquations* equations) {
+  evaluated_ = T_camera_body;
   double cost = 0.0;
   for (std::size_t i = 0; i < halves_.size(); ++i) {
     const Half& half = halves_[i];
@@ -203,7 +213,6 @@ double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T
   return cost;
 }
 
-/// A step that is taken was evaluated when it was tried.
 bool CollisionTerm::stands_at(const BodyPoses& T_camera_body) const {
   return std::equal(T_camera_body.begin(), T_camera_body.end(), evaluated_.begin(),
                     evaluated_.end(), [](const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
@@ -212,7 +221,7 @@ bool CollisionTerm::stands_at(const BodyPoses& T_camera_body) const {
 }
 
 /// a moves against b, in b's frame; or b against a, in a's.
-void CollisionTerm::evaluate_half(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+void CollisionTerm::evaluate_part(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                                   std::size_t i) {
   const CollisionPair& pair = pairs_[i / 2];
   const auto a = static_cast<std::size_t>(pair.a);

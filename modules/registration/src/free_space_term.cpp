@@ -132,11 +132,17 @@ class PullFinder {
 void FreeSpaceTerm::select(const Scene& scene, const BodyPoses& T_camera_body, double spread) {
   lambda_ = scene.options.lambda_free;
   cut_ = scene.options.cut;
-  collect_seen_through(scene, T_camera_body);
+  const std::size_t bands = scene.outlines.bands();
+  const std::size_t chunks = scene.samples.chunks().size();
+  outlines_.begin(bands);
+  observed_outlines_.resize(static_cast<std::size_t>(scene.executor.threads()) + 1);
+  landings_.reserve(scene.executor);
+  chunk_seen_.resize(std::max(chunk_seen_.size(), chunks));
+  scene.executor.for_each(
+      {{bands, [&](std::size_t i) { aim_outlines(scene, T_camera_body, spread, i); }},
+       {chunks, [&](std::size_t i) { find_seen_through(scene, T_camera_body, i); }}});
+  count_seen_through(chunks);
   aim_seen_through(scene, T_camera_body, spread);
-  aim_outlines(scene, T_camera_body, spread);
-  seen_through_.finish(T_camera_body.size());
-  outlines_.finish(T_camera_body.size());
 }
 
 /// Towards what the camera saw around them.
@@ -151,7 +157,7 @@ void FreeSpaceTerm::aim_seen_through(const Scene& scene, const BodyPoses& T_came
   const PullFinder finder(scene, T_body_camera_, spread);
   const std::size_t chunks = scene.samples.chunks().size();
   seen_through_.begin(chunks);
-  scene.executor.for_each(chunks, [&](std::size_t i) {
+  const auto aim_chunk = [&](std::size_t i) {
     const ViewSamples::Chunk& chunk = scene.samples.chunks()[i];
     const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(chunk.body)];
     const std::size_t skipped = (stride - chunk_begins_[i] % stride) % stride;
@@ -161,27 +167,29 @@ void FreeSpaceTerm::aim_seen_through(const Scene& scene, const BodyPoses& T_came
         seen_through_.chunk(i).push_back(*pull);
       }
     }
-  });
+  };
+  scene.executor.for_each(
+      {{1, [&](std::size_t) { outlines_.finish(T_camera_body.size()); }}, {chunks, aim_chunk}});
+  seen_through_.finish(T_camera_body.size());
 }
 
-/// Which samples the camera sees through, chunk by chunk.
-void FreeSpaceTerm::collect_seen_through(const Scene& scene, const BodyPoses& T_camera_body) {
-  landings_.reserve(scene.executor);
-  const std::size_t chunks = scene.samples.chunks().size();
-  chunk_seen_.resize(std::max(chunk_seen_.size(), chunks));
+/// Which samples of a chunk the camera sees through.
+void FreeSpaceTerm::find_seen_through(const Scene& scene, const BodyPoses& T_camera_body,
+                                      std::size_t chunk_index) {
   const SensorNoise& noise = scene.options.noise;
   const kernels::PointNoise along_ray{static_cast<float>(noise.depth_floor),
                                       static_cast<float>(noise.depth_quadratic), 0.0F, 0.0F};
   // Somewhat fewer deviations than the dead zone: single precision errs by less.
   const auto dead_zone = static_cast<float>(kSurely * scene.options.free_space_dead_zone);
-  scene.executor.for_each(chunks, [&](std::size_t i) {
-    const ViewSamples::Chunk& chunk = scene.samples.chunks()[i];
-    const kernels::Landings landings =
-        landings_.land(scene.samples, chunk, T_camera_body, scene.cloud);
-    chunk_seen_[i].resize(chunk.count);
-    chunk_seen_[i].resize(
-        kernels::seen_through(landings, chunk.count, along_ray, dead_zone, chunk_seen_[i].data()));
-  });
+  const ViewSamples::Chunk& chunk = scene.samples.chunks()[chunk_index];
+  const kernels::Landings landings =
+      landings_.land(scene.samples, chunk, T_camera_body, scene.cloud);
+  std::vector<std::uint32_t>& seen = chunk_seen_[chunk_index];
+  seen.resize(chunk.count);
+  seen.resize(kernels::seen_through(landings, chunk.count, along_ray, dead_zone, seen.data()));
+}
+
+void FreeSpaceTerm::count_seen_through(std::size_t chunks) {
   chunk_begins_.assign(1, 0);
   for (std::size_t i = 0; i < chunks; ++i) {
     chunk_begins_.push_back(chunk_begins_.back() + chunk_seen_[i].size());

@@ -126,32 +126,37 @@ double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index, d
 }
 
 double ModelTerm::linearize(const Scene& scene, const BodyPoses& T_camera_body, double spread,
-                            std::vector<BodySystem>& systems) {
+                            std::vector<BodySystem>& systems, const Loop& beside) {
   begin(scene, T_camera_body);
   prepare(last_);
-  scene.executor.for_each(
-      chunks_, [&](std::size_t chunk) { linearize_chunk(scene, chunk, spread, nullptr, last_); });
+  const auto linearize_one = [&](std::size_t chunk) {
+    linearize_chunk(scene, chunk, spread, nullptr, last_);
+  };
+  scene.executor.for_each({{chunks_, linearize_one}, beside});
   return sum_up(systems);
 }
 
-double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body) {
+double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body, const Loop& beside) {
   begin(scene, T_camera_body);
-  scene.executor.for_each(chunks_, [&](std::size_t chunk) {
+  const auto cost_of_one = [&](std::size_t chunk) {
     Scratch scratch(scratch_[Executor::worker()]);
     const std::size_t first = chunk * kTilesPerChunk;
     for (std::size_t k = 0; k < tiles_in_chunk(scene.points, first, kTilesPerChunk); ++k) {
       chunk_costs_[chunk] += frozen_cost(scene, first + k, k, last_[chunk], nullptr, scratch);
     }
-  });
+  };
+  scene.executor.for_each({{chunks_, cost_of_one}, beside});
   return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
 }
 
-double ModelTerm::cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double spread) {
+double ModelTerm::cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double spread,
+                             const Loop& beside) {
   begin(scene, T_camera_body);
   prepare(ahead_);
-  scene.executor.for_each(chunks_, [&](std::size_t chunk) {
+  const auto linearize_one = [&](std::size_t chunk) {
     chunk_costs_[chunk] = linearize_chunk(scene, chunk, spread, &last_[chunk], ahead_);
-  });
+  };
+  scene.executor.for_each({{chunks_, linearize_one}, beside});
   return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
 }
 

@@ -16,7 +16,7 @@ namespace lockbox {
 
 class OutlineFinder {
  public:
-  /// All of these must outlive the object. spacing: see OutlinePoints::collect.
+  /// All of these must outlive the object. spacing: see OutlinePoints::Scene.
   OutlineFinder(const VisibleSurface& surface, const ViewEdges& edges, int spacing,
                 const RegistrationOptions& options);
 

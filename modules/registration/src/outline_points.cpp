@@ -80,20 +80,19 @@ OutlinePoints::~OutlinePoints() = default;
 OutlinePoints::OutlinePoints(OutlinePoints&&) noexcept = default;
 OutlinePoints& OutlinePoints::operator=(OutlinePoints&&) noexcept = default;
 
-void OutlinePoints::collect(const ArticulatedModel& model, const VisibleSurface& surface,
-                            const ViewEdges& edges, int spacing, const RegistrationOptions& options,
-                            const Executor& executor) {
-  const RenderedDepth& view = surface.view();
-  const OutlineFinder finder(surface, edges, spacing, options);
-  std::vector<Band>& bands = workspace_->bands;
-  bands.resize(static_cast<std::size_t>((view.height + kRowsInBand - 1) / kRowsInBand));
-  executor.for_each(bands.size(), [&](std::size_t i) {
-    const int band = static_cast<int>(i) * kRowsInBand;
-    ImageWindow rows = view.drawn;
-    rows.top = std::max({band, 1, view.drawn.top});
-    rows.height = std::min({band + kRowsInBand, view.height - 1, view.drawn.bottom()}) - rows.top;
-    bands[i].find_points(finder, model, surface, rows);
-  });
+void OutlinePoints::begin(const RenderedDepth& view) {
+  workspace_->bands.resize(static_cast<std::size_t>((view.height + kRowsInBand - 1) / kRowsInBand));
+}
+
+void OutlinePoints::find_band(const Scene& scene, std::size_t i) {
+  const RenderedDepth& view = scene.surface.view();
+  const OutlineFinder finder(scene.surface, scene.edges, scene.spacing, scene.options);
+  const int first_row = static_cast<int>(i) * kRowsInBand;
+  ImageWindow rows = view.drawn;
+  rows.top = std::max({first_row, 1, view.drawn.top});
+  rows.height =
+      std::min({first_row + kRowsInBand, view.height - 1, view.drawn.bottom()}) - rows.top;
+  workspace_->bands[i].find_points(finder, scene.model, scene.surface, rows);
 }
 
 std::size_t OutlinePoints::bands() const {

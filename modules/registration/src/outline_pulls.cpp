@@ -31,23 +31,19 @@ void append_sightings(std::span<const OutlinePoint> points, const Eigen::Isometr
 }  // namespace
 
 /// Towards where the camera saw them.
-void FreeSpaceTerm::aim_outlines(const Scene& scene, const BodyPoses& T_camera_body,
-                                 double spread) {
-  outlines_.begin(scene.outlines.bands());
-  observed_outlines_.resize(static_cast<std::size_t>(scene.executor.threads()) + 1);
-  scene.executor.for_each(scene.outlines.bands(), [&](std::size_t i) {
-    ObservedOutline& observed = observed_outlines_[Executor::worker()];
-    for (std::span<const OutlinePoint> rest(scene.outlines.band(i)); !rest.empty();) {
-      const int body = rest.front().body;
-      const auto end = std::find_if(rest.begin(), rest.end(),
-                                    [body](const OutlinePoint& p) { return p.body != body; });
-      const auto own = rest.first(static_cast<std::size_t>(end - rest.begin()));
-      rest = rest.subspan(own.size());
-      const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(body)];
-      observed.look(own, T, scene.cloud, scene.options, spread);
-      append_sightings(own, T, scene.cloud.camera(), observed, outlines_.chunk(i));
-    }
-  });
+void FreeSpaceTerm::aim_outlines(const Scene& scene, const BodyPoses& T_camera_body, double spread,
+                                 std::size_t band) {
+  ObservedOutline& observed = observed_outlines_[Executor::worker()];
+  for (std::span<const OutlinePoint> rest(scene.outlines.band(band)); !rest.empty();) {
+    const int body = rest.front().body;
+    const auto end = std::find_if(rest.begin(), rest.end(),
+                                  [body](const OutlinePoint& p) { return p.body != body; });
+    const auto own = rest.first(static_cast<std::size_t>(end - rest.begin()));
+    rest = rest.subspan(own.size());
+    const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(body)];
+    observed.look(own, T, scene.cloud, scene.options, spread);
+    append_sightings(own, T, scene.cloud.camera(), observed, outlines_.chunk(band));
+  }
 }
 
 }  // namespace lockbox

@@ -42,25 +42,17 @@ CellMask gather_bits(const std::uint8_t* bytes) {
 
 }  // namespace
 
-struct PooledPoints::Scene {
-  const TiledCloud& cloud;
-  const VisibleSurface& surface;
-  const SamplingDensity& density;
-  int least_spacing;
-  const std::vector<std::uint8_t>& flat;
-  const RegistrationOptions& options;
-};
-
 /// Points of some rows of cells.
 class PooledPoints::Band {
  public:
-  void fill(const Scene& scene, int first_row) {
+  /// flat: by pixel of the view, rows padded to whole cells.
+  void fill(const Scene& scene, const std::vector<std::uint8_t>& flat, int first_row) {
     clear();
     const int end_row = std::min(first_row + kRowsOfCells, scene.density.rows);
     for (int column = 0; column < scene.density.columns; column += kCellsTogether) {
       const int end = std::min(column + kCellsTogether, scene.density.columns);
       for (int row = first_row; row < end_row; ++row) {
-        for (int c = column; c < end; ++c) add_cell(scene, c, row);
+        for (int c = column; c < end; ++c) add_cell(scene, flat, c, row);
       }
       if (x_.size() - first_ >= kWellFilled) finish_tile();
     }
@@ -98,7 +90,7 @@ class PooledPoints::Band {
     bounds_.setEmpty();
   }
 
-  void add_cell(const Scene& scene, int column, int row) {
+  void add_cell(const Scene& scene, const std::vector<std::uint8_t>& flat, int column, int row) {
     const SamplingDensity& density = scene.density;
     const int spacing =
         density.spacing[static_cast<std::size_t>(row) * static_cast<std::size_t>(density.columns) +
@@ -108,10 +100,10 @@ class PooledPoints::Band {
     v_ = row * kCellSize;
     mask_ = 0;
     const auto stride = static_cast<std::size_t>(density.columns) * kCellSize;
-    const std::uint8_t* const flat =
-        scene.flat.data() + static_cast<std::size_t>(v_) * stride + static_cast<std::size_t>(u_);
+    const std::uint8_t* const first =
+        flat.data() + static_cast<std::size_t>(v_) * stride + static_cast<std::size_t>(u_);
     for (int i = 0; i < kCellSize; ++i) {
-      mask_ |= gather_bits(flat + static_cast<std::size_t>(i) * stride) << (8 * i);
+      mask_ |= gather_bits(first + static_cast<std::size_t>(i) * stride) << (8 * i);
     }
     split(scene, 0, 0, kCellSize, std::max(spacing, scene.least_spacing));
   }
@@ -250,25 +242,27 @@ void PooledPoints::find_flat(const RenderedDepth& view, int row_of_cells) {
   }
 }
 
-void PooledPoints::assign(const TiledCloud& cloud, const VisibleSurface& surface,
-                          const SamplingDensity& density, int least_spacing,
-                          const RegistrationOptions& options, const Executor& executor) {
-  const Scene scene{cloud, surface, density, least_spacing, flat_, options};
+void PooledPoints::begin(const SamplingDensity& density) {
   flat_.resize(static_cast<std::size_t>(density.columns * kCellSize) *
                static_cast<std::size_t>(density.rows * kCellSize));
-  const int bands = (density.rows + kRowsOfCells - 1) / kRowsOfCells;
-  std::vector<Band>& all = *bands_;
-  all.resize(static_cast<std::size_t>(bands));
-  executor.for_each(all.size(), [&](std::size_t i) {
-    const int first_row = static_cast<int>(i) * kRowsOfCells;
-    for (int row = first_row; row < std::min(first_row + kRowsOfCells, density.rows); ++row) {
-      find_flat(surface.view(), row);
-    }
-    all[i].fill(scene, first_row);
-  });
+  bands_->resize(static_cast<std::size_t>((density.rows + kRowsOfCells - 1) / kRowsOfCells));
+}
+
+std::size_t PooledPoints::bands() const {
+  return bands_->size();
+}
+
+void PooledPoints::fill_band(const Scene& scene, std::size_t i) {
+  const int first_row = static_cast<int>(i) * kRowsOfCells;
+  const int end_row = std::min(first_row + kRowsOfCells, scene.density.rows);
+  for (int row = first_row; row < end_row; ++row) find_flat(scene.surface.view(), row);
+  (*bands_)[i].fill(scene, flat_, first_row);
+}
+
+void PooledPoints::finish() {
   std::size_t slots = 0;
   std::size_t tiles = 0;
-  for (const Band& band : all) {
+  for (const Band& band : *bands_) {
     slots += band.slots();
     tiles += band.tiles();
   }
@@ -276,7 +270,7 @@ void PooledPoints::assign(const TiledCloud& cloud, const VisibleSurface& surface
   pixel_.resize(slots);
   tiles_.resize(tiles);
   slots = tiles = 0;
-  for (const Band& band : all) {
+  for (const Band& band : *bands_) {
     band.write(*this, slots, tiles);
     slots += band.slots();
     tiles += band.tiles();

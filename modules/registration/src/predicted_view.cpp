@@ -39,13 +39,8 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   plan_.plan(surface_.view(), view_edges_, surface_.reduction(), surface_.view_camera().fx, reach,
              is_thinned ? point_budget_ : kViewSamples, executor);
   const bool is_pooled = is_predicted && !cloud.is_masked();
-  samples_.collect(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
-  if (options.lambda_free > 0.0) {
-    outlines_.collect(model, surface_, view_edges_, detail_.outline_spacing, options, executor);
-  }
+  gather(cloud, model, is_pooled, options, executor);
   if (is_pooled) {
-    pooled_.assign(cloud, surface_, plan_.density(), is_thinned ? kLeastSpacing : 1, options,
-                   executor);
     points_ = &pooled_;
   } else if (is_thinned) {
     thinned_.assign(cloud, plan_.density());
@@ -55,6 +50,25 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
     points_ = &all_;
   }
   surface_.predict(*points_, executor, prediction_);
+}
+
+/// What is taken from the view, at once: samples, outlines, and points if they are pooled.
+void PredictedView::gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_pooled,
+                           const RegistrationOptions& options, const Executor& executor) {
+  samples_.choose(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
+  const OutlinePoints::Scene outlined{model, surface_, view_edges_, detail_.outline_spacing,
+                                      options};
+  const PooledPoints::Scene pooled{cloud, surface_, plan_.density(),
+                                   point_budget_ > 0 ? kLeastSpacing : 1, options};
+  outlines_.begin(surface_.view());
+  pooled_.begin(plan_.density());
+  executor.for_each(
+      {{options.lambda_free > 0.0 ? outlines_.bands() : 0,
+        [&](std::size_t i) { outlines_.find_band(outlined, i); }},
+       {is_pooled ? pooled_.bands() : 0, [&](std::size_t i) { pooled_.fill_band(pooled, i); }},
+       {samples_.rows(), [&](std::size_t i) { samples_.place_row(surface_, i); }}});
+  samples_.finish();
+  if (is_pooled) pooled_.finish();
 }
 
 bool PredictedView::shows(const Configuration& configuration, const SurfaceMoves& moves) const {

@@ -7,16 +7,19 @@
 #include "lockbox/registration/rigid_motion.hpp"
 
 namespace lockbox {
-void ViewSamples::collect(const VisibleSurface& surface, const SamplingDensity& density,
-                          int least_spacing, const Executor& executor) {
+
+void ViewSamples::choose(const VisibleSurface& surface, const SamplingDensity& density,
+                         int least_spacing, const Executor& executor) {
   scale_ = surface.reduction();
   rows_.resize(static_cast<std::size_t>(density.rows));
   executor.for_each(rows_.size(), [&](std::size_t row) {
     rows_[row].next.assign(surface.T_body_camera().size(), 0);
-    choose(surface.view(), density, least_spacing, static_cast<int>(row), rows_[row]);
+    choose_in(surface.view(), density, least_spacing, static_cast<int>(row), rows_[row]);
   });
   lay_out(surface.T_body_camera().size());
-  executor.for_each(rows_.size(), [&](std::size_t row) { place(surface, rows_[row]); });
+}
+
+void ViewSamples::finish() {
   // From above to below, so that whoever places samples has them in its cache when they are read.
   std::sort(chunks_.begin(), chunks_.end(), [&](const Chunk& a, const Chunk& b) {
     return std::pair(places_[a.first].pixel.v, a.first) <
@@ -24,8 +27,8 @@ void ViewSamples::collect(const VisibleSurface& surface, const SamplingDensity& 
   });
 }
 
-void ViewSamples::choose(const RenderedDepth& view, const SamplingDensity& density,
-                         int least_spacing, int row_of_cells, Row& row) {
+void ViewSamples::choose_in(const RenderedDepth& view, const SamplingDensity& density,
+                            int least_spacing, int row_of_cells, Row& row) {
   constexpr int kSize = SamplingDensity::kCellSize;
   row.chosen.clear();
   const std::uint8_t* const spacings =
@@ -73,7 +76,8 @@ void ViewSamples::lay_out(std::size_t bodies) {
   places_.resize(std::max(places_.size(), end));
 }
 
-void ViewSamples::place(const VisibleSurface& surface, Row& row) {
+void ViewSamples::place_row(const VisibleSurface& surface, std::size_t row_index) {
+  Row& row = rows_[row_index];
   const RenderedDepth& view = surface.view();
   const PinholeCamera& camera = surface.view_camera();
   for (const Place& place : row.chosen) {

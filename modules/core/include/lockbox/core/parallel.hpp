@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <initializer_list>
 #include <memory>
 
 #include "lockbox/core/function_ref.hpp"
@@ -18,6 +19,14 @@ enum class Priority { normal, low };
 class Stopped : public std::exception {
  public:
   const char* what() const noexcept override { return "stopped"; }
+};
+
+/// A parallel loop: calls body(i) once for each i in [0, count). The body is only borrowed.
+struct Loop {
+  static constexpr auto kNothing = [](std::size_t) {};
+
+  std::size_t count = 0;
+  FunctionRef<void(std::size_t)> body = kNothing;
 };
 
 /// A group of worker threads. Copyable; copies share the workers. Calls may not be nested.
@@ -35,6 +44,10 @@ class Executor {
   /// Calls body(i) once for each i in [0, count), in any order, and returns when all are done.
   /// An exception of a body reaches the caller. Throws Stopped if it was stopped.
   void for_each(std::size_t count, FunctionRef<void(std::size_t)> body) const;
+
+  /// Several loops that do not need each other, as one: whoever is done with one need not wait for
+  /// its last bodies. Those that take longest are best named first.
+  void for_each(std::initializer_list<Loop> loops) const;
 
   /// Calls body(begin, end, chunk) for the consecutive ranges of chunk_size that cover [0, count).
   void for_each_chunk(

@@ -98,6 +98,7 @@ class ArticulatedRegistration {
   bool takes_last_steps(const TiledCloud& cloud) const;
   void look_through(PredictedView& view);
   ModelTerm::Scene scene(const TiledCloud& cloud) const;
+  void linearize_at_points(const TiledCloud& cloud, double spread);
   double linearize(const TiledCloud& cloud, double spread);
   double cost_at(const TiledCloud& cloud, const Configuration& configuration,
                  std::optional<double> next_spread);

@@ -46,6 +46,13 @@ class CollisionTerm {
   double evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                   NormalEquations* equations);
 
+  /// The same for who has a loop to share: how many parts there are, none where the term was
+  /// evaluated last; each of them, by any thread; and what they sum up to.
+  std::size_t begin(const BodyPoses& T_camera_body);
+  void evaluate_part(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i);
+  double sum_up(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                NormalEquations* equations);
+
  private:
   /// Of a pair, one body's samples in the other's field.
   struct Half {
@@ -64,7 +71,6 @@ class CollisionTerm {
   void choose_erosions(const ArticulatedModel& model, double usual);
   std::vector<Erosion> list_erosions();
   bool stands_at(const BodyPoses& T_camera_body) const;
-  void evaluate_half(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i);
   void compare(const ArticulatedModel& model, const ErodedSurface& surface, int other,
                double erosion, const Eigen::Isometry3d& T_other_body, Half& half);
   void add_sample(const SignedDistanceField& field, const Eigen::AlignedBox3f& box,

@@ -58,9 +58,11 @@ class FreeSpaceTerm {
   std::size_t pulled_samples() const { return seen_through_.size() + outlines_.size(); }
 
  private:
-  void collect_seen_through(const Scene& scene, const BodyPoses& T_camera_body);
+  void find_seen_through(const Scene& scene, const BodyPoses& T_camera_body, std::size_t chunk);
+  void count_seen_through(std::size_t chunks);
   void aim_seen_through(const Scene& scene, const BodyPoses& T_camera_body, double spread);
-  void aim_outlines(const Scene& scene, const BodyPoses& T_camera_body, double spread);
+  void aim_outlines(const Scene& scene, const BodyPoses& T_camera_body, double spread,
+                    std::size_t band);
   void add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
                    std::vector<BodySystem>& systems) const;
   kernels::PullLoss pull_loss() const;

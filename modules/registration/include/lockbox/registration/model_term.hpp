@@ -49,15 +49,16 @@ class ModelTerm {
 
   /// Selects candidates and variances at these poses, and adds each body's system to systems.
   /// spread: how far off the poses may still be, metres. Returns the cost relative to that of
-  /// explaining nothing (so it is negative).
+  /// explaining nothing (so it is negative). beside: what else may be done in the same loop.
   double linearize(const Scene& scene, const BodyPoses& T_camera_body, double spread,
-                   std::vector<BodySystem>& systems);
+                   std::vector<BodySystem>& systems, const Loop& beside = {});
 
   /// The cost at other poses under the selection of the last linearisation.
-  double cost(const Scene& scene, const BodyPoses& T_camera_body);
+  double cost(const Scene& scene, const BodyPoses& T_camera_body, const Loop& beside = {});
 
   /// The same, and on the way the linearisation there: what it takes is looked up already.
-  double cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double spread);
+  double cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double spread,
+                    const Loop& beside = {});
 
   /// Makes the linearisation of cost_ahead the last one, as linearize would have done.
   double take_ahead(std::vector<BodySystem>& systems);

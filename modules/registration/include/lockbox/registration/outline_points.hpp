@@ -8,7 +8,6 @@
 #include <memory>
 #include <vector>
 
-#include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/view_edges.hpp"
@@ -27,18 +26,26 @@ struct OutlinePoint {
   int body;
 };
 
-/// Reuses its buffers.
+/// Found band by band, by any threads. Reuses its buffers.
 class OutlinePoints {
  public:
+  /// Where they are sought, by reference.
+  struct Scene {
+    const ArticulatedModel& model;
+    const VisibleSurface& surface;
+    const ViewEdges& edges;  ///< of the surface's view
+    int spacing;  ///< pixels of the camera from one point to the next, where the view has as many
+    const RegistrationOptions& options;
+  };
+
   OutlinePoints();
   ~OutlinePoints();
   OutlinePoints(OutlinePoints&&) noexcept;
   OutlinePoints& operator=(OutlinePoints&&) noexcept;
 
-  /// edges: of the surface's view. spacing: pixels of the camera from one point to the next, where
-  /// the view has as many.
-  void collect(const ArticulatedModel& model, const VisibleSurface& surface, const ViewEdges& edges,
-               int spacing, const RegistrationOptions& options, const Executor& executor);
+  /// Before the bands of a view are found.
+  void begin(const RenderedDepth& view);
+  void find_band(const Scene& scene, std::size_t i);
 
   /// By bands of rows of the view, in each of which there may be none.
   std::size_t bands() const;

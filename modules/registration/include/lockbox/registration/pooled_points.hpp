@@ -13,31 +13,41 @@
 #include "lockbox/cloud/point_tiles.hpp"
 #include "lockbox/cloud/thinned_points.hpp"
 #include "lockbox/cloud/tiled_cloud.hpp"
-#include "lockbox/core/parallel.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/visible_surface.hpp"
 
 namespace lockbox {
 
-/// Buffers are reused: assign() allocates only where there are more points than ever before.
+/// Found band by band, by any threads. Buffers are reused: they allocate only where there are more
+/// points than ever before.
 class PooledPoints : public PointTiles {
  public:
+  /// What is pooled, by reference. The cloud must have an image, all of it (TiledCloud::is_masked),
+  /// seen by the camera that the surface is seen by. Blocks are as large as faces allow, from a
+  /// cell of the density down to its spacing, or to least_spacing pixels of the view; one of the
+  /// smallest that shows more than one face gives the pixel in its middle.
+  struct Scene {
+    const TiledCloud& cloud;
+    const VisibleSurface& surface;
+    const SamplingDensity& density;
+    int least_spacing;
+    const RegistrationOptions& options;
+  };
+
   PooledPoints();
   ~PooledPoints();
   PooledPoints(PooledPoints&&) noexcept;
   PooledPoints& operator=(PooledPoints&&) noexcept;
 
-  /// Blocks are as large as faces allow, from a cell of the density down to its spacing, or to
-  /// least_spacing pixels of the view; one of the smallest that shows more than one face gives the
-  /// pixel in its middle. The cloud must have
-  /// an image, all of it (TiledCloud::is_masked), seen by the camera that the surface is seen by.
-  void assign(const TiledCloud& cloud, const VisibleSurface& surface,
-              const SamplingDensity& density, int least_spacing, const RegistrationOptions& options,
-              const Executor& executor);
+  /// Before the bands are filled.
+  void begin(const SamplingDensity& density);
+  std::size_t bands() const;
+  void fill_band(const Scene& scene, std::size_t i);
+  /// After all of them: what the object holds are their points.
+  void finish();
 
  private:
   class Band;
-  struct Scene;
 
   void find_flat(const RenderedDepth& view, int row_of_cells);
 

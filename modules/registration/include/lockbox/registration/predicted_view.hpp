@@ -51,6 +51,9 @@ class PredictedView {
   const OutlinePoints& outlines() const { return outlines_; }  ///< of the surface
 
  private:
+  void gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_pooled,
+              const RegistrationOptions& options, const Executor& executor);
+
   std::size_t point_budget_;
   ViewDetail detail_;
   bool is_drawn_ = false;

@@ -22,7 +22,7 @@ struct ViewSample {
   double pixels;  ///< of the camera, that it stands for
 };
 
-/// Reuses its buffers.
+/// Chosen first, then placed row by row, by any threads. Reuses its buffers.
 class ViewSamples {
  public:
   static constexpr std::size_t kMostInChunk = 512;
@@ -36,8 +36,12 @@ class ViewSamples {
 
   /// Of the surface as it was drawn; the density must be one for its view. Samples are not closer
   /// than least_spacing, pixels of the view.
-  void collect(const VisibleSurface& surface, const SamplingDensity& density, int least_spacing,
-               const Executor& executor);
+  void choose(const VisibleSurface& surface, const SamplingDensity& density, int least_spacing,
+              const Executor& executor);
+  std::size_t rows() const { return rows_.size(); }
+  void place_row(const VisibleSurface& surface, std::size_t row);
+  /// After all of them.
+  void finish();
 
   const std::vector<Chunk>& chunks() const { return chunks_; }
   kernels::PointSpan points(const Chunk& chunk) const {
@@ -60,10 +64,9 @@ class ViewSamples {
     std::vector<Place> chosen;      ///< cell by cell
     std::vector<std::size_t> next;  ///< by body: how many, then the number of the next one
   };
-  static void choose(const RenderedDepth& view, const SamplingDensity& density, int least_spacing,
-                     int row_of_cells, Row& row);
+  static void choose_in(const RenderedDepth& view, const SamplingDensity& density,
+                        int least_spacing, int row_of_cells, Row& row);
   void lay_out(std::size_t bodies);
-  void place(const VisibleSurface& surface, Row& row);
 
   std::vector<float> x_;  ///< by number, metres, body frame
   std::vector<float> y_;
