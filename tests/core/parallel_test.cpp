@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -128,6 +129,30 @@ TEST(ExecutorTest, OneOfLowPriorityVisitsEveryIndexBesideAnother) {
   executor.for_each(visits.size(), [&](std::size_t i) { ++visits[i]; });
   other.join();
   for (const auto& count : visits) EXPECT_EQ(count.load(), 2);
+}
+
+TEST(ExecutorTest, WorkersLeaveALoopOfLowPriorityForAnother) {
+  const Executor executor(2);
+  const Executor beside(2, Priority::low);
+  std::atomic<bool> has_worker{false};
+  std::atomic<bool> is_over{false};
+  std::thread other([&] {
+    beside.for_each(200000, [&](std::size_t) {
+      if (Executor::worker() > 0) has_worker = true;
+      if (!is_over) std::this_thread::sleep_for(std::chrono::microseconds(100));
+    });
+  });
+  while (!has_worker) std::this_thread::yield();
+  // Both bodies wait for each other: one thread alone cannot be done with the loop.
+  std::atomic<int> arrived{0};
+  executor.for_each(2, [&](std::size_t) {
+    ++arrived;
+    const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    while (arrived < 2 && std::chrono::steady_clock::now() < latest) std::this_thread::yield();
+    EXPECT_EQ(arrived, 2);
+  });
+  is_over = true;
+  other.join();
 }
 
 }  // namespace

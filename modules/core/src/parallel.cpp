@@ -32,20 +32,26 @@ class Shares {
     }
   }
 
-  /// Calls body(loop, i) for the worker's next one, if any is left.
+  std::size_t size() const { return size_; }
+
+  /// Calls body(loop, i) for the worker's next one; false if none is left.
   template <class Body>
-  void do_next(std::size_t worker, const Body& body) {
+  bool do_next(std::size_t worker, const Body& body) {
     for (std::size_t k = 0; k < size_; ++k) {
       const std::size_t number = (worker + k) % size_;
       Share& share = shares_[number];
       if (share.next.load(std::memory_order_relaxed) >= share.count) continue;
       const std::size_t i = share.next++;
-      if (i < share.count) return call(number, i, body);
+      if (i < share.count) {
+        call(number, i, body);
+        return true;
+      }
     }
+    return false;
   }
 
  private:
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMost = 16;
 
   struct alignas(64) Share {
     std::atomic<std::size_t> next{0};
@@ -76,11 +82,12 @@ class Shares {
 }  // namespace
 
 struct Executor::Impl {
+  Priority priority;
   tbb::task_arena arena;
   std::atomic<bool> is_stopped{false};
 };
 
-Executor::Executor(int threads, Priority priority) : impl_(std::make_shared<Impl>()) {
+Executor::Executor(int threads, Priority priority) : impl_(std::make_shared<Impl>(priority)) {
   constexpr unsigned kCallers = 1;
   impl_->arena.initialize(threads > 0 ? threads : tbb::this_task_arena::max_concurrency(), kCallers,
                           priority == Priority::low ? tbb::task_arena::priority::low
@@ -117,10 +124,14 @@ void Executor::for_each(std::initializer_list<Loop> loops) const {
       }
     } else {
       Shares shares(loops, static_cast<std::size_t>(threads()));
-      // A task for each body: workers are called away between them, where priorities ask for it.
-      tbb::parallel_for(
-          std::size_t{0}, body_count(loops),
-          [&](std::size_t) { shares.do_next(worker(), observed_body); }, tbb::simple_partitioner());
+      // Those of low priority are called away between tasks, where others want them.
+      const bool has_many_tasks = impl_->priority == Priority::low;
+      const std::size_t tasks = has_many_tasks ? body_count(loops) : shares.size();
+      const auto task = [&](std::size_t) {
+        while (shares.do_next(worker(), observed_body) && !has_many_tasks) {
+        }
+      };
+      tbb::parallel_for(std::size_t{0}, tasks, task, tbb::simple_partitioner());
     }
   });
   to_caller.receive();
