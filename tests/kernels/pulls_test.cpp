@@ -105,10 +105,11 @@ TEST_F(PullsTest, CostIsThatOfTheMixture) {
   const double exact = exact_cost(T);
   EXPECT_LT(exact, -100.0);  // most are explained
   EXPECT_NEAR(pull_cost(span(), motion, kLoss), exact, 1e-4 * std::abs(exact));
+  EXPECT_EQ(accumulate_pulls(span(), motion, kLoss).cost, pull_cost(span(), motion, kLoss));
 }
 
 TEST_F(PullsTest, GradientIsTheDerivativeOfTheCostInTheBodysTwist) {
-  const NormalSums sums = accumulate_pulls(span(), motion, kLoss);
+  const NormalSums sums = accumulate_pulls(span(), motion, kLoss).normal;
   const double scale = std::abs(sums.gradient[0]) + std::abs(sums.gradient[1]);
   constexpr double kStep = 1e-7;
   for (int k = 0; k < 6; ++k) {
@@ -127,7 +128,7 @@ TEST_F(PullsTest, GradientIsTheDerivativeOfTheCostInTheBodysTwist) {
 }
 
 TEST_F(PullsTest, SumsAreThoseOfTheWeightedRows) {
-  const NormalSums sums = accumulate_pulls(span(), motion, kLoss);
+  const NormalSums sums = accumulate_pulls(span(), motion, kLoss).normal;
   Matrix6 hessian = Matrix6::Zero();
   double mass = 0.0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -171,7 +172,7 @@ TEST_F(PullsTest, ProductsOfRunsAreTheSumsOfEach) {
     multiply_runs(span(), motion, kLoss, ends, products.data());
     std::size_t first = 0;
     for (std::size_t run = 0; run < ends.size(); ++run) {
-      const NormalSums sums = accumulate_pulls(span(first, ends[run]), motion, kLoss);
+      const NormalSums sums = accumulate_pulls(span(first, ends[run]), motion, kLoss).normal;
       int k = 0;
       for (int row = 0; row < 6; ++row) {
         for (int column = row; column < 6; ++column, ++k) {
@@ -188,12 +189,12 @@ TEST_F(PullsTest, ProductsOfRunsAreTheSumsOfEach) {
 
 TEST_F(PullsTest, EveryInstructionSetOfTheMachineAgrees) {
   const double cost = pull_cost(span(), motion, kLoss);
-  const NormalSums sums = accumulate_pulls(span(), motion, kLoss);
+  const NormalSums sums = accumulate_pulls(span(), motion, kLoss).normal;
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
     EXPECT_NEAR(pull_cost(span(), motion, kLoss), cost, 1e-5 * std::abs(cost))
         << hwy::TargetName(target);
-    const NormalSums own = accumulate_pulls(span(), motion, kLoss);
+    const NormalSums own = accumulate_pulls(span(), motion, kLoss).normal;
     for (int k = 0; k < 21; ++k) {
       EXPECT_NEAR(own.hessian[k], sums.hessian[k], 1e-5 * sums.hessian[0])
           << hwy::TargetName(target);

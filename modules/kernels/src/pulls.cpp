@@ -55,14 +55,24 @@ HWY_INLINE Float weight_of(const PullSpan& pulls, std::size_t i, const Residuals
   return hn::Mul(pixels_of(pulls, i), hn::Mul(share, at.inverse_variance));
 }
 
-NormalSums accumulate_pulls_lanes(const PullSpan& pulls, const RigidMotion& camera_from_body,
-                                  const PullLoss& loss) {
+/// Adds how much less pulls cost than outliers.
+HWY_INLINE Float add_cost(const PullSpan& pulls, std::size_t i, const Residuals& at,
+                          const Float outlier, const float outlier_cost, const Float cost) {
   const FloatTag df;
-  const Float outlier = hn::Set(df, std::exp(-0.5F * loss.cut * loss.cut));
+  const Float gain = hn::Add(hn::Log(df, hn::Add(at.gaussian, outlier)), hn::Set(df, outlier_cost));
+  return hn::NegMulAdd(pixels_of(pulls, i), gain, cost);
+}
+
+PullSums accumulate_pulls_lanes(const PullSpan& pulls, const RigidMotion& camera_from_body,
+                                const PullLoss& loss) {
+  const FloatTag df;
+  const float outlier_cost = 0.5F * loss.cut * loss.cut;
+  const Float outlier = hn::Set(df, std::exp(-outlier_cost));
   NormalSumLanes lanes;
   lanes.set_zero();
   MomentLanes feigned;
   feigned.set_zero();
+  Float cost = hn::Zero(df);
   for (std::size_t i = 0; i < pulls.size; i += hn::Lanes(df)) {
     const Residuals at = residuals_of(pulls, i, camera_from_body, loss);
     const Float w = weight_of(pulls, i, at, outlier);
@@ -70,10 +80,12 @@ NormalSums accumulate_pulls_lanes(const PullSpan& pulls, const RigidMotion& came
     rotate_back(camera_from_body, at.direction, n);
     lanes.add(at.p, n, w, hn::Neg(hn::Mul(w, at.residual)));
     feigned.add(at.p, hn::Mul(w, hn::LoadU(df, pulls.direction_variance + i)));
+    cost = add_cost(pulls, i, at, outlier, outlier_cost, cost);
   }
-  NormalSums sums{};
-  lanes.write(sums);
-  feigned.write(sums);
+  PullSums sums{};
+  lanes.write(sums.normal);
+  feigned.write(sums.normal);
+  sums.cost = sum_of_lanes(cost);
   return sums;
 }
 
@@ -133,14 +145,12 @@ double pull_cost_lanes(const PullSpan& pulls, const RigidMotion& camera_from_bod
   const FloatTag df;
   const float outlier_cost = 0.5F * loss.cut * loss.cut;
   const Float outlier = hn::Set(df, std::exp(-outlier_cost));
-  Float total = hn::Zero(df);
+  Float cost = hn::Zero(df);
   for (std::size_t i = 0; i < pulls.size; i += hn::Lanes(df)) {
     const Residuals at = residuals_of(pulls, i, camera_from_body, loss);
-    const Float gain =
-        hn::Add(hn::Log(df, hn::Add(at.gaussian, outlier)), hn::Set(df, outlier_cost));
-    total = hn::NegMulAdd(pixels_of(pulls, i), gain, total);
+    cost = add_cost(pulls, i, at, outlier, outlier_cost, cost);
   }
-  return sum_of_lanes(total);
+  return sum_of_lanes(cost);
 }
 
 }  // namespace lockbox::kernels::HWY_NAMESPACE
@@ -153,8 +163,8 @@ HWY_EXPORT(accumulate_pulls_lanes);
 HWY_EXPORT(multiply_runs_of);
 HWY_EXPORT(pull_cost_lanes);
 
-NormalSums accumulate_pulls(const PullSpan& pulls, const RigidMotion& camera_from_body,
-                            const PullLoss& loss) {
+PullSums accumulate_pulls(const PullSpan& pulls, const RigidMotion& camera_from_body,
+                          const PullLoss& loss) {
   return HWY_DYNAMIC_DISPATCH(accumulate_pulls_lanes)(pulls, camera_from_body, loss);
 }
 

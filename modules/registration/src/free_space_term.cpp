@@ -199,24 +199,27 @@ void FreeSpaceTerm::count_seen_through(std::size_t chunks) {
 double FreeSpaceTerm::linearize(const BodyPoses& T_camera_body, double spread,
                                 std::vector<BodySystem>& systems) {
   spread2_ = spread * spread;
-  add_systems(seen_through_, T_camera_body, lambda_, systems);
+  double cost = 0.0;
+  add_systems(seen_through_, T_camera_body, lambda_, systems, cost);
   outline_systems_.assign(systems.size(), BodySystem{});
-  add_systems(outlines_, T_camera_body, 1.0, outline_systems_);
+  add_systems(outlines_, T_camera_body, 1.0, outline_systems_, cost);
   add_outlines(lambda_, systems);
-  return cost(T_camera_body);
+  return lambda_ * cost;
 }
 
 void FreeSpaceTerm::add_outlines(double weight, std::vector<BodySystem>& systems) const {
   for (std::size_t b = 0; b < systems.size(); ++b) systems[b] += weight * outline_systems_[b];
 }
 
+/// Adds the pulls' cost, too, without the weight.
 void FreeSpaceTerm::add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
-                                std::vector<BodySystem>& systems) const {
+                                std::vector<BodySystem>& systems, double& cost) const {
   for (const PullSet::Block& block : pulls.blocks()) {
     const auto body = static_cast<std::size_t>(block.body);
-    const kernels::NormalSums sums = kernels::accumulate_pulls(
+    const kernels::PullSums sums = kernels::accumulate_pulls(
         pulls.span(block), to_rigid_motion(T_camera_body[body]), pull_loss());
-    systems[body] += to_system(sums, weight, 1.0);
+    systems[body] += to_system(sums.normal, weight, 1.0);
+    cost += sums.cost;
   }
 }
 

@@ -31,12 +31,16 @@ struct PullLoss {
   float cut;
 };
 
-/// Sums over the pulls, weighted by how likely each one is to be no outlier. Rows are a = (n, p x
-/// n) with n the direction in the body's frame. mass and moments are weighted by
-/// direction_variance, too: for the curvature that wrong directions could feign. Not summed:
-/// weighted_squares, weight.
-NormalSums accumulate_pulls(const PullSpan& pulls, const RigidMotion& camera_from_body,
-                            const PullLoss& loss);
+struct PullSums {
+  /// Weighted by how likely each pull is to be no outlier. Rows are a = (n, p x n) with n the
+  /// direction in the body's frame. mass and moments are weighted by direction_variance, too: for
+  /// the curvature that wrong directions could feign. Not summed: weighted_squares, weight.
+  NormalSums normal;
+  double cost;  ///< see pull_cost
+};
+
+PullSums accumulate_pulls(const PullSpan& pulls, const RigidMotion& camera_from_body,
+                          const PullLoss& loss);
 
 /// Of some pulls: sum w b b', with w and a as above and b = (a, residual, 0). Their hessian, and as
 /// the seventh row their gradient.

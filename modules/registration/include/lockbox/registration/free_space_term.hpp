@@ -64,7 +64,7 @@ class FreeSpaceTerm {
   void aim_outlines(const Scene& scene, const BodyPoses& T_camera_body, double spread,
                     std::size_t band);
   void add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
-                   std::vector<BodySystem>& systems) const;
+                   std::vector<BodySystem>& systems, double& cost) const;
   kernels::PullLoss pull_loss() const;
   void find_tile_systems(const PullSet& pulls, std::size_t block_index,
                          const BodyPoses& T_camera_body, std::size_t first_tile, double weight,
