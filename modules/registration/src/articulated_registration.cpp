@@ -173,10 +173,6 @@ bool ArticulatedRegistration::report(const Annealing& annealing, bool is_narrow)
   return !annealing.on_iteration || annealing.on_iteration(result_.configuration, is_narrow);
 }
 
-bool ArticulatedRegistration::takes_last_steps(const TiledCloud& cloud) const {
-  return options_.lambda_free > 0.0 && cloud.has_image();
-}
-
 void ArticulatedRegistration::look_through(PredictedView& view) {
   if (view_ == &view) return;
   view_ = &view;
@@ -190,9 +186,7 @@ ModelTerm::Scene ArticulatedRegistration::scene(const TiledCloud& cloud) const {
 }
 
 double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread) {
-  if (linearized_spread_ == spread) {
-    return cost_;  // the last step was not taken
-  }
+  if (linearized_spread_ == spread) return cost_;  // the last step was not taken
   if (!view_->shows(result_.configuration, moves_)) {
     view_->look_at(cloud, model_, result_.configuration, options_.cut * spread, is_predicted_,
                    options_, executor_);
@@ -251,12 +245,10 @@ double ArticulatedRegistration::cost_at(const TiledCloud& cloud, const Configura
   forward_kinematics(model_.tree, configuration, trial_poses_);
   const auto collide = [&](std::size_t i) { collision_.evaluate_part(model_, trial_poses_, i); };
   const Loop collisions{collision_.begin(trial_poses_), collide};
-  double cost = next_spread
-                    ? model_term_.cost_ahead(scene(cloud), trial_poses_, *next_spread, collisions)
-                    : model_term_.cost(scene(cloud), trial_poses_, collisions);
-  if (options_.lambda_free > 0.0 && cloud.has_image()) {
-    cost += free_term_.cost(trial_poses_);
-  }
+  const ModelTerm::Scene points = scene(cloud);
+  double cost = next_spread ? model_term_.cost_ahead(points, trial_poses_, *next_spread, collisions)
+                            : model_term_.cost(points, trial_poses_, collisions);
+  if (options_.lambda_free > 0.0 && cloud.has_image()) cost += free_term_.cost(trial_poses_);
   return cost / options_.noise_correlation + collision_.sum_up(model_, trial_poses_, nullptr);
 }
 

@@ -18,6 +18,10 @@ constexpr double kMostObjection = 4.5;    // of cost: three standard deviations
 
 }  // namespace
 
+bool ArticulatedRegistration::takes_last_steps(const TiledCloud& cloud) const {
+  return options_.lambda_free > 0.0 && cloud.has_image();
+}
+
 /// One more step, in which outlines weigh what their pixels are worth. From farther off, such
 /// weights would keep the estimate in wrong minima.
 void ArticulatedRegistration::refine(const PinholeCamera& camera, bool hold_joints) {
