@@ -22,12 +22,13 @@ std::size_t body_count(std::initializer_list<Loop> loops) {
 }  // namespace
 
 struct Executor::Impl {
-  Priority priority;
+  Priority priority = Priority::normal;
   tbb::task_arena arena;
   std::atomic<bool> is_stopped{false};
 };
 
-Executor::Executor(int threads, Priority priority) : impl_(std::make_shared<Impl>(priority)) {
+Executor::Executor(int threads, Priority priority) : impl_(std::make_shared<Impl>()) {
+  impl_->priority = priority;
   constexpr unsigned kCallers = 1;
   impl_->arena.initialize(threads > 0 ? threads : tbb::this_task_arena::max_concurrency(), kCallers,
                           priority == Priority::low ? tbb::task_arena::priority::low
