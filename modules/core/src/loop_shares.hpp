@@ -15,7 +15,8 @@ namespace lockbox {
 /// Loops cut into one share for each thread: a range of the first, one of the second, and so on.
 /// Whoever is done with its own takes from those of others, in their order: what is named first
 /// has begun by then, and the wait for the last bodies is short. As threads have the same share of
-/// each loop over rows of an image, they find in their caches what they wrote themselves.
+/// each loop over rows of an image, they find in their caches what they wrote themselves. Of many
+/// threads, several have one share.
 class LoopShares {
  public:
   LoopShares(std::initializer_list<Loop> loops, std::size_t threads)
@@ -24,8 +25,6 @@ class LoopShares {
       for (const Loop& loop : loops) shares_[share].count += end(loop, share) - begin(loop, share);
     }
   }
-
-  std::size_t size() const { return size_; }
 
   /// Calls body(loop, i) for the worker's next one; false if none is left.
   template <class Body>
@@ -44,7 +43,7 @@ class LoopShares {
   }
 
  private:
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMost = 16;  // shares
 
   struct alignas(64) Share {
     std::atomic<std::size_t> next{0};

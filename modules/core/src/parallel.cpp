@@ -59,15 +59,17 @@ void Executor::for_each(std::initializer_list<Loop> loops) const {
   };
   to_bodies.give();
   impl_->arena.execute([&] {
-    if (threads() == 1 || body_count(loops) <= 1) {  // no tasks for those who will not come
+    const std::size_t bodies = body_count(loops);
+    if (threads() == 1 || bodies <= 1) {  // no tasks for those who will not come
       for (const Loop& loop : loops) {
         for (std::size_t i = 0; i < loop.count; ++i) observed_body(loop, i);
       }
     } else {
-      LoopShares shares(loops, static_cast<std::size_t>(threads()));
+      const auto workers = static_cast<std::size_t>(threads());
+      LoopShares shares(loops, workers);
       // Those of low priority are called away between tasks, where others want them.
       const bool has_many_tasks = impl_->priority == Priority::low;
-      const std::size_t tasks = has_many_tasks ? body_count(loops) : shares.size();
+      const std::size_t tasks = has_many_tasks ? bodies : std::min(bodies, workers);
       const auto task = [&](std::size_t) {
         while (shares.do_next(worker(), observed_body) && !has_many_tasks) {
         }

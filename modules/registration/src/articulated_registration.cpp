@@ -245,9 +245,9 @@ double ArticulatedRegistration::cost_at(const TiledCloud& cloud, const Configura
   forward_kinematics(model_.tree, configuration, trial_poses_);
   const auto collide = [&](std::size_t i) { collision_.evaluate_part(model_, trial_poses_, i); };
   const Loop collisions{collision_.begin(trial_poses_), collide};
-  const ModelTerm::Scene points = scene(cloud);
-  double cost = next_spread ? model_term_.cost_ahead(points, trial_poses_, *next_spread, collisions)
-                            : model_term_.cost(points, trial_poses_, collisions);
+  const ModelTerm::Scene seen = scene(cloud);
+  double cost = next_spread ? model_term_.cost_ahead(seen, trial_poses_, *next_spread, collisions)
+                            : model_term_.cost(seen, trial_poses_, collisions);
   if (options_.lambda_free > 0.0 && cloud.has_image()) cost += free_term_.cost(trial_poses_);
   return cost / options_.noise_correlation + collision_.sum_up(model_, trial_poses_, nullptr);
 }

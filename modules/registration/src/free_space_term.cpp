@@ -145,7 +145,7 @@ void FreeSpaceTerm::select(const Scene& scene, const BodyPoses& T_camera_body, d
   aim_seen_through(scene, T_camera_body, spread);
 }
 
-/// Towards what the camera saw around them.
+/// Towards what the camera saw around them. Meanwhile one thread lays out the pulls of outlines.
 void FreeSpaceTerm::aim_seen_through(const Scene& scene, const BodyPoses& T_camera_body,
                                      double spread) {
   const std::size_t seen = chunk_begins_.back();

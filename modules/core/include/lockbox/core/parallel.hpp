@@ -42,7 +42,8 @@ class Executor {
   static std::size_t worker();
 
   /// Calls body(i) once for each i in [0, count), in any order, and returns when all are done.
-  /// An exception of a body reaches the caller. Throws Stopped if it was stopped.
+  /// An exception of a body reaches the caller; other bodies may be called before it does. Throws
+  /// Stopped if it was stopped.
   void for_each(std::size_t count, FunctionRef<void(std::size_t)> body) const;
 
   /// Several loops that do not need each other, as one: whoever is done with one need not wait for
