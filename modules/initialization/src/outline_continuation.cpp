@@ -17,7 +17,7 @@ constexpr double kOutlinePrior = 8.0;  // outline pixels that would have to be s
 // of one beyond which the surface goes on.
 constexpr double kUnseen = 0.5;
 
-constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
 /// Pixels of outlines that are near each other and face the same way.
 struct Stretch {
@@ -25,10 +25,20 @@ struct Stretch {
   double count = 0.0;
 };
 
-std::size_t stretch_index(const RenderedDepth& image, int u, int v, int du, int dv) {
-  const int columns = image.width / kStretch + 1;
-  const int direction = (du == 0 ? 2 : 0) + (du + dv > 0 ? 1 : 0);
-  return static_cast<std::size_t>(4 * (v / kStretch * columns + u / kStretch) + direction);
+/// Rows or columns of stretches along so many pixels; the last may be a shorter one.
+std::size_t stretches_along(int pixels) {
+  return static_cast<std::size_t>((pixels + kStretch - 1) / kStretch);
+}
+
+std::size_t stretch_count(const RenderedDepth& image) {
+  return kNeighbours.size() * stretches_along(image.width) * stretches_along(image.height);
+}
+
+/// direction: index into kNeighbours.
+std::size_t stretch_index(const RenderedDepth& image, int u, int v, std::size_t direction) {
+  const auto row = static_cast<std::size_t>(v / kStretch);
+  const auto column = static_cast<std::size_t>(u / kStretch);
+  return kNeighbours.size() * (row * stretches_along(image.width) + column) + direction;
 }
 
 bool is_measured(const CoarseView& view, int u, int v) {
@@ -45,10 +55,12 @@ class OutlineSurvey {
         noise_(noise),
         slack_(slack),
         has_bends_(has_bends),
-        stretches_(stretch_index(image, image.width, image.height, 1, 1) + 1) {}
+        stretches_(stretch_count(image)) {}
 
-  /// From a pixel of what is drawn to its neighbour, if the surface ends between them.
-  void look_across(int u, int v, int du, int dv) {
+  /// From a pixel of what is drawn to its neighbour in that direction (index into kNeighbours), if
+  /// the surface ends between them.
+  void look_across(int u, int v, std::size_t direction) {
+    const auto [du, dv] = kNeighbours[direction];
     if (!view_.contains(u + du, v + dv)) return;
     const std::size_t here = image_.index(u, v);
     const std::size_t next = image_.index(u + du, v + dv);
@@ -81,7 +93,7 @@ class OutlineSurvey {
     // How much nearer the measured surface is than its continuation, standard deviations.
     const double nearer = (1.0 / z_out - 1.0 / z_in - slope * (2.0 * reach + 1.0)) / (1.5 * noise_);
     if (nearer > 2.0) return;  // an occluder, or what the model stands on
-    Stretch& stretch = stretches_[stretch_index(image_, u, v, du, dv)];
+    Stretch& stretch = stretches_[stretch_index(image_, u, v, direction)];
     stretch.sum += std::max(nearer, -kFarBehind);
     stretch.count += 1.0;
   }
@@ -128,7 +140,9 @@ double surveyed_share(const RenderedDepth& image, const CoarseView& view, double
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
       if (image.id[image.index(u, v)] == kNothing) continue;
-      for (const auto& [du, dv] : kNeighbours) survey.look_across(u, v, du, dv);
+      for (std::size_t direction = 0; direction < kNeighbours.size(); ++direction) {
+        survey.look_across(u, v, direction);
+      }
     }
   }
   return survey.share_that_continues();
