@@ -42,8 +42,20 @@ struct ArticulatedSdfRegistration<PointT, Scalar>::State {
   typename Base::KdTreePtr tree;
   typename Base::PointRepresentationConstPtr representation;
   typename Base::KdTreeReciprocalPtr reciprocal_tree;
+  /// What setIndices() was given. PCL's base class never sees it: before it calls anything that can
+  /// be overridden, align() follows its indices, beyond the cloud's end as well. It makes its own,
+  /// of all points.
+  pcl::IndicesPtr selection;
   std::set<std::string> warned;
 };
+
+template <typename PointT, typename Scalar>
+bool ArticulatedSdfRegistration<PointT, Scalar>::selects_missing_points() const {
+  const pcl::IndicesPtr& selection = state_->selection;
+  return selection && std::any_of(selection->begin(), selection->end(), [this](pcl::index_t i) {
+           return i < 0 || static_cast<std::size_t>(i) >= input_->size();
+         });
+}
 
 template <typename PointT, typename Scalar>
 void ArticulatedSdfRegistration<PointT, Scalar>::warn_once(const std::string& setting) {
@@ -115,7 +127,14 @@ bool ArticulatedSdfRegistration<PointT, Scalar>::begin(const Matrix4& guess) {
     PCL_ERROR("[lockbox::%s] There is no model; call setModel.\n", this->getClassName().c_str());
     return false;
   }
-  const Scan scan = to_scan(*input_, this->fake_indices_ ? nullptr : this->indices_.get());
+  if (selects_missing_points()) {
+    PCL_ERROR(
+        "[lockbox::%s] The indices select points that the source does not have; call setIndices "
+        "with those of this source, or with a null pointer for all points.\n",
+        this->getClassName().c_str());
+    return false;
+  }
+  const Scan scan = to_scan(*input_, state_->selection.get());
   const bool is_image = state_->registration.begin(scan, *T_base_cloud);
   if (input_->isOrganized() && !is_image) {
     warn_once("rows and columns of a cloud whose points lie on no rays of the camera");

@@ -127,7 +127,39 @@ void ArticulatedSdfRegistration<PointT, Scalar>::setInputSource(
   }
   PCL_ERROR("[lockbox::%s::setInputSource] The cloud is empty.\n", this->getClassName().c_str());
   input_ = cloud ? cloud : pcl::make_shared<PointCloudSource>();
-  this->indices_.reset();  // they select nothing, and PCL would follow them
+  state_->selection.reset();
+}
+
+template <typename PointT, typename Scalar>
+void ArticulatedSdfRegistration<PointT, Scalar>::setIndices(const pcl::IndicesPtr& indices) {
+  state_->selection = indices;
+}
+
+template <typename PointT, typename Scalar>
+void ArticulatedSdfRegistration<PointT, Scalar>::setIndices(const pcl::IndicesConstPtr& indices) {
+  state_->selection = indices ? pcl::make_shared<pcl::Indices>(*indices) : nullptr;
+}
+
+template <typename PointT, typename Scalar>
+void ArticulatedSdfRegistration<PointT, Scalar>::setIndices(const PointIndicesConstPtr& indices) {
+  state_->selection = indices ? pcl::make_shared<pcl::Indices>(indices->indices) : nullptr;
+}
+
+template <typename PointT, typename Scalar>
+void ArticulatedSdfRegistration<PointT, Scalar>::setIndices(std::size_t first_row,
+                                                            std::size_t first_column,
+                                                            std::size_t rows, std::size_t columns) {
+  this->indices_.reset();
+  Base::setIndices(first_row, first_column, rows, columns);
+  if (this->indices_) {
+    state_->selection = std::move(this->indices_);
+  }
+  this->indices_.reset();
+}
+
+template <typename PointT, typename Scalar>
+pcl::IndicesPtr ArticulatedSdfRegistration<PointT, Scalar>::getIndices() const {
+  return state_->selection;
 }
 
 template <typename PointT, typename Scalar>

@@ -71,7 +71,7 @@ void transform(const pcl::PointCloud<PointT>& from, pcl::PointCloud<PointT>& to,
   }
 }
 
-/// indices: of the points in use, those that do not exist left out; null: all.
+/// indices: of the points in use, each of which exists; null: all.
 template <typename PointT>
 Scan to_scan(const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices) {
   Scan scan;
@@ -87,11 +87,7 @@ Scan to_scan(const pcl::PointCloud<PointT>& cloud, const pcl::Indices* indices) 
   }
   if (indices != nullptr) {
     scan.used.assign(cloud.size(), 0);
-    for (const pcl::index_t i : *indices) {
-      if (i >= 0 && static_cast<std::size_t>(i) < cloud.size()) {
-        scan.used[static_cast<std::size_t>(i)] = 1;
-      }
-    }
+    for (const pcl::index_t i : *indices) scan.used[static_cast<std::size_t>(i)] = 1;
   }
   return scan;
 }

@@ -31,8 +31,9 @@ namespace lockbox {
 /// other points are not matched, but still tell where the camera saw through.
 ///
 /// What PCL leaves to the process's end does not end it here: an empty cloud, one without a finite
-/// point, no source, no model, a guess that is no rigid motion. Such an alignment says why, as PCL
-/// does, does not converge, and leaves the joints alone.
+/// point, indices of points that the source does not have (of a larger cloud before it, say), no
+/// source, no model, a guess that is no rigid motion. Such an alignment says why, as PCL does, does
+/// not converge, and leaves the joints alone.
 ///
 /// For pcl::PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA, PointNormal and PointXYZRGBNormal, with
 /// float and double. One object serves one thread at a time; objects can share a model.
@@ -45,6 +46,7 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   using typename Base::PointCloudSourceConstPtr;
   using typename Base::PointCloudTarget;
   using typename Base::PointCloudTargetConstPtr;
+  using typename Base::PointIndicesConstPtr;
   using Ptr = pcl::shared_ptr<ArticulatedSdfRegistration>;
   using ConstPtr = pcl::shared_ptr<const ArticulatedSdfRegistration>;
   using ConvergenceCriteria = pcl::registration::DefaultConvergenceCriteria<Scalar>;
@@ -95,8 +97,19 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   /// As IterativeClosestPoint has it.
   typename ConvergenceCriteria::Ptr getConvergeCriteria() const;
 
-  /// An empty cloud is taken: no alignment then succeeds.
+  /// An empty cloud is taken: no alignment then succeeds, and what indices selected is forgotten.
   void setInputSource(const PointCloudSourceConstPtr& cloud) override;
+
+  /// Which points of the source are matched, of this one and of those that follow. Null: all.
+  void setIndices(const pcl::IndicesPtr& indices) override;
+  void setIndices(const pcl::IndicesConstPtr& indices) override;
+  void setIndices(const PointIndicesConstPtr& indices) override;
+  void setIndices(std::size_t first_row, std::size_t first_column, std::size_t rows,
+                  std::size_t columns) override;
+
+  /// What setIndices() was given; null: all. (PCL's own, which cannot be overridden, knows nothing
+  /// of them: it would follow them beyond the end of a cloud.)
+  pcl::IndicesPtr getIndices() const;
 
   /// The target is the model; a cloud is refused with a warning once there is one.
   void setInputTarget(const PointCloudTargetConstPtr& cloud) override;
@@ -124,6 +137,7 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
 
   void warn_of_ignored_settings();
   void warn_once(const std::string& setting);
+  bool selects_missing_points() const;
   bool begin(const Matrix4& guess);
   void find_configuration();
   bool go_on(const Configuration& configuration, bool is_narrow);
