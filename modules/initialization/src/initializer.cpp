@@ -97,7 +97,8 @@ SoughtJoints Initializer::find_joints(const TiledCloud& cloud, const Configurati
   found.margins = scan_joints(w.model.tree, w.levers, w.scores.front(), sought, 0.006, kScan,
                               found.configuration);
   for (double& margin : found.margins) margin *= kFinePixels;
-  scan_by_image(w.low_relief, cloud, sought, found.margins, found.configuration);
+  scan_by_image(w.low_relief, cloud, sought, found.margins, w.options.stop_request,
+                found.configuration);
   w.resolve_overlap(cloud, sought, found.configuration);
   return found;
 }

@@ -221,8 +221,9 @@ std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& le
 
 void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
                    const std::vector<int>& variables, const std::vector<double>& margins,
-                   Configuration& configuration) {
+                   const StopRequest& stop_request, Configuration& configuration) {
   for (const int variable : variables) {
+    stop_if(stop_request);
     const bool is_told = margins[static_cast<std::size_t>(variable)] > kDoubt &&
                          low_relief.prominence(variable, configuration) > kHardlyStandsOut;
     if (is_told) continue;

@@ -29,9 +29,9 @@ std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& le
 
 /// The same for variables whose parts hardly stand out of the noise, or of which too little is
 /// seen: the likelihood of the image decides. For everything else known to a few millimetres.
-/// margins: of scan_joints(), in pixels of the finer view.
+/// margins: of scan_joints(), in pixels of the finer view. Throws Stopped if that is requested.
 void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
                    const std::vector<int>& variables, const std::vector<double>& margins,
-                   Configuration& configuration);
+                   const StopRequest& stop_request, Configuration& configuration);
 
 }  // namespace lockbox

@@ -200,12 +200,17 @@ bool same_view(const ModelRelief& a, const ModelRelief& b) {
 
 }  // namespace
 
-std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor& executor) {
+std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor& executor,
+                                      const StopRequest& stop_request) {
+  const auto relief_of = [&](int body, const Eigen::Vector3d& z, double offset) {
+    stop_if(stop_request);
+    return make_relief(tree, body, z, offset, executor);
+  };
   std::vector<ModelRelief> sides;
   double largest = 0.0;
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
     for (const FlatSide& side : flat_sides(tree.bodies[b].mesh, kLeastShare * largest)) {
-      sides.push_back(make_relief(tree, static_cast<int>(b), side.normal, side.offset, executor));
+      sides.push_back(relief_of(static_cast<int>(b), side.normal, side.offset));
       largest = std::max(largest, side.area);
     }
   }
@@ -224,7 +229,7 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
   if (sides.empty()) {  // a rounded model still stands on something
     for (int axis = 0; axis < 6; ++axis) {
       const Eigen::Vector3d z = (axis < 3 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(axis % 3);
-      add(make_relief(tree, 0, z, support(tree.bodies[0].mesh, z), executor));
+      add(relief_of(0, z, support(tree.bodies[0].mesh, z)));
     }
     return reliefs;
   }
@@ -233,7 +238,7 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
   for (const ModelRelief& side : visible) {
     if (side.body != 0) continue;
     const Eigen::Vector3d z = side.T_body_plane.linear().col(2);
-    add(make_relief(tree, 0, z, support(tree.bodies[0].mesh, z), executor));
+    add(relief_of(0, z, support(tree.bodies[0].mesh, z)));
   }
   return reliefs;
 }

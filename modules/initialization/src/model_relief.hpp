@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lockbox/core/parallel.hpp"
+#include "lockbox/core/stop_request.hpp"
 #include "lockbox/model/kinematic_tree.hpp"
 
 namespace lockbox {
@@ -39,7 +40,8 @@ struct ModelRelief {
 
 /// The reliefs of all sides that are large for the model: seen with the plane in the side itself,
 /// and with the plane under the model, where it may touch a table or a wall. They follow from the
-/// geometry alone; most significant first.
-std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor& executor);
+/// geometry alone; most significant first. Throws Stopped if that is requested.
+std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor& executor,
+                                      const StopRequest& stop_request);
 
 }  // namespace lockbox

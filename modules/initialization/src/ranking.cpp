@@ -37,7 +37,7 @@ std::vector<Candidate> Initializer::Workspace::rank(const TiledCloud& cloud,
     Configuration configuration = hypothesis.configuration;
     resolve_overlap(cloud, variables, configuration);
     align_exactly(cloud, configuration);
-    const auto& result = fine.align(cloud, configuration, {0.0, 0});
+    const auto& result = align_finely(cloud, configuration, {0.0, 0});
     const double consent = least_consent(result.body_agreement);
     const double trust = consent * std::pow(result.agreement.consent(), kContradicted);
     const ViewEvidence evidence = halves.front().last_evidence(configuration, kFineSlack);

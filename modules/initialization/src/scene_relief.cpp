@@ -194,7 +194,8 @@ void climb(const Correlation& correlation, double step, Peak& peak) {
 }  // namespace
 
 std::vector<ReliefMatch> match_relief(const CoarseView& view, const PlanarRegion& region,
-                                      const ModelRelief& relief, double noise, std::size_t most) {
+                                      const ModelRelief& relief, double noise, std::size_t most,
+                                      const StopRequest& stop_request) {
   const Eigen::Isometry3d T_camera_plane = region_frame(view, region);
   const double cell = relief.cell_size;
   const int margin = static_cast<int>(relief.radius / cell) + 2;
@@ -209,6 +210,7 @@ std::vector<ReliefMatch> match_relief(const CoarseView& view, const PlanarRegion
                                 static_cast<float>(relief.cells.size()));
   std::vector<Peak> peaks;
   for (int turn = 0; turn < turns; ++turn) {
+    stop_if(stop_request);
     correlation.turn_to(step * turn);
     const std::size_t before = peaks.size();
     collect_peaks(correlation, turn, least, peaks);

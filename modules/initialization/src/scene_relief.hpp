@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coarse_view.hpp"
+#include "lockbox/core/stop_request.hpp"
 #include "model_relief.hpp"
 #include "planar_regions.hpp"
 
@@ -19,8 +20,9 @@ struct ReliefMatch {
 };
 
 /// The best placements of the relief on the region's plane, best first, at most `most`, apart from
-/// each other. noise: standard deviation of 1/depth, 1/metre.
+/// each other. noise: standard deviation of 1/depth, 1/metre. Throws Stopped if that is requested.
 std::vector<ReliefMatch> match_relief(const CoarseView& view, const PlanarRegion& region,
-                                      const ModelRelief& relief, double noise, std::size_t most);
+                                      const ModelRelief& relief, double noise, std::size_t most,
+                                      const StopRequest& stop_request);
 
 }  // namespace lockbox

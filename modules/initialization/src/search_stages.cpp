@@ -46,8 +46,8 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
   coarse_options.collision = CollisionMode::off;
   coarse_options.sight_low_relief = false;  // coarse pixels err otherwise
   for (int worker = 0; worker < executor.threads(); ++worker) {
-    scores.emplace_back(model.tree, view_noise());
-    halves.emplace_back(model.tree, fine_view_noise());
+    scores.emplace_back(model.tree, view_noise(), options.stop_request);
+    halves.emplace_back(model.tree, fine_view_noise(), options.stop_request);
     coarse.emplace_back(model, coarse_options, Executor(1));
     parts.emplace_back();
   }
@@ -92,14 +92,15 @@ std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
 std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
                                                       const Breadth& breadth) {
   const auto& regions = scene.regions;
-  if (!reliefs) reliefs = make_reliefs(model.tree, executor);
+  if (!reliefs) reliefs = make_reliefs(model.tree, executor, options.stop_request);
   const std::size_t pairs = regions.size() * reliefs->size();
   std::vector<std::vector<Hypothesis>> found(pairs);
   executor.for_each(pairs, [&](std::size_t pair) {
     const ModelRelief& relief = (*reliefs)[pair % reliefs->size()];
     const PlanarRegion& region = regions[pair / reliefs->size()];
     for (const auto& match :
-         match_relief(scene.view, region, relief, scene.noise, breadth.matches_each)) {
+         match_relief(scene.view, region, relief, scene.noise, breadth.matches_each,
+                      options.stop_request)) {
       add_matched(relief, match, found[pair]);
     }
     for (Hypothesis& hypothesis : found[pair]) hypothesis.score = judge(hypothesis, 0.02, 1.0);
@@ -183,7 +184,7 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
   for (const Hypothesis& hypothesis : hypotheses) {
     const TiledCloud& object =
         surroundings.left_out_of(cloud, hypothesis.configuration, depth_noise(), parts.front());
-    aligned.push_back(fine.align(object, hypothesis.configuration, kClosely).configuration);
+    aligned.push_back(align_finely(object, hypothesis.configuration, kClosely).configuration);
   }
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
@@ -206,7 +207,8 @@ void Initializer::Workspace::settle(const TiledCloud& cloud, const CoarseView& f
   Configuration& configuration = candidate.configuration;
   candidate.margins =
       scan_joints(model.tree, levers, halves.front(), variables, kFineSlack, kScan, configuration);
-  scan_by_image(low_relief, cloud, variables, candidate.margins, configuration);
+  scan_by_image(low_relief, cloud, variables, candidate.margins, options.stop_request,
+                configuration);
   resolve_overlap(cloud, variables, configuration);
   align_exactly(cloud, configuration);
 }
@@ -216,8 +218,8 @@ void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud, const std:
   for (const int v : which) {
     if (!overlap.overlaps(configuration)) return;
     const Configuration moved = overlap.with_moved(configuration, v);
-    const double before = fine.align(cloud, configuration, {0.0, 0}).agreement.conviction();
-    const double after = fine.align(cloud, moved, {0.0, 0}).agreement.conviction();
+    const double before = align_finely(cloud, configuration, {0.0, 0}).agreement.conviction();
+    const double after = align_finely(cloud, moved, {0.0, 0}).agreement.conviction();
     if (after > before - kHardlyWorse) configuration = moved;
   }
 }
@@ -227,13 +229,21 @@ void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud, const std:
 void Initializer::Workspace::align_exactly(const TiledCloud& cloud, Configuration& configuration) {
   const TiledCloud& object =
       surroundings.left_out_of(cloud, configuration, depth_noise(), parts.front());
-  const double before = fine.align(object, configuration, {0.0, 0}).agreement.conviction();
-  const RegistrationResult& exact = fine.align(object, configuration, kExactly);
+  const double before = align_finely(object, configuration, {0.0, 0}).agreement.conviction();
+  const RegistrationResult& exact = align_finely(object, configuration, kExactly);
   if (exact.agreement.conviction() > before - kHardlyWorse) configuration = exact.configuration;
+}
+
+const RegistrationResult& Initializer::Workspace::align_finely(const TiledCloud& cloud,
+                                                               const Configuration& start,
+                                                               const Annealing& annealing) {
+  stop_if(options.stop_request);
+  return fine.align(cloud, start, annealing);
 }
 
 void Initializer::Workspace::align_coarsely(double spread, int iterations,
                                             Configuration& configuration, bool hold_joints) {
+  stop_if(options.stop_request);
   const std::size_t worker = Executor::worker();
   const TiledCloud& object =
       surroundings.left_out_of(coarse_cloud, configuration, view_noise(), parts[worker]);

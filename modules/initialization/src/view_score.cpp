@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/rendering/body_item.hpp"
@@ -41,7 +42,8 @@ std::vector<std::uint8_t> others_than(const std::vector<std::uint8_t>& moved) {
 
 }  // namespace
 
-ViewScore::ViewScore(const KinematicTree& tree, double noise) : tree_(tree), noise_(noise) {
+ViewScore::ViewScore(const KinematicTree& tree, double noise, StopRequest stop_request)
+    : tree_(tree), noise_(noise), stop_request_(std::move(stop_request)) {
   for (const Body& body : tree.bodies) {
     const double spacing = std::sqrt(surface_area(body.mesh) / kSamples);
     samples_.push_back(spacing > 0.0 ? sample_surface(body.mesh, spacing)
@@ -60,6 +62,7 @@ void ViewScore::set_view(const CoarseView& view, bool is_known) {
 
 void ViewScore::draw(const Configuration& configuration, const std::vector<std::uint8_t>& bodies,
                      Drawing& drawing) {
+  stop_if(stop_request_);
   forward_kinematics(tree_, configuration, poses_);
   items_.clear();
   for (std::size_t b = 0; b < poses_.size(); ++b) {

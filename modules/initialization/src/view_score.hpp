@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coarse_view.hpp"
+#include "lockbox/core/stop_request.hpp"
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
@@ -16,11 +17,12 @@
 
 namespace lockbox {
 
-/// Draws on one thread; reuses its buffers. Tree and view are referred to.
+/// Draws on one thread; reuses its buffers. Tree and view are referred to. Whatever draws throws
+/// Stopped if that is requested.
 class ViewScore {
  public:
   /// noise: standard deviation of 1/depth of a pixel of the view, 1/metre.
-  ViewScore(const KinematicTree& tree, double noise);
+  ViewScore(const KinematicTree& tree, double noise, StopRequest stop_request = nullptr);
 
   /// Draws what follows into this view. What stands before the object speaks against it while it is
   /// sought, but says nothing about the joints of one that is known to be there.
@@ -67,6 +69,7 @@ class ViewScore {
 
   const KinematicTree& tree_;
   double noise_;
+  StopRequest stop_request_;
   const CoarseView* view_ = nullptr;
   bool is_known_ = false;
   double nearest_reach_ = 0.0;  ///< least depth that what the variable moves can have, metres

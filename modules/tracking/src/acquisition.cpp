@@ -152,6 +152,7 @@ Initializer& Acquisition::initializer() {
   if (!initializer_) {
     InitializerOptions options{options_.registration};
     options.registration.fixed_base = false;  // it is held where it was found
+    options.stop_request = options_.stop_request;
     initializer_.emplace(model_, options, executor_);
   }
   return *initializer_;

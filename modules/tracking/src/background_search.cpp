@@ -29,10 +29,14 @@ struct BackgroundSearch::Seeker {
 // programs keep the cores busy, one of lower priority would take ten times as long to find
 // anything.
 BackgroundSearch::BackgroundSearch(const ArticulatedModel& model, const TrackerOptions& options)
-    : model_(model), options_(options), executor_(options.threads, Priority::low) {}
+    : model_(model), options_(options), executor_(options.threads, Priority::low) {
+  options_.stop_request = [this, of_the_user = options.stop_request] {
+    return is_cancelled_ || (of_the_user && of_the_user());
+  };
+}
 
 BackgroundSearch::~BackgroundSearch() {
-  executor_.stop();
+  cancel();
 }
 
 void BackgroundSearch::start(const DepthFrame& frame, const std::optional<Configuration>& guess,

@@ -41,15 +41,15 @@ void Tracker::search(const DepthFrame& frame) {
 
 /// What is found in this frame, if a search is due, or one in the background has ended.
 std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, SearchScope scope) {
-  const bool is_due = search_is_due(frames_searched_++);
+  const bool is_due = search_is_due(frames_searched_);
+  std::optional<RegistrationResult> found;
   if (options_.background_search) {
-    return sought_in_background(frame, scope, is_due);
+    found = sought_in_background(frame, scope, is_due);
+  } else if (is_due) {
+    found = acquisition_.find(frame, guess_, scope);
+    result_.searches = acquisition_.searches();
   }
-  if (!is_due) {
-    return std::nullopt;
-  }
-  auto found = acquisition_.find(frame, guess_, scope);
-  result_.searches = acquisition_.searches();
+  ++frames_searched_;
   return found;
 }
 

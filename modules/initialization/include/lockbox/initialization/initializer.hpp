@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/stop_request.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 
@@ -19,6 +20,8 @@ namespace lockbox {
 struct InitializerOptions {
   RegistrationOptions registration;
   std::size_t most_candidates = 3;  ///< to be returned
+  /// A search that it stops throws Stopped within some tenths of a second. The next one begins anew.
+  StopRequest stop_request = nullptr;
 };
 
 /// By joint variable: by how many pixels, in a view of 320 columns, its position explains more than
@@ -53,7 +56,7 @@ class Initializer {
 
   /// The most convincing configurations, best first; none if nothing in view resembles the model.
   /// Locked joints stand as in `held`, without it as at rest. The same for any number of threads.
-  /// Throws InputError if the cloud has no image.
+  /// Throws InputError if the cloud has no image, and Stopped if it was stopped.
   std::vector<Candidate> find(const TiledCloud& cloud,
                               const std::optional<Configuration>& held = std::nullopt);
 

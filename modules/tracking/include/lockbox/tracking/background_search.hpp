@@ -2,6 +2,7 @@
 // Finds the object in a thread of its own, while the tracker's goes on with the frames.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <memory>
@@ -37,11 +38,12 @@ class BackgroundSearch {
   void show(const DepthFrame& frame);
 
   /// What was found, in the newest frame into which it could be followed, once after each search;
-  /// none before its end, if nothing resembled the model, or if it was cancelled. An error of the
+  /// none before its end, if nothing resembled the model, or if it was stopped. An error of the
   /// search comes out here.
   std::optional<RegistrationResult> take();
 
-  /// Nobody needs the answer any more. It stays busy until the search has noticed.
+  /// Nobody needs the answer any more. It stays busy until the search has noticed, which takes some
+  /// tenths of a second.
   void cancel();
 
   /// How often the object was sought in the whole frame, in searches that ended.
@@ -66,7 +68,7 @@ class BackgroundSearch {
   DepthFrame newest_;
   Clock::time_point newest_shown_at_;
   bool has_newer_ = false;  ///< than frame_
-  bool is_cancelled_ = false;
+  std::atomic<bool> is_cancelled_{false};
   int searches_ = 0;
   std::future<Answer> running_;  ///< last: it goes first, and waits for the search
 };

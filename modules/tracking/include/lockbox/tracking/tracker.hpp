@@ -50,7 +50,8 @@ class Tracker {
   /// reports `initializing` until it was found.
   void start(const Configuration& configuration);
 
-  /// Valid until the next call. Throws InputError if the frame is not a depth image.
+  /// Valid until the next call. Throws InputError if the frame is not a depth image, and Stopped if
+  /// a search was asked to stop (TrackerOptions::stop_request); the frame then counts as not seen.
   const TrackingResult& process(const DepthFrame& frame);
 
   const TiledCloud& cloud() const { return cloud_; }

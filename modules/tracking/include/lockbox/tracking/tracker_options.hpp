@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/stop_request.hpp"
 #include "lockbox/registration/registration_options.hpp"
 
 namespace lockbox {
@@ -23,6 +24,9 @@ struct TrackerOptions {
   /// Frames do not wait for searches, which then go on in a thread of their own: for live sources.
   /// What a recording gives depends on the clock with it, and not without.
   bool background_search = false;
+  /// Ends searches, which may take a minute: process() then throws Stopped within some tenths of a
+  /// second. Frames that need no search are not stopped.
+  StopRequest stop_request = nullptr;
 
   /// The iterations of a frame are few because predictions are good. After one that was not,
   /// surfaces still move by more than noise moves them: then so many more follow, in as many
