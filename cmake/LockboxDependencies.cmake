@@ -3,7 +3,7 @@
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(TBB REQUIRED)
 find_package(HWY REQUIRED NAMES HWY hwy)
-find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore IOGeometry IOPLY
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore
                                          InteractionStyle RenderingAnnotation RenderingCore
                                          RenderingFreeType RenderingOpenGL2)
 find_package(X11 REQUIRED)

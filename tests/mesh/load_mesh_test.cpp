@@ -50,33 +50,5 @@ TEST(LoadMeshScale, MirroringKeepsOutsideOutside) {
   EXPECT_NEAR(signed_volume(load_mesh(file, {-1.0, -1.0, 1.0})), 0.001, 1e-9);
 }
 
-TEST(LoadObj, CutsPolygonsConcaveOnesToo) {
-  // An L-shaped prism: two concave hexagons and six quadrilaterals, 1 m high, area 3 m^2.
-  TemporaryFolder folder;
-  const auto file = folder.write("l.obj",
-                                 "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
-                                 "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n"
-                                 "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\n"
-                                 "f 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\n"
-                                 "f 5 6 12 11\nf 6 1 7 12\n");
-  const MeshAudit report = audit(load_mesh(file));
-  EXPECT_TRUE(report.is_closed());
-  EXPECT_NEAR(report.volume, 3.0, 1e-6);
-  EXPECT_NEAR(report.area, 14.0, 1e-6);
-}
-
-TEST(LoadObj, ReadsTextureNormalsAndRelativeIndices) {
-  TemporaryFolder folder;
-  const auto file =
-      folder.write("t.obj",
-                   "mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\r\n"
-                   "vt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nusemtl red\ns off\n"
-                   "f 1/1/1 3/2/1 2/3/1\nf 1/1/1 2/2/1 4/3/1\nf -4/1/1 -1/2/1 -2/3/1\n"
-                   "f 2/1/1 3/2/1 4/3/1\n");
-  const MeshAudit report = audit(load_mesh(file));
-  EXPECT_TRUE(report.is_closed());
-  EXPECT_NEAR(report.volume, 1.0 / 6.0, 1e-6);
-}
-
 }  // namespace
 }  // namespace lockbox

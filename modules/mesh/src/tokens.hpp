@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines and words of text files.
+// Lines, words and numbers of text files, whatever the system that wrote them ends its lines with.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace lockbox {
 
-/// Walks through the lines of a text without copying it.
+/// Walks through the lines of a text without copying it. Lines end with LF, CR LF or CR.
 class Lines {
  public:
-  explicit Lines(std::string_view content) : rest_(content) {}
+  /// Skips the byte order mark that some editors begin a UTF-8 file with.
+  explicit Lines(std::string_view content);
 
   /// False at the end of the text.
   bool next();
 
   std::string_view text() const { return text_; }
   int number() const { return number_; }  ///< from 1
-  /// What follows the current line.
-  std::string_view rest() const { return rest_; }
 
  private:
   std::string_view rest_;
@@ -27,9 +25,11 @@ class Lines {
   int number_ = 0;
 };
 
-/// Split at blanks, tabs and carriage returns; what follows a '#' is left out.
-std::vector<std::string_view> words_of(std::string_view line);
+/// Removes the first word from a line, with the blanks before it; empty if there is none.
+std::string_view take_word(std::string_view& line);
 
-bool is_finite_number(std::string_view word);
+/// The number that a word of a file spells. Throws InputError with file and line unless it is
+/// finite.
+double finite_number(std::string_view word, const std::string& file, int line);
 
 }  // namespace lockbox

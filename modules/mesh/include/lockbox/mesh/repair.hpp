@@ -11,6 +11,11 @@ namespace lockbox {
 /// vertices that nobody uses.
 TriangleMesh welded(const TriangleMesh& mesh, double tolerance = 0.0);
 
+/// Of triangles that are there twice, once for each side, as exporters write materials seen from
+/// both sides, drops the second, and turns the rest outwards (see oriented_outwards()). Two solids
+/// that touch keep both, since neither is closed without. For a mesh that is welded().
+TriangleMesh one_sided(const TriangleMesh& mesh);
+
 /// Turns triangles until neighbours agree, shell by shell, keeping as much of the area as possible
 /// as it was; then turns each closed shell that is inside-out. Shells nested in a turned one turn
 /// with it, so a cavity stays a cavity and a solid within a solid stays solid. Of a body whose
