@@ -127,7 +127,8 @@ TEST(OverlappingSolids, AreOneSolid) {
   const SignedDistanceField field = field_of(mesh);
   EXPECT_NEAR(field.storage().mesh_volume, volume, 0.005 * volume);
   EXPECT_LT(std::abs(volume_error(field, volume)), 0.01);
-  // In the middle of the overlap, on what were faces: the way out is to the union's surface.
+  // In the middle of the overlap, on what were faces: the way out is to the
+  // union's surface.
   const auto distance = [&](float x, float y, float z) { return field.sample({x, y, z}).distance; };
   EXPECT_NEAR(distance(0.003F, 0.002F, 0.01F), -0.010F, 1.5e-3F);
   EXPECT_NEAR(distance(0.003F, 0.002F, -0.005F), -0.005F, 2e-4F);
@@ -143,6 +144,25 @@ TEST(OverlappingSolids, InFlushContactHaveNoFaceBetweenThem) {
   EXPECT_LT(std::abs(volume_error(field, volume)), 0.01);
   EXPECT_NEAR(field.sample({0.02F, 0.01F, 0.005F}).distance, -0.01F, 1e-3F);
   EXPECT_NEAR(field.thickness(), 0.01, 1e-6);
+}
+
+TEST(OverlappingSolids, BoardsThatTouchHaveTheVolumeOfAllTogether) {
+  // The thin side of one board on the wide face of another, flush at its end.
+  const TriangleMesh side = make_box({0.012, 0.5, 0.72});
+  const TriangleMesh top = make_box({0.6, 0.5, 0.012});
+  TriangleMesh mesh = moved(side, -0.294, 0.0, 0.0);
+  append(mesh, moved(top, 0.0, 0.0, 0.366));
+  const double volume = signed_volume(side) + signed_volume(top);
+  EXPECT_NEAR(field_of(mesh, 0.006).storage().mesh_volume, volume, 1e-9 * volume);
+}
+
+TEST(OverlappingSolids, EqualBoxesInARowHaveTheVolumeOfAllTogether) {
+  TriangleMesh mesh;
+  for (const double x : {0.0, 0.03, 0.06})
+    append(mesh, moved(make_box({0.03, 0.03, 0.03}), x, 0, 0));
+  const SignedDistanceField field = field_of(mesh);
+  EXPECT_NEAR(field.storage().mesh_volume, 3 * 2.7e-5, 1e-12);
+  EXPECT_NEAR(field.sample({0.015F, 0.0F, 0.0F}).distance, -0.015F, 1e-3F);
 }
 
 TEST(OverlappingSolids, WithCoplanarSidesCountTheOverlapOnce) {

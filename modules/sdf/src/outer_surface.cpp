@@ -65,7 +65,31 @@ Eigen::AlignedBox3d box_of(const Corners& corners) {
 struct Exposed {
   std::vector<Corners> pieces;
   std::vector<std::uint32_t> source;  ///< by piece: the triangle
-  double volume = 0.0;                ///< below them
+  double overlap = 0.0;               ///< m^3, see Sides::overlap_share()
+};
+
+/// The winding number a little outside of a point of the surface, and a little inside.
+struct Sides {
+  double outside;
+  double inside;
+
+  /// By how much it rises from the outside to the inside; 0 where both sides are inside the solid,
+  /// or both outside.
+  int jump() const {
+    const int rise = static_cast<int>(std::lround(inside - outside));
+    return (outside > 0.5) == (inside > 0.5) ? 0 : (rise == 0 ? 1 : rise);
+  }
+
+  /// The shells' volumes count what lies in several of them several times. That surplus is a body,
+  /// too (of a density: its winding number), and this is the share of the face that bounds it. 0 in
+  /// a flush contact: there its two faces cancel in the sum of volumes.
+  double overlap_share() const {
+    const double rise = inside - outside;
+    return std::abs(rise) < 0.5 ? 0.0 : (surplus(inside) - surplus(outside)) / rise;
+  }
+
+ private:
+  static double surplus(double winding) { return winding - (winding > 0.5 ? 1.0 : 0.0); }
 };
 
 /// Cuts triangles until each piece is either exposed or buried.
@@ -116,7 +140,6 @@ class BuriedRemover {
                     const std::vector<Bounded>& others, Exposed& exposed) const {
     const double judged = judged_length(box_of(piece), others);
     if (std::isinf(judged)) {
-      exposed.volume += volume_below(piece);
       exposed.pieces.push_back(piece);
       return true;
     }
@@ -124,8 +147,10 @@ class BuriedRemover {
     const double length = longest_side(piece, longest);
     if (length <= judged) {
       const Probes probes = probe(piece, normal);
-      const bool is_mixed = std::any_of(probes.begin(), probes.end(),
-                                        [&](int jump) { return jump != probes.front(); });
+      const bool is_mixed = std::any_of(probes.begin(), probes.end(), [&](const Sides& sides) {
+        return sides.jump() != probes.front().jump() ||
+               std::lround(sides.overlap_share()) != std::lround(probes.front().overlap_share());
+      });
       if (!is_mixed || length <= judged / 4.0) {
         return keep_judged(piece, probes, exposed);
       }
@@ -154,25 +179,25 @@ class BuriedRemover {
     return length;
   }
 
-  /// How often each of four points is surface, see jump_at(): the middle, then near the corners.
-  using Probes = std::array<int, 4>;
+  /// Beside four points: the middle, then near the corners.
+  using Probes = std::array<Sides, 4>;
 
   Probes probe(const Corners& piece, const Eigen::Vector3d& normal) const {
     const Eigen::Vector3d middle = (piece[0] + piece[1] + piece[2]) / 3.0;
-    Probes probes = {jump_at(middle, normal), 0, 0, 0};
+    Probes probes;
+    probes[0] = sides_at(middle, normal);
     for (std::size_t i = 0; i < 3; ++i) {
-      probes[i + 1] = jump_at(piece[i] + 0.01 * (middle - piece[i]), normal);
+      probes[i + 1] = sides_at(piece[i] + 0.01 * (middle - piece[i]), normal);
     }
     return probes;
   }
 
-  /// The volume goes by the middle of a piece, so that errors even out; but no piece is dropped
-  /// while any of it is exposed. Where faces of several shells coincide, each gets its share.
+  /// The overlap goes by the middle of a piece, so that errors even out; but no piece is dropped
+  /// while any of it is exposed.
   bool keep_judged(const Corners& piece, const Probes& probes, Exposed& exposed) const {
-    if (probes.front() != 0) {
-      exposed.volume += volume_below(piece) / probes.front();
-    }
-    const bool is_kept = std::any_of(probes.begin(), probes.end(), [](int n) { return n != 0; });
+    exposed.overlap += probes.front().overlap_share() * volume_below(piece);
+    const bool is_kept = std::any_of(probes.begin(), probes.end(),
+                                     [](const Sides& sides) { return sides.jump() != 0; });
     if (is_kept) {
       exposed.pieces.push_back(piece);
     }
@@ -191,14 +216,9 @@ class BuriedRemover {
     return length;
   }
 
-  /// By how much the winding number rises from the outside to the inside; 0 where both sides are
-  /// inside the solid, or both outside.
-  int jump_at(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
+  Sides sides_at(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
     const Eigen::Vector3d offset = kStandOff * diagonal_ * normal;
-    const double outside = winding_.counted(p + offset);
-    const double inside = winding_.counted(p - offset);
-    const int jump = static_cast<int>(std::lround(inside - outside));
-    return (outside > 0.5) == (inside > 0.5) ? 0 : (jump == 0 ? 1 : jump);
+    return {winding_.counted(p + offset), winding_.counted(p - offset)};
   }
 
   /// The piece's term of the divergence theorem, m^3.
@@ -221,7 +241,7 @@ void append(const Exposed& exposed, OuterSurface& surface) {
     surface.mesh.triangles.push_back({first, first + 1, first + 2});
   }
   surface.source.insert(surface.source.end(), exposed.source.begin(), exposed.source.end());
-  surface.volume += exposed.volume;
+  surface.volume -= exposed.overlap;
 }
 
 }  // namespace
@@ -254,6 +274,7 @@ OuterSurface find_outer_surface(const TriangleMesh& mesh, const WindingTree& win
                             exposed[chunk] = remover.cut(begin, end);
                           });
   OuterSurface surface;
+  surface.volume = signed_volume(mesh);
   for (const Exposed& some : exposed) append(some, surface);
   return surface;
 }
