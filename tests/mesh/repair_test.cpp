@@ -129,6 +129,69 @@ TEST(Orientation, TurnsPatchesThatTogetherAreClosed) {
   EXPECT_GT(signed_volume(mesh), 0.0009);
 }
 
+/// Without the triangles that touch a vertex.
+TriangleMesh without_vertex(TriangleMesh mesh, std::uint32_t vertex) {
+  std::erase_if(mesh.triangles, [&](const auto& triangle) {
+    return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
+  });
+  return mesh;
+}
+
+TEST(SmallHoles, AreClosed) {
+  const TriangleMesh sphere = make_sphere(0.05);
+  TriangleMesh mesh = sphere;
+  mesh.triangles.pop_back();
+  for (const std::uint32_t vertex : {100U, 300U, 500U}) mesh = without_vertex(mesh, vertex);
+  ASSERT_GT(audit(mesh).open_edges, 15U);
+  const TriangleMesh closed = with_small_holes_closed(mesh);
+  EXPECT_TRUE(encloses_solid(closed));
+  EXPECT_NEAR(signed_volume(closed), signed_volume(sphere), 0.002 * signed_volume(sphere));
+}
+
+TEST(SmallHoles, LargeOnesMayBeMeant) {
+  for (TriangleMesh mesh : {make_box({0.1, 0.1, 0.1}), make_cylinder(0.02, 0.1)}) {
+    mesh.triangles.pop_back();
+    mesh.triangles.pop_back();
+    EXPECT_EQ(with_small_holes_closed(mesh).triangles, mesh.triangles);
+  }
+  const TriangleMesh sheet{{{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}},
+                           {{0, 1, 2}, {0, 2, 3}}};
+  EXPECT_EQ(with_small_holes_closed(sheet).triangles, sheet.triangles);
+}
+
+TEST(SmallHoles, AreMeasuredByTheirShellAndNotByTheMesh) {
+  TriangleMesh mesh = make_box({1.0, 1.0, 1.0});
+  TriangleMesh small = make_box({0.01, 0.01, 0.01});
+  small.triangles.pop_back();
+  append(mesh, small);
+  EXPECT_EQ(with_small_holes_closed(mesh).triangles, mesh.triangles);
+}
+
+TEST(SmallHoles, StayWhereThereAreTooMany) {
+  TriangleMesh mesh = make_sphere(0.05);
+  std::erase_if(mesh.triangles, [i = 0](const auto&) mutable { return i++ % 4 == 0; });
+  const TriangleMesh result = with_small_holes_closed(mesh);
+  EXPECT_EQ(result.triangles, mesh.triangles);
+}
+
+TEST(SmallHoles, StayWhereTheirBordersMeet) {
+  // Two triangles that share a vertex only.
+  TriangleMesh mesh = make_sphere(0.05);
+  const auto [a, b, c] = mesh.triangles[1000];
+  std::size_t removed = 0;
+  std::erase_if(mesh.triangles, [&](const auto& triangle) {
+    const auto shared = std::count_if(triangle.begin(), triangle.end(),
+                                      [&](std::uint32_t v) { return v == a || v == b || v == c; });
+    const bool is_first = shared == 3;
+    const bool is_second = shared == 1 && removed == 0 &&
+                           std::find(triangle.begin(), triangle.end(), a) != triangle.end();
+    removed += is_second ? 1 : 0;
+    return is_first || is_second;
+  });
+  ASSERT_EQ(audit(mesh).open_edges, 6U);
+  EXPECT_EQ(with_small_holes_closed(mesh).triangles, mesh.triangles);
+}
+
 TEST(Topology, FindsTheRimOfAHole) {
   TriangleMesh mesh = make_sphere(0.05);
   mesh.triangles.pop_back();

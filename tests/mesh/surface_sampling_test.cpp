@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "lockbox/core/error.hpp"
 #include "lockbox/mesh/primitives.hpp"
 
 namespace lockbox {
@@ -85,6 +86,10 @@ TEST(SurfaceSampling, ForgetsTheOrderOfTheTriangles) {
 TEST(SurfaceSampling, GivesATinySurfaceOneSample) {
   EXPECT_EQ(sample_surface(make_box({1e-3, 1e-3, 1e-3}), 1.0).size(), 1U);
   EXPECT_TRUE(sample_surface({}, 1.0).empty());
+}
+
+TEST(SurfaceSampling, TakesNoMemoryForWhatNoObjectHas) {
+  EXPECT_THROW(sample_surface(make_box({60.0, 60.0, 60.0}), 0.001), InputError);
 }
 
 }  // namespace

@@ -11,6 +11,10 @@
 namespace lockbox {
 namespace {
 
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
 std::string refusal(const TriangleMesh& mesh, const FieldOptions& options) {
   try {
     build_field(mesh, options, Executor(1));
@@ -51,23 +55,48 @@ TEST(FieldVoxel, IsCoarsenedToKeepTheBudgetButNotBeyondHalfTheWall) {
 
 TEST(FieldVoxel, BeyondHalfTheWallIsRefused) {
   const TriangleMesh plate = make_box({0.1, 0.1, 0.008});
-  EXPECT_THAT(
-      refusal(plate, with_voxel(0.005)),
-      testing::AllOf(testing::HasSubstr("half the thinnest wall"), testing::HasSubstr("4 mm")));
+  EXPECT_THAT(refusal(plate, with_voxel(0.005)),
+              AllOf(HasSubstr("half the thinnest wall"), HasSubstr("4 mm")));
   EXPECT_EQ(refusal(plate, with_voxel(0.004)), "accepted");
 }
 
 TEST(FieldVoxel, ThatWouldFillTheMemoryIsRefused) {
-  EXPECT_THAT(refusal(make_box({1.0, 1.0, 1.0}), with_voxel(1e-4)), testing::HasSubstr("512 MB"));
+  const TriangleMesh box = make_box({1.0, 1.0, 1.0});
+  const std::string message = refusal(box, with_voxel(1e-4));
+  EXPECT_THAT(message, AllOf(HasSubstr("0.1 mm"), HasSubstr("512 MB"), HasSubstr("up to 500 mm")));
+  EXPECT_EQ(refusal(box, with_voxel(0.01)), "accepted");
+}
+
+TEST(FieldVoxel, CannotMakeUpForWallsThatAreTooThin) {
+  // No voxel is advised that would be refused in turn.
+  const TriangleMesh foil = make_box({1.0, 1.0, 3.56e-5});
+  for (const double voxel : {0.0, 1e-5}) {
+    EXPECT_THAT(refusal(foil, with_voxel(voxel)),
+                AllOf(HasSubstr("thinnest wall, 35.6 um"), HasSubstr("body of 1.41 m"),
+                      Not(HasSubstr("choose"))));
+  }
+}
+
+TEST(FieldVoxel, TakesNoMemoryForTheSpaceAroundANeedle) {
+  const Eigen::Isometry3d turned(Eigen::AngleAxisd(0.9, Eigen::Vector3d(1, 2, 3).normalized()));
+  const TriangleMesh needle = transformed(make_box({20.0, 0.002, 0.002}), turned);
+  EXPECT_THAT(refusal(needle, with_voxel(0.0)), HasSubstr("512 MB"));
+}
+
+TEST(FieldVoxel, OfATinyBodyIsTiny) {
+  const SignedDistanceField field = field_of(make_box({2e-7, 1.2e-7, 5e-8}));
+  EXPECT_LE(field.voxel(), 2.501e-8);
+  EXPECT_THAT(refusal(make_box({2e-7, 1.2e-7, 5e-8}), with_voxel(1e-3)),
+              AllOf(HasSubstr("voxel of 1 mm"), HasSubstr("choose 25 nm")));
 }
 
 TEST(FieldOptions, WithoutMeaningAreRefused) {
   const TriangleMesh box = make_box({0.1, 0.1, 0.1});
-  EXPECT_THAT(refusal(box, with_voxel(-0.001)), testing::HasSubstr("field options"));
-  EXPECT_THAT(refusal(box, with_voxel(std::nan(""))), testing::HasSubstr("field options"));
+  EXPECT_THAT(refusal(box, with_voxel(-0.001)), HasSubstr("field options"));
+  EXPECT_THAT(refusal(box, with_voxel(std::nan(""))), HasSubstr("field options"));
   FieldOptions options;
   options.far_reach = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(refusal(box, options), testing::HasSubstr("field options"));
+  EXPECT_THAT(refusal(box, options), HasSubstr("field options"));
 }
 
 TEST(FieldBand, IsFineOnBothSides) {

@@ -9,14 +9,15 @@
 #include <utility>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 namespace {
 
 void require_length(double value, const std::string& shape, const std::string& name) {
   if (!std::isfinite(value) || value <= 0.0) {
-    throw InputError(
-        shape, name + " is " + std::to_string(value) + "; it must be a positive number of metres");
+    throw InputError(shape, name + " is " + fixed_number_text(value) +
+                                "; it must be a positive number of metres");
   }
 }
 

@@ -6,10 +6,17 @@
 #include <numeric>
 #include <tuple>
 
+#include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
+
 namespace lockbox {
 namespace {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
+
+/// A body of 40 m^2 with a sample every 2 mm; they take about 150 bytes each, twice as many twice
+/// that.
+constexpr double kMostSamples = 1e7;
 
 /// Position on the Z-order curve of a point in the unit cube, ten bits an axis.
 std::uint32_t morton_code(const Eigen::Vector3d& unit) {
@@ -72,6 +79,11 @@ std::vector<SurfaceSample> sample_surface(const TriangleMesh& mesh, double spaci
     return {};
   }
   const double count = std::max(1.0, std::round(total_area / (spacing * spacing)));
+  if (!(count <= kMostSamples)) {
+    throw InputError("geometry", "a surface of " + fixed_number_text(std::round(total_area)) +
+                                     " m^2 is too large to be sampled; lengths are in metres: is "
+                                     "the mesh in millimetres?");
+  }
   const double step = total_area / count;
   std::vector<SurfaceSample> samples;
   samples.reserve(static_cast<std::size_t>(count));

@@ -28,9 +28,9 @@ void require_fine_enough(double voxel, const Solid& solid) {
   const double coarsest = 0.5 * solid.thickness();
   // The thickness is measured with rays: an equal voxel must not fail by their rounding.
   if (voxel > 1.001 * coarsest) {
-    throw InputError("geometry", "a voxel of " + millimetres(voxel) +
+    throw InputError("geometry", "a voxel of " + length_text(voxel) +
                                      " is more than half the thinnest wall; choose " +
-                                     millimetres(coarsest) + " or less");
+                                     length_text(coarsest) + " or less");
   }
 }
 
@@ -122,13 +122,12 @@ SignedDistanceField build_field(const TriangleMesh& mesh, const FieldOptions& op
   constexpr int kMostTries = 3;
   double error = volume_error(field);
   for (int i = 0; i < kMostTries && error > kMostError; ++i) {
-    FieldOptions finer = options;
-    finer.voxel = field.voxel() * std::max(0.25, std::sqrt(kAimedError / error));
-    const FineGrid grid = choose_fine_grid(solid, finer, executor);
-    if (grid.bytes() > options.memory_budget) {
+    const double finer = field.voxel() * std::max(0.25, std::sqrt(kAimedError / error));
+    const auto grid = refined_fine_grid(solid, options, finer, executor);
+    if (!grid) {
       break;
     }
-    field = with_fine_grid(coarse, grid, solid, executor);
+    field = with_fine_grid(coarse, *grid, solid, executor);
     const double previous = std::exchange(error, volume_error(field));
     if (error > 0.8 * previous) {
       break;  // not a matter of the voxel: a mesh with gaps has no exact volume

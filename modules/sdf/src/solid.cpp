@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid.hpp"
 
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "lockbox/core/error.hpp"
@@ -22,10 +23,10 @@ void require_valid(const TriangleMesh& mesh) {
   }
 }
 
-/// Welded and oriented, or refused.
+/// Welded, oriented, small holes closed; or refused.
 TriangleMesh mended(const TriangleMesh& mesh) {
   require_valid(mesh);
-  TriangleMesh result = oriented_outwards(welded(mesh));
+  TriangleMesh result = with_small_holes_closed(oriented_outwards(welded(mesh)));
   if (result.triangles.empty()) {
     throw InputError("geometry", "the mesh has no triangle with an area");
   }
@@ -37,15 +38,19 @@ OuterSurface closed_surface(const TriangleMesh& mesh, const WindingTree& winding
   constexpr double kMostOpen = 0.01;
   const double share = open_share(mesh, winding);
   if (share > kMostOpen) {
-    char percent[16];
-    std::snprintf(percent, sizeof percent, "%.2g %%", 100.0 * share);
-    throw InputError("geometry", std::string("the surface is open: about ") + percent +
-                                     " of it is missing or faces the wrong way, so that inside "
-                                     "and outside are not defined; close the mesh");
+    const long percent = std::lround(100.0 * std::min(share, 1.0));
+    throw InputError("geometry",
+                     "the surface is open: about " + std::to_string(percent) +
+                         " % of it is missing or faces the wrong way, so that inside and outside "
+                         "are not defined; close its holes (MeshLab: Close Holes; Blender: Mesh > "
+                         "Clean Up > Fill Holes), or give what is drawn without thickness one "
+                         "(Blender: the modifier Solidify)");
   }
   OuterSurface surface = find_outer_surface(mesh, winding, executor);
   if (surface.mesh.triangles.empty() || surface.volume <= 0.0) {
-    throw InputError("geometry", "the surface encloses no volume; a link needs a solid");
+    throw InputError("geometry",
+                     "the surface encloses no volume; a link needs a solid: give what is "
+                     "drawn without thickness one (Blender: the modifier Solidify)");
   }
   return surface;
 }

@@ -22,4 +22,10 @@ TriangleMesh one_sided(const TriangleMesh& mesh);
 /// open patches make up a closed surface together, the patches are turned together.
 TriangleMesh oriented_outwards(TriangleMesh mesh);
 
+/// Closes holes that are small, at most a hundredth of the area of the shell that they are in and a
+/// fifth of its diagonal, and whose border meets no other: by a fan around the border's middle.
+/// Shells with more than a twentieth of their area in such holes are left as they are. For a mesh
+/// that is welded() and oriented_outwards().
+TriangleMesh with_small_holes_closed(const TriangleMesh& mesh);
+
 }  // namespace lockbox

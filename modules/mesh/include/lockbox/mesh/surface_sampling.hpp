@@ -16,7 +16,7 @@ struct SurfaceSample {
 /// along a space-filling curve and sampled at equal steps of area, with low-discrepancy positions
 /// within each, so that the result follows from the geometry alone: neither the order of the
 /// triangles nor their size matters to the density. Samples that follow each other are neighbours.
-/// spacing: metres, positive.
+/// spacing: metres, positive. Throws InputError where that makes more than ten million points.
 std::vector<SurfaceSample> sample_surface(const TriangleMesh& mesh, double spacing);
 
 }  // namespace lockbox

@@ -29,13 +29,14 @@ struct FieldOptions {
 /// number exceeds one half, so the solid is the union of all shells; faces buried in it do not
 /// count as surface.
 ///
-/// The mesh is welded and oriented first. Small gaps are tolerated. Throws InputError for an empty
+/// The mesh is welded and oriented first, and small holes are closed (see
+/// with_small_holes_closed()). Small gaps are tolerated. Throws InputError for an empty
 /// mesh, one with more than about a hundredth of its surface missing, a voxel above half the
 /// thinnest wall, invalid options, and a field beyond 512 MB; the message names no link.
 ///
 /// storage().thickness is the fifth percentile over the surface of the way through the solid along
-/// the inward normal, for the shell where it is least. storage().mesh_volume is that of the union,
-/// from its outer surface. The same bits for any number of threads.
+/// the inward normal, for the shell where it is least. storage().mesh_volume is that of the union:
+/// that of all shells less what they share. The same bits for any number of threads.
 SignedDistanceField build_field(const TriangleMesh& mesh, const FieldOptions& options,
                                 const Executor& executor);
 
