@@ -6,7 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <random>
 
@@ -45,13 +47,17 @@ int status_of_child(const std::function<int()>& work) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+PinholeCamera tiny_camera() {
+  return {32, 24, 30.0, 30.0, 15.5, 11.5};
+}
+
 /// The bytes of a small sound recording.
 std::string sound_recording(const TemporaryFolder& folder) {
   const std::filesystem::path file = folder / "sound.oni";
   const auto record = [&file] {
-    OniWriter writer(file, {32, 24, 30.0, 30.0, 15.5, 11.5}, 30);
+    OniWriter writer(file, tiny_camera(), 30);
     for (std::uint64_t number = 0; number < kFrames; ++number) {
-      writer.write(synthetic_frame(number, {32, 24, 30.0, 30.0, 15.5, 11.5}));
+      writer.write(synthetic_frame(number, tiny_camera()));
     }
     writer.finish();
     return 0;
@@ -90,9 +96,8 @@ TEST(OniValidator, FilesThatAreNoRecordingsAreNamedForWhatTheyAre) {
       {"text.oni", "hello, this is text and no recording at all", "is not an OpenNI recording"},
       {"short.oni", "NI", "is not an OpenNI recording"},
       {"header.oni", sound.substr(0, 20), "ends within the header, at byte 20"},
-      {"only_header.oni", sound.substr(0, 24), "truncated or unfinished"},
-      {"truncated.oni", sound.substr(0, sound.size() / 2), "is truncated: it ends at byte"},
-      {"no_end.oni", sound.substr(0, sound.size() - 28), "truncated or unfinished"},
+      {"only_header.oni", sound.substr(0, 24), "breaks off at byte 24, before its first"},
+      {"no_frame.oni", sound.substr(0, 1000), "before its first complete depth image"},
       {"version.oni", "NI10\x02" + sound.substr(5), "format version 2.0"},
   };
   for (const Refusal& refusal : refusals) {
@@ -126,14 +131,109 @@ TEST(OniValidator, ASoundRecordingIsDescribed) {
   EXPECT_NO_THROW(OniPayloadChecker(recording).check_through(kFrames));
 }
 
-TEST(OniValidator, AnUnfinishedRecordingSaysSo) {
+TEST(OniValidator, ARecordingWithoutTheFinalNumberOfFramesPlays) {
   const TemporaryFolder folder;
   std::string bytes = sound_recording(folder);
   const std::size_t count = bytes.find("16zT") + 4;
   bytes.replace(count, 4, "\xff\xff\xff\xff");
   write_file(folder / "unfinished.oni", bytes);
-  EXPECT_THAT([&] { validate_oni(folder / "unfinished.oni"); },
-              ThrowsMessage<InputError>(HasSubstr("is unfinished")));
+  EXPECT_FALSE(validate_oni(folder / "unfinished.oni").is_plain);
+  EXPECT_EQ(status_of_child([&] { return replay(folder / "unfinished.oni"); }), kComplete);
+}
+
+/// Plays the first `size` bytes of a recording: 0 if all complete frames came, bit for bit, in order,
+/// and the cut was said once.
+int replay_cut(const std::filesystem::path& file, const std::string& bytes, std::size_t frames) {
+  write_file(file, bytes);
+  int warnings = 0;
+  SourceOptions options;
+  options.warn = [&](const std::string& text) {
+    warnings += text.find("breaks off at byte ") != std::string::npos ? 1 : 100;
+  };
+  OniPlayer player(file, options);
+  DepthFrame frame;
+  for (std::size_t number = 0; number < frames; ++number) {
+    if (!player.next(frame) || frame.depth != synthetic_frame(number, tiny_camera()).depth) {
+      return 1;
+    }
+  }
+  return player.next(frame) ? 2 : warnings == 1 ? 0 : 3;
+}
+
+/// Offsets of all records of a sound recording, and of its end.
+std::vector<std::size_t> record_offsets(const std::string& bytes) {
+  std::vector<std::size_t> offsets;
+  for (std::size_t offset = 24; offset < bytes.size();) {
+    offsets.push_back(offset);
+    std::uint32_t fields = 0;
+    std::uint32_t payload = 0;
+    std::memcpy(&fields, &bytes[offset + 12], 4);
+    std::memcpy(&payload, &bytes[offset + 16], 4);
+    offset += std::size_t{fields} + payload;
+  }
+  offsets.push_back(bytes.size());
+  return offsets;
+}
+
+std::size_t frames_before(const OniRecording& recording, std::size_t cut) {
+  return static_cast<std::size_t>(
+      std::count_if(recording.payloads.begin(), recording.payloads.end(),
+                    [cut](const OniPayload& frame) { return frame.offset + frame.size <= cut; }));
+}
+
+TEST(OniValidator, WhatIsCompleteBeforeACutIsFoundWhereverTheCutIs) {
+  const TemporaryFolder folder;
+  const std::string sound = sound_recording(folder);
+  const OniRecording recording = validate_oni(folder / "sound.oni");
+  const std::filesystem::path cut_file = folder / "cut.oni";
+  write_file(cut_file, sound);
+  std::size_t cut = sound.size() - 1;
+  for (; frames_before(recording, cut) > 0; cut -= cut % 7 + 1) {
+    std::filesystem::resize_file(cut_file, cut);
+    const OniRecording found = validate_oni(cut_file);
+    EXPECT_TRUE(found.is_cut_off) << cut;
+    EXPECT_EQ(found.frame_count, frames_before(recording, cut)) << cut;
+  }
+  for (; cut >= 24; cut -= cut % 7 + 1) {
+    std::filesystem::resize_file(cut_file, cut);
+    EXPECT_THAT([&] { validate_oni(cut_file); }, ThrowsMessage<InputError>(HasSubstr("breaks off")))
+        << cut;
+  }
+}
+
+TEST(OniValidator, ACutRecordingPlaysUpToTheCut) {
+  const TemporaryFolder folder;
+  const std::string sound = sound_recording(folder);
+  const OniRecording recording = validate_oni(folder / "sound.oni");
+  for (const std::size_t offset : record_offsets(sound)) {
+    for (const std::size_t cut : {offset, offset + 27, offset + 45}) {
+      const std::size_t frames = frames_before(recording, cut);
+      if (frames == 0 || cut >= sound.size()) {
+        continue;
+      }
+      EXPECT_EQ(status_of_child([&] {
+                  return replay_cut(folder / "cut.oni", sound.substr(0, cut), frames);
+                }),
+                0)
+          << cut;
+    }
+  }
+}
+
+// After a loss of power, parts of a file that were not written yet are zero.
+TEST(OniValidator, ARecordingThatEndsInZerosPlaysUpToThem) {
+  const TemporaryFolder folder;
+  const std::string sound = sound_recording(folder);
+  const OniRecording recording = validate_oni(folder / "sound.oni");
+  const OniPayload third = recording.payloads[2];
+  for (const std::uint64_t end : {third.offset - 40, third.offset, third.offset + third.size / 2,
+                                  third.offset + third.size - 1}) {
+    std::string bytes = sound.substr(0, end);
+    bytes.resize(sound.size());
+    const int result =
+        status_of_child([&] { return replay_cut(folder / "zeros.oni", bytes, 2); });
+    EXPECT_EQ(result, 0) << end;
+  }
 }
 
 TEST(OniValidator, ADamagedFrameIsFoundBeforeItIsDecoded) {

@@ -14,6 +14,10 @@ constexpr std::uint32_t kUnfinished = 0xFFFFFFFF;  // frame count until the reco
 constexpr int kMinimumNodeSize = 16;               // pixels
 constexpr int kMaximumNodeSize = 4096;
 constexpr std::uint64_t kMaximumFrameBytes = 1 << 26;
+constexpr std::uint64_t kRgb = 200;  // pixel formats of OpenNI2
+constexpr std::uint64_t kGrey = 202;
+constexpr std::uint64_t kRgbOfOpenNi1 = 1;
+constexpr std::uint64_t kGreyOfOpenNi1 = 3;
 constexpr std::size_t kSeekEntrySize = 20;  // u64 timestamp, u32 configuration, u64 offset
 
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
@@ -65,28 +69,49 @@ OniNode::OniNode(OniRecord& record) : id_(record.node()) {
   name_ = record.take_name();
   type_ = static_cast<OniNodeType>(record.take<std::uint32_t>());
   codec_ = record.take<std::array<char, 4>>();
-  frame_count_ = record.take<std::uint32_t>();
-  record.take<std::uint64_t>();  // first and last timestamp
-  record.take<std::uint64_t>();
-  seek_table_ = record.take<std::uint64_t>();
-  record.finish();
-  if (is_stream()) {
-    check_codec(record);
-    if (frame_count_ == kUnfinished) {
-      throw InputError(record.file().path().string(),
-                       "is unfinished: the program that recorded it was stopped before it closed "
-                       "the file; record it again");
-    }
+  if (record.type() != OniRecordType::node_added_1_0_0_4) {
+    frame_count_ = record.take<std::uint32_t>();
+    record.take<std::uint64_t>();  // first and last timestamp
+    record.take<std::uint64_t>();
   }
+  if (record.type() == OniRecordType::node_added) {
+    seek_table_ = record.take_offset();
+  }
+  record.finish();
+}
+
+OniNode::Properties OniNode::deciding_properties() const {
+  Properties properties = properties_;
+  std::erase_if(properties,
+                [](const auto& property) { return !decides_interpretation(property.first); });
+  return properties;
+}
+
+bool OniNode::is_finished() const {
+  return frame_count_ && *frame_count_ != kUnfinished;
+}
+
+bool OniNode::is_playable() const {
+  const std::string_view codec(codec_.data(), codec_.size());
+  if (is_depth()) {
+    return has("xnCropping") && has("xnDeviceMaxDepth");
+  }
+  if (type_ == OniNodeType::image && codec == "JPEG") {
+    const std::uint64_t decoded = std::uint64_t{3} * static_cast<unsigned>(width_) *
+                                  static_cast<unsigned>(height_);
+    const std::uint64_t old_format = integer("xnPixelFormat", kRgbOfOpenNi1);
+    const std::uint64_t format = integer("oniPixelFormat", kRgb);
+    return decoded <= kOniPlayerImage &&
+           ((old_format == kRgbOfOpenNi1 && format == kRgb) ||
+            (old_format == kGreyOfOpenNi1 && (format == kGrey || !has("oniPixelFormat"))));
+  }
+  return !is_stream() ||
+         ((type_ == OniNodeType::image || type_ == OniNodeType::infrared) && codec == "NONE");
 }
 
 void OniNode::check_codec(const OniRecord& record) const {
-  const std::string_view codec(codec_.data(), codec_.size());
-  const bool of_depth = type_ == OniNodeType::depth || type_ == OniNodeType::infrared;
-  const bool known = of_depth ? is_one_of(codec, {"16zT", "16zP", "NONE"})
-                              : type_ == OniNodeType::image && is_one_of(codec, {"JPEG", "NONE"});
-  if (!known) {
-    record.refuse("stream " + name_ + " is of an unknown kind or encoding");
+  if (!is_one_of({codec_.data(), codec_.size()}, {"16zT", "16zP", "NONE"})) {
+    record.refuse("the depth images are in an unknown encoding");
   }
 }
 
@@ -127,7 +152,7 @@ std::uint64_t OniNode::integer(const char* name, std::uint64_t otherwise) const 
 }
 
 void OniNode::make_ready(const OniRecord& record) {
-  if (ready_) {
+  if (ready_ || removed_) {
     record.refuse("stream " + name_ + " becomes ready twice");
   }
   if (is_stream()) {
@@ -153,6 +178,10 @@ void OniNode::check_mode(const OniRecord& record) {
   }
   width_ = static_cast<int>(width);
   height_ = static_cast<int>(height);
+  if (is_depth() && std::uint64_t{width} * height * 2 > kOniPlayerImage) {
+    record.refuse("the depth images of " + std::to_string(width) + "x" + std::to_string(height) +
+                  " pixels are too large for OpenNI2");
+  }
   for (const char* const size : {"oniRequiredFrameSize", "RequiredDataSize"}) {
     const std::uint64_t needed = is_depth() ? std::uint64_t{width} * height * 2 : 0;
     const std::uint64_t given = integer(size, needed);
@@ -169,64 +198,75 @@ void OniNode::check_depth(const OniRecord& record) const {
   if (format != kMillimetreFormat && format != kTenthsOfMillimetres) {
     record.refuse("the depth images are in a unit other than 1 mm or 0.1 mm");
   }
-  const std::uint64_t maximum = integer("xnDeviceMaxDepth", 0);
+  const std::uint64_t maximum = integer("xnDeviceMaxDepth", 65535);
   if (maximum < 1 || maximum > 65535) {
-    record.refuse("the greatest depth is missing or impossible");
+    record.refuse("the greatest depth is impossible");
   }
   const auto cropping = properties_.find("xnCropping");
-  if (cropping == properties_.end()) {
-    record.refuse("it lacks xnCropping, without which OpenNI2 replays no frames");
-  }
-  if (number_at<std::uint32_t>(cropping->second, 0) != 0) {
+  if (cropping != properties_.end() && number_at<std::uint32_t>(cropping->second, 0) != 0) {
     record.refuse("the depth images are cropped, which is not supported; record without cropping");
   }
 }
 
 void OniNode::begin_data(const OniRecord& record) {
-  if (!is_stream() || !ready_) {
+  if (!is_stream() || !ready_ || removed_) {
     record.refuse("frames begin before their stream");
   }
   data_begun_ = true;
 }
 
-std::uint32_t OniNode::add_frame(OniRecord& record, std::uint64_t maximum_timestamp) {
+const OniNode::Frame& OniNode::add_frame(OniRecord& record) {
   const auto timestamp = record.take<std::uint64_t>();
   const auto frame = record.take<std::uint32_t>();
   record.finish();
-  if (!data_begun_) {
-    record.refuse("a frame comes before its stream");
+  if (!data_begun_ || removed_) {
+    record.refuse("a frame comes outside of its stream");
   }
-  if (frame != frames_.size() + 1 || frame > frame_count_) {
-    record.refuse("frame " + std::to_string(frame) + " of " + std::to_string(frame_count_) +
-                  " follows frame " + std::to_string(frames_.size()) + " in stream " + name_);
+  if (frame != frames_.size() + 1) {
+    record.refuse("frame " + std::to_string(frame) + " follows frame " +
+                  std::to_string(frames_.size()) + " in stream " + name_);
   }
-  if (timestamp > maximum_timestamp) {
-    record.refuse("a frame is later than the recording's end");
-  }
-  frames_.push_back({timestamp, record.offset()});
-  return frame;
+  return frames_.emplace_back(Frame{timestamp, record.offset()});
 }
 
-void OniNode::check_complete(const OniFile& file) const {
+void OniNode::remove(const OniRecord& record) {
+  record.finish();
+  if (removed_) {
+    record.refuse("stream " + name_ + " ends twice");
+  }
+  removed_ = true;
+}
+
+void OniNode::check_complete(const OniFile& file, const OniHeader& header) const {
   if (!ready_) {
     file.refuse(0, "stream " + name_ + " is not complete");
   }
-  if (is_stream() && frames_.size() != frame_count_) {
+  if (is_stream() && is_finished() && frames_.size() != *frame_count_) {
     file.refuse(0, "stream " + name_ + " has " + std::to_string(frames_.size()) +
-                       " frames instead of " + std::to_string(frame_count_));
+                       " frames instead of " + std::to_string(*frame_count_));
   }
-  if (is_stream() && frame_count_ > 0 && seek_table_ != 0) {
-    check_seek_table(file);
+  if (id_ > header.maximum_node) {
+    file.refuse(0, "stream " + name_ + " has the number " + std::to_string(id_) + " of " +
+                       std::to_string(header.maximum_node));
+  }
+  for (const Frame& frame : frames_) {
+    if (is_finished() && frame.timestamp > header.maximum_timestamp) {
+      file.refuse(frame.record, "a frame is later than the recording's end");
+    }
   }
 }
 
-void OniNode::check_seek_table(const OniFile& file) const {
+void OniNode::check_seek_table(const OniFile& file, const OniHeader& header) const {
+  if (!is_stream() || frames_.empty() || seek_table_ == 0) {
+    return;
+  }
   if (seek_table_ < OniHeader::kSize || seek_table_ >= file.size()) {
     file.refuse(0, "the seek table of stream " + name_ + " is outside the file");
   }
-  const OniRecord table(file, seek_table_);
+  const OniRecord table(file, header, seek_table_);
   if (table.type() != OniRecordType::seek_table || table.node() != id_ ||
-      table.payload_size() != kSeekEntrySize * (frames_.size() + 1)) {
+      table.payload_size() != kSeekEntrySize * (frames_.size() + 1) ||
+      table.next_offset() - table.offset() > kOniPlayerRecord) {
     table.refuse("it is not the seek table of stream " + name_);
   }
   std::vector<std::uint8_t> entries(table.payload_size());

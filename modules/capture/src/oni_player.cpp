@@ -18,30 +18,51 @@ constexpr int kSliceMilliseconds = 500;  // a shorter wait pokes the player twic
 constexpr int kSlices = 20;              // 10 s without a frame: the player is stuck
 
 /// A short name of the recording of its own: OpenNI2 refuses paths of more than 255 characters, and
-/// gives whoever opens the same name twice one player, which neither could then step through.
+/// gives whoever opens the same name twice one player, which neither could then step through. What
+/// is not plain is copied under that name.
 class Alias {
  public:
-  explicit Alias(const std::filesystem::path& file) {
+  explicit Alias(const OniRecording& recording) {
     std::string name = (std::filesystem::temp_directory_path() / "lockbox-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) {
       throw InputError(name,
                        "a temporary folder cannot be created; set TMPDIR to a writable folder");
     }
     folder_ = name;
-    std::filesystem::create_symlink(std::filesystem::absolute(file), path());
+    try {
+      if (recording.is_plain) {
+        std::filesystem::create_symlink(std::filesystem::absolute(recording.file), path());
+      } else {
+        copy_depth(recording, path());
+      }
+    } catch (...) {
+      remove();
+      throw;
+    }
   }
-  ~Alias() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
+  ~Alias() { remove(); }
   Alias(const Alias&) = delete;
   Alias& operator=(const Alias&) = delete;
 
   std::filesystem::path path() const { return folder_ / "recording.oni"; }
 
  private:
+  void remove() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
   std::filesystem::path folder_;
 };
+
+void warn_if_cut_off(const OniRecording& recording, const SourceOptions& options) {
+  if (recording.is_cut_off && options.warn) {
+    options.warn(recording.file.string() + ": breaks off at byte " +
+                 std::to_string(recording.end) +
+                 ", without the end mark of a finished recording; the " +
+                 std::to_string(recording.frame_count) + " depth images before that are played");
+  }
+}
 
 }  // namespace
 
@@ -53,6 +74,7 @@ struct OniPlayer::Impl {
     rectification.check_size(recording.width, recording.height, path.string());
     require_openni();
     open();
+    warn_if_cut_off(recording, options);
     const std::optional<PinholeCamera> own = camera_of(depth);
     if (!own && !options.camera && !options.camera_info) {
       throw InputError(path.string(),
@@ -80,7 +102,7 @@ struct OniPlayer::Impl {
   }
 
   void open() {
-    const Alias alias(recording.file);
+    const Alias alias(recording);
     if (device.open(alias.path().c_str()) != openni::STATUS_OK ||
         depth.create(device, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
       fail("cannot open this recording: " + openni_error());

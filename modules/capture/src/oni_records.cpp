@@ -10,11 +10,43 @@ namespace lockbox {
 namespace {
 
 constexpr std::uint32_t kRecordMagic = 0x0052494E;  // "NIR\0"
-// The player reads a record into a buffer of this size without looking.
-constexpr std::uint64_t kPlayerBuffer = 1600 * 1200 * 3 + 40;
 constexpr std::uint32_t kMaximumFields = 1 << 20;  // bytes; the largest in use are tables of 20 kB
 constexpr std::size_t kMaximumName = 79;           // characters, the player's limit
 constexpr std::uint32_t kMaximumNode = 16;
+// Versions that the player reads, as major, minor, maintenance and build.
+constexpr std::array<std::uint32_t, 4> kOldestVersion = {1, 0, 0, 4};
+constexpr std::array<std::uint32_t, 4> kNewestVersion = {1, 0, 1, 0};
+
+/// What every record begins with; the offset of an earlier record follows.
+struct RecordStart {
+  std::uint32_t magic;
+  std::uint32_t type;
+  std::uint32_t node;
+  std::uint32_t fields;   // bytes, with the header
+  std::uint32_t payload;  // bytes
+
+  std::uint64_t size() const { return std::uint64_t{fields} + payload; }
+};
+static_assert(sizeof(RecordStart) == 20);
+
+/// The player reads a record into its buffer without looking; seek tables can be left out.
+bool is_possible(const RecordStart& record, const OniHeader& header) {
+  const bool is_seek_table = static_cast<OniRecordType>(record.type) == OniRecordType::seek_table;
+  return record.fields >= header.record_header_size() && record.fields <= kMaximumFields &&
+         (is_seek_table || record.size() <= kOniPlayerRecord);
+}
+
+bool is_zero_from(const OniFile& file, std::uint64_t offset) {
+  std::array<char, 1 << 16> chunk{};
+  for (; offset < file.size(); offset += chunk.size()) {
+    const std::size_t size = std::min<std::uint64_t>(chunk.size(), file.size() - offset);
+    file.read(offset, chunk.data(), size);
+    if (std::any_of(chunk.begin(), chunk.begin() + size, [](char byte) { return byte != 0; })) {
+      return false;
+    }
+  }
+  return true;
+}
 
 std::uint64_t checked_size(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) {
@@ -31,6 +63,24 @@ std::uint64_t checked_size(const std::filesystem::path& path) {
     throw InputError(path.string(), "is empty (0 bytes); nothing was recorded, record it again");
   }
   return size;
+}
+
+std::array<std::uint32_t, 4> supported_version(const OniFile& file,
+                                               const std::array<char, OniHeader::kSize>& header) {
+  std::uint16_t maintenance = 0;
+  std::uint32_t build = 0;
+  std::memcpy(&maintenance, header.data() + 6, sizeof(maintenance));
+  std::memcpy(&build, header.data() + 8, sizeof(build));
+  const std::array<std::uint32_t, 4> version = {static_cast<unsigned char>(header[4]),
+                                                static_cast<unsigned char>(header[5]), maintenance,
+                                                build};
+  if (version < kOldestVersion || version > kNewestVersion) {
+    throw InputError(file.path().string(),
+                     "is an OpenNI recording of format version " + std::to_string(version[0]) +
+                         "." + std::to_string(version[1]) + "." + std::to_string(version[2]) + "." +
+                         std::to_string(version[3]) + "; 1.0.0.4 to 1.0.1.0 are supported");
+  }
+  return version;
 }
 
 }  // namespace
@@ -52,10 +102,8 @@ void OniFile::read(std::uint64_t offset, void* destination, std::size_t size) co
   while (size > 0) {
     const ssize_t count = ::pread(descriptor_, to, size, static_cast<off_t>(offset));
     if (count <= 0) {
-      throw InputError(path_.string(), "is truncated or unfinished: it ends at byte " +
-                                           std::to_string(size_) +
-                                           " without the end mark of a finished recording; copy or "
-                                           "record it again");
+      throw InputError(path_.string(), "is truncated: it ends at byte " + std::to_string(size_) +
+                                           "; copy or record it again");
     }
     to += count;
     offset += static_cast<std::uint64_t>(count);
@@ -80,16 +128,8 @@ OniHeader read_oni_header(const OniFile& file) {
     throw InputError(file.path().string(), "is truncated: it ends within the header, at byte " +
                                                std::to_string(file.size()));
   }
-  const std::string_view supported("\x01\x00\x01\x00\x00\x00\x00\x00", 8);
-  if (std::string_view(bytes.data() + 4, 8) != supported) {
-    throw InputError(file.path().string(),
-                     "is an OpenNI recording of format version " +
-                         std::to_string(static_cast<unsigned char>(bytes[4])) + "." +
-                         std::to_string(static_cast<unsigned char>(bytes[5])) + "." +
-                         std::to_string(static_cast<unsigned char>(bytes[6])) +
-                         ".*; only 1.0.1.0 (OpenNI 1.3 and later) is supported");
-  }
   OniHeader header{};
+  header.has_short_offsets = supported_version(file, bytes) < kNewestVersion;
   std::memcpy(&header.maximum_timestamp, bytes.data() + 12, 8);
   std::memcpy(&header.maximum_node, bytes.data() + 20, 4);
   if (header.maximum_node > kMaximumNode) {
@@ -98,22 +138,36 @@ OniHeader read_oni_header(const OniFile& file) {
   return header;
 }
 
-OniRecord::OniRecord(const OniFile& file, std::uint64_t offset) : file_(file), offset_(offset) {
-  std::array<std::uint32_t, 7> header{};
-  file.read(offset, header.data(), kHeaderSize);
-  if (header[0] != kRecordMagic) {
+bool breaks_off(const OniFile& file, const OniHeader& header, std::uint64_t offset) {
+  RecordStart record{};
+  if (file.size() - offset < header.record_header_size()) {
+    return true;
+  }
+  file.read(offset, &record, sizeof(record));
+  if (record.magic == kRecordMagic) {
+    return is_possible(record, header) && record.size() > file.size() - offset;
+  }
+  return record.magic == 0 && is_zero_from(file, offset);
+}
+
+OniRecord::OniRecord(const OniFile& file, const OniHeader& header, std::uint64_t offset)
+    : file_(file),
+      offset_(offset),
+      has_short_offsets_(header.has_short_offsets),
+      header_size_(header.record_header_size()) {
+  RecordStart record{};
+  file.read(offset, &record, sizeof(record));
+  if (record.magic != kRecordMagic) {
     refuse("no record begins here");
   }
-  type_ = header[1];
-  node_ = header[2];
-  payload_size_ = header[4];
-  const std::uint32_t fields_and_header = header[3];
-  if (fields_and_header < kHeaderSize || fields_and_header > kMaximumFields ||
-      std::uint64_t{fields_and_header} + payload_size_ > kPlayerBuffer) {
+  type_ = record.type;
+  node_ = record.node;
+  payload_size_ = record.payload;
+  if (!is_possible(record, header)) {
     refuse("its size is impossible");
   }
   std::uint64_t undo = 0;
-  std::memcpy(&undo, &header[5], sizeof(undo));
+  file.read(offset + sizeof(record), &undo, header_size_ - sizeof(record));
   if (undo >= offset) {
     refuse("it refers to a later record as to an earlier one");
   }
@@ -122,13 +176,10 @@ OniRecord::OniRecord(const OniFile& file, std::uint64_t offset) : file_(file), o
   if (payload_size_ != 0 && !may_have_payload) {
     refuse("it has a payload that its type does not have");
   }
-  fields_.resize(fields_and_header - kHeaderSize);
-  file.read(offset + kHeaderSize, fields_.data(), fields_.size());
+  fields_.resize(record.fields - header_size_);
+  file.read(offset + header_size_, fields_.data(), fields_.size());
   if (next_offset() > file.size()) {
-    throw InputError(file.path().string(),
-                     "is truncated: it ends at byte " + std::to_string(file.size()) +
-                         " within the record at byte " + std::to_string(offset) +
-                         "; copy or record it again");
+    refuse("it ends behind the end of the file");
   }
 }
 
@@ -140,6 +191,10 @@ const std::uint8_t* OniRecord::take_bytes(std::size_t count) {
   return fields_.data() + taken_ - count;
 }
 
+std::uint64_t OniRecord::take_offset() {
+  return has_short_offsets_ ? take<std::uint32_t>() : take<std::uint64_t>();
+}
+
 std::vector<std::uint8_t> OniRecord::take_data() {
   const auto size = take<std::uint32_t>();
   const std::uint8_t* const bytes = take_bytes(size);
@@ -149,7 +204,7 @@ std::vector<std::uint8_t> OniRecord::take_data() {
 std::string OniRecord::take_name() {
   const std::vector<std::uint8_t> bytes = take_data();
   const auto printable = [](std::uint8_t character) {
-    return character > 0x20 && character < 0x7F;
+    return character >= 0x20 && character < 0x7F;
   };
   if (bytes.size() < 2 || bytes.size() > kMaximumName + 1 || bytes.back() != 0 ||
       !std::all_of(bytes.begin(), bytes.end() - 1, printable)) {

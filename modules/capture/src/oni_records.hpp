@@ -15,6 +15,7 @@
 namespace lockbox {
 
 enum class OniRecordType : std::uint32_t {
+  node_added_1_0_0_4 = 0x2,  ///< without the number of frames, timestamps and seek table
   int_property = 0x3,
   real_property = 0x4,
   string_property = 0x5,
@@ -24,6 +25,7 @@ enum class OniRecordType : std::uint32_t {
   state_ready = 0x9,
   new_data = 0xA,
   end = 0xB,
+  node_added_1_0_0_5 = 0xC,  ///< without a seek table
   node_added = 0xD,
   seek_table = 0xE,
 };
@@ -54,29 +56,40 @@ class OniFile {
   std::uint64_t size_ = 0;
 };
 
+/// What the player can hold of an image that is not encoded, or of its encoding, bytes.
+inline constexpr std::uint64_t kOniPlayerImage = 1600 * 1200 * 3;
+
+/// What the player can hold of a record: an image, and the record's header and fields.
+inline constexpr std::uint64_t kOniPlayerRecord = kOniPlayerImage + 40;
+
 /// The 24 bytes at the beginning.
 struct OniHeader {
   static constexpr std::uint64_t kSize = 24;
+  bool has_short_offsets;           ///< 32 bits, before version 1.0.1.0
   std::uint64_t maximum_timestamp;  ///< microseconds
   std::uint32_t maximum_node;
+
+  std::uint32_t record_header_size() const { return has_short_offsets ? 24 : 28; }
 };
 
 /// Throws InputError if the file does not begin like a recording of a supported version.
 OniHeader read_oni_header(const OniFile& file);
 
+/// Whether the recording breaks off at offset, where a record should begin: the file ends there or
+/// within that record, or holds nothing but zeros from there on, as after a loss of power.
+bool breaks_off(const OniFile& file, const OniHeader& header, std::uint64_t offset);
+
 /// One record: its header and fields, without its payload.
 class OniRecord {
  public:
-  static constexpr std::uint32_t kHeaderSize = 28;
-
   /// Reads the record at offset. Throws InputError if it is damaged.
-  OniRecord(const OniFile& file, std::uint64_t offset);
+  OniRecord(const OniFile& file, const OniHeader& header, std::uint64_t offset);
 
   OniRecordType type() const { return static_cast<OniRecordType>(type_); }
   std::uint32_t node() const { return node_; }
   const OniFile& file() const { return file_; }
   std::uint64_t offset() const { return offset_; }
-  std::uint64_t payload_offset() const { return offset_ + kHeaderSize + fields_.size(); }
+  std::uint64_t payload_offset() const { return offset_ + header_size_ + fields_.size(); }
   std::uint32_t payload_size() const { return payload_size_; }
   std::uint64_t next_offset() const { return payload_offset() + payload_size_; }
 
@@ -87,6 +100,9 @@ class OniRecord {
     std::memcpy(&value, take_bytes(sizeof(T)), sizeof(T));
     return value;
   }
+
+  /// Takes the next field, an offset in the file, whose size depends on the version.
+  std::uint64_t take_offset();
 
   /// Takes the next field: a length and as many bytes.
   std::vector<std::uint8_t> take_data();
@@ -104,6 +120,8 @@ class OniRecord {
 
   const OniFile& file_;
   std::uint64_t offset_;
+  bool has_short_offsets_;
+  std::uint32_t header_size_;
   std::uint32_t type_ = 0;
   std::uint32_t node_ = 0;
   std::uint32_t payload_size_ = 0;

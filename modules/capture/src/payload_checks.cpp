@@ -97,6 +97,20 @@ constexpr bool has_no_length(std::uint8_t marker) {
   return marker == 0x00 || marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8) || marker == 0xFF;
 }
 
+constexpr bool begins_image(std::uint8_t marker) {
+  constexpr std::uint8_t kTables = 0xC4;
+  constexpr std::uint8_t kReserved = 0xC8;
+  constexpr std::uint8_t kConditioning = 0xCC;
+  return marker >= 0xC0 && marker <= 0xCF && marker != kTables && marker != kReserved &&
+         marker != kConditioning;
+}
+
+/// From the first 9 bytes of a segment that begins an image.
+std::size_t image_size(std::span<const std::uint8_t> segment) {
+  const std::size_t height = std::size_t{segment[5]} << 8 | segment[6];
+  return height * (std::size_t{segment[7]} << 8 | segment[8]);
+}
+
 }  // namespace
 
 std::optional<std::string> find_damage_16z(std::span<const std::uint8_t> payload,
@@ -104,7 +118,8 @@ std::optional<std::string> find_damage_16z(std::span<const std::uint8_t> payload
   return Decoder16z(payload, pixels, with_table).find_damage();
 }
 
-std::optional<std::string> find_damage_jpeg(std::span<const std::uint8_t> payload) {
+std::optional<std::string> find_damage_jpeg(std::span<const std::uint8_t> payload,
+                                            std::size_t pixels) {
   constexpr std::uint8_t kEndOfImage = 0xD9;
   if (payload.size() < 4 || payload[0] != 0xFF || payload[1] != 0xD8) {
     return "is not a JPEG image";
@@ -119,8 +134,11 @@ std::optional<std::string> find_damage_jpeg(std::span<const std::uint8_t> payloa
     } else if (has_no_length(marker)) {
       position += marker == 0xFF ? 1 : 2;
     } else {
-      if (position + 3 >= payload.size()) {
+      if (position + 8 >= payload.size()) {
         break;
+      }
+      if (begins_image(marker) && image_size(payload.subspan(position, 9)) != pixels) {
+        return "the JPEG image has another size than its stream";
       }
       position += 2U + (std::size_t{payload[position + 2]} << 8 | payload[position + 3]);
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The virtual device driver: OpenNI2 loads this library from its folder of drivers.
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -20,22 +22,25 @@ OniDeviceInfo device_info(const std::string& uri) {
 
 class Device : public oni::driver::DeviceBase {
  public:
-  Device(const std::string& uri, std::function<void()> on_end)
-      : connection_(uri), on_end_(std::move(on_end)) {
-    mode_ = video_mode_of(connection_.header());
-    sensor_ = {ONI_SENSOR_DEPTH, 1, &mode_};
+  Device(const std::string& uri, const std::function<void()>& on_end)
+      : connection_(uri), feed_(connection_, on_end) {
+    for (std::size_t i = 0; i < kSensors.size(); ++i) {
+      modes_[i] = video_mode_of(kSensors[i], connection_.header());
+      sensors_[i] = {kSensors[i], 1, &modes_[i]};
+    }
   }
 
   const Connection& connection() const { return connection_; }
 
   OniStatus getSensorInfoList(OniSensorInfo** sensors, int* count) override {
-    *sensors = &sensor_;
-    *count = 1;
+    *sensors = sensors_.data();
+    *count = static_cast<int>(sensors_.size());
     return ONI_STATUS_OK;
   }
 
   oni::driver::StreamBase* createStream(OniSensorType type) override {
-    return type == ONI_SENSOR_DEPTH ? new Stream(connection_, on_end_) : nullptr;
+    const bool is_offered = std::find(kSensors.begin(), kSensors.end(), type) != kSensors.end();
+    return is_offered ? new Stream(type, feed_) : nullptr;
   }
 
   void destroyStream(oni::driver::StreamBase* stream) override { delete stream; }
@@ -56,10 +61,12 @@ class Device : public oni::driver::DeviceBase {
   }
 
  private:
+  static constexpr std::array kSensors = {ONI_SENSOR_DEPTH, ONI_SENSOR_COLOR, ONI_SENSOR_IR};
+
   Connection connection_;
-  std::function<void()> on_end_;
-  OniVideoMode mode_{};
-  OniSensorInfo sensor_{};
+  Feed feed_;
+  std::array<OniVideoMode, kSensors.size()> modes_{};
+  std::array<OniSensorInfo, kSensors.size()> sensors_{};
 };
 
 }  // namespace

@@ -3,15 +3,13 @@
 
 #include <PS1080.h>
 
+#include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstring>
-#include <limits>
 
 namespace lockbox::virtual_depth {
 namespace {
 
-constexpr int kSlice = 20;  // milliseconds between looks at whether to stop
 // The encoder of recordings has a table entry for depths below this only.
 constexpr int kMaximumDepth = 65535;
 
@@ -25,18 +23,45 @@ OniStatus answer(const T& value, void* data, int* size) {
   return ONI_STATUS_OK;
 }
 
-}  // namespace
-
-OniVideoMode video_mode_of(const VirtualDepthHeader& header) {
-  return {header.unit == 1000 ? ONI_PIXEL_FORMAT_DEPTH_1_MM : ONI_PIXEL_FORMAT_DEPTH_100_UM,
-          static_cast<int>(header.width), static_cast<int>(header.height),
-          static_cast<int>(header.frames_per_second)};
+OniPixelFormat pixel_format_of(OniSensorType type, const VirtualDepthHeader& header) {
+  switch (type) {
+    case ONI_SENSOR_COLOR:
+      return ONI_PIXEL_FORMAT_RGB888;
+    case ONI_SENSOR_IR:
+      return ONI_PIXEL_FORMAT_GRAY16;
+    default:
+      return header.unit == 1000 ? ONI_PIXEL_FORMAT_DEPTH_1_MM : ONI_PIXEL_FORMAT_DEPTH_100_UM;
+  }
 }
 
-Stream::Stream(Connection& connection, std::function<void()> on_end)
-    : connection_(connection),
-      on_end_(std::move(on_end)),
-      limit_(connection.header().hold != 0 ? 0 : std::numeric_limits<int>::max()) {}
+using Rgb = std::array<std::uint8_t, 3>;
+
+Rgb colour_of(std::uint16_t depth) {
+  return {static_cast<std::uint8_t>(depth >> 8), static_cast<std::uint8_t>(depth),
+          static_cast<std::uint8_t>(depth >> 4)};
+}
+
+template <typename Pixel, typename Convert>
+void fill_rows(std::span<const std::uint16_t> depth, int width, bool mirrored, void* image,
+               Convert convert) {
+  auto* row = static_cast<Pixel*>(image);
+  for (auto from = depth.begin(); from != depth.end(); from += width, row += width) {
+    std::transform(from, from + width, row, convert);
+    if (mirrored) {
+      std::reverse(row, row + width);
+    }
+  }
+}
+
+}  // namespace
+
+OniVideoMode video_mode_of(OniSensorType type, const VirtualDepthHeader& header) {
+  return {pixel_format_of(type, header), static_cast<int>(header.width),
+          static_cast<int>(header.height), static_cast<int>(header.frames_per_second)};
+}
+
+Stream::Stream(OniSensorType type, Feed& feed)
+    : type_(type), feed_(feed), mode_(video_mode_of(type, feed.header())) {}
 
 Stream::~Stream() {
   stop();
@@ -44,65 +69,64 @@ Stream::~Stream() {
 
 OniStatus Stream::start() {
   stop();
-  running_ = true;
-  thread_ = std::thread([this] { run(); });
+  feed_.add(*this);
   return ONI_STATUS_OK;
 }
 
 void Stream::stop() {
-  running_ = false;
-  if (thread_.joinable()) {
-    thread_.join();
-  }
+  feed_.remove(*this);
+}
+
+int Stream::stride() const {
+  const auto bytes = type_ == ONI_SENSOR_COLOR ? sizeof(Rgb) : sizeof(std::uint16_t);
+  return mode_.resolutionX * static_cast<int>(bytes);
 }
 
 int Stream::getRequiredFrameSize() {
-  return static_cast<int>(connection_.frame_bytes());
+  return stride() * mode_.resolutionY;
 }
 
-void Stream::run() {
-  while (running_) {
-    if (frame_index_ >= limit_) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      continue;
-    }
-    const Connection::Wait state = connection_.wait(kSlice);
-    if (state == Connection::Wait::closed || (state == Connection::Wait::ready && !raise_next())) {
-      on_end_();
-      return;
-    }
+void Stream::fill(std::span<const std::uint16_t> depth, void* image) const {
+  const int width = mode_.resolutionX;
+  switch (type_) {
+    case ONI_SENSOR_COLOR:
+      return fill_rows<Rgb>(depth, width, mirrored_, image, colour_of);
+    case ONI_SENSOR_IR:
+      return fill_rows<std::uint16_t>(
+          depth, width, mirrored_, image,
+          [](std::uint16_t value) { return static_cast<std::uint16_t>(value >> 2); });
+    default:
+      return fill_rows<std::uint16_t>(depth, width, mirrored_, image,
+                                      [](std::uint16_t value) { return value; });
   }
 }
 
-bool Stream::raise_next() {
+void Stream::take(std::span<const std::uint16_t> depth, std::uint64_t timestamp) {
   OniFrame* const frame = getServices().acquireFrame();
   if (frame == nullptr) {
-    return false;
+    return;
   }
-  const bool complete = connection_.read_frame(frame->timestamp, frame->data);
-  if (complete) {
-    const OniVideoMode mode = video_mode_of(connection_.header());
-    frame->dataSize = getRequiredFrameSize();
-    frame->sensorType = ONI_SENSOR_DEPTH;
-    frame->frameIndex = ++frame_index_;
-    frame->width = mode.resolutionX;
-    frame->height = mode.resolutionY;
-    frame->videoMode = mode;
-    frame->croppingEnabled = FALSE;
-    frame->cropOriginX = 0;
-    frame->cropOriginY = 0;
-    frame->stride = mode.resolutionX * static_cast<int>(sizeof(OniDepthPixel));
-    raiseNewFrame(frame);
-  }
+  fill(depth, frame->data);
+  frame->timestamp = timestamp;
+  frame->dataSize = getRequiredFrameSize();
+  frame->sensorType = type_;
+  frame->frameIndex = ++frame_index_;
+  frame->width = mode_.resolutionX;
+  frame->height = mode_.resolutionY;
+  frame->videoMode = mode_;
+  frame->croppingEnabled = FALSE;
+  frame->cropOriginX = 0;
+  frame->cropOriginY = 0;
+  frame->stride = stride();
+  raiseNewFrame(frame);
   getServices().releaseFrame(frame);
-  return complete;
 }
 
 OniStatus Stream::getProperty(int id, void* data, int* size) {
-  const VirtualDepthHeader& header = connection_.header();
+  const VirtualDepthHeader& header = feed_.header();
   switch (id) {
     case ONI_STREAM_PROPERTY_VIDEO_MODE:
-      return answer(video_mode_of(header), data, size);
+      return answer(mode_, data, size);
     case ONI_STREAM_PROPERTY_HORIZONTAL_FOV:
       return answer(header.horizontal_field_of_view, data, size);
     case ONI_STREAM_PROPERTY_VERTICAL_FOV:
@@ -112,9 +136,9 @@ OniStatus Stream::getProperty(int id, void* data, int* size) {
     case ONI_STREAM_PROPERTY_MIN_VALUE:
       return answer(0, data, size);
     case ONI_STREAM_PROPERTY_STRIDE:
-      return answer(static_cast<int>(header.width * sizeof(OniDepthPixel)), data, size);
+      return answer(stride(), data, size);
     case ONI_STREAM_PROPERTY_MIRRORING:
-      return answer(OniBool{FALSE}, data, size);
+      return answer(OniBool{mirrored_ ? TRUE : FALSE}, data, size);
     case ONI_STREAM_PROPERTY_CROPPING:  // without an answer, recordings would replay no frames
       return answer(OniCropping{}, data, size);
     case XN_STREAM_PROPERTY_HOLE_FILTER:
@@ -124,14 +148,19 @@ OniStatus Stream::getProperty(int id, void* data, int* size) {
   }
 }
 
-/// The device is what it is: setting a property to its value succeeds, all else but
-/// the limit fails.
+/// The device is what it is: setting a property to its value succeeds, all else but the limit and
+/// mirroring fails.
 OniStatus Stream::setProperty(int id, const void* data, int size) {
   if (id == kVirtualDepthLimit && size == static_cast<int>(sizeof(int))) {
     int limit = 0;
     std::memcpy(&limit, data, sizeof(limit));
-    limit_ = limit;
+    feed_.set_limit(limit);
     return ONI_STATUS_OK;
+  }
+  if (id == ONI_STREAM_PROPERTY_MIRRORING && size == static_cast<int>(sizeof(OniBool))) {
+    OniBool mirrored = FALSE;
+    std::memcpy(&mirrored, data, sizeof(mirrored));
+    mirrored_ = mirrored != FALSE;
   }
   std::array<char, 64> value;
   int value_size = static_cast<int>(value.size());

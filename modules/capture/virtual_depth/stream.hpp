@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The depth stream of the virtual device.
+// The streams of the virtual device.
 #pragma once
 
 // Debian ships OniDriverAPI.h without the platform header that defines these.
@@ -10,18 +10,16 @@
 #include <Driver/OniDriverAPI.h>
 
 #include <atomic>
-#include <functional>
-#include <thread>
 
-#include "connection.hpp"
+#include "feed.hpp"
 
 namespace lockbox::virtual_depth {
 
-/// Raises each frame the moment it arrives.
-class Stream : public oni::driver::StreamBase {
+/// The producer's depth, or a colour (RGB) or infrared (16-bit grey) image made of it: pictures that
+/// follow from the depth of the same frame, for those who record and play such streams.
+class Stream : public oni::driver::StreamBase, private Listener {
  public:
-  /// on_end is called, from the stream's thread, when the producer is gone.
-  Stream(Connection& connection, std::function<void()> on_end);
+  Stream(OniSensorType type, Feed& feed);
   ~Stream() override;
 
   OniStatus start() override;
@@ -32,17 +30,17 @@ class Stream : public oni::driver::StreamBase {
   OniBool isPropertySupported(int id) override;
 
  private:
-  void run();
-  bool raise_next();
+  void take(std::span<const std::uint16_t> depth, std::uint64_t timestamp) override;
+  void fill(std::span<const std::uint16_t> depth, void* image) const;
+  int stride() const;
 
-  Connection& connection_;
-  std::function<void()> on_end_;
-  std::thread thread_;
-  std::atomic<bool> running_{false};
-  std::atomic<int> limit_;
+  OniSensorType type_;
+  Feed& feed_;
+  OniVideoMode mode_;
+  std::atomic<bool> mirrored_{false};
   int frame_index_ = 0;
 };
 
-OniVideoMode video_mode_of(const VirtualDepthHeader& header);
+OniVideoMode video_mode_of(OniSensorType type, const VirtualDepthHeader& header);
 
 }  // namespace lockbox::virtual_depth

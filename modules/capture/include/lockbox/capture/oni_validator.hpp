@@ -7,21 +7,24 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace lockbox {
 
 /// One encoded frame of any stream.
 struct OniPayload {
-  std::uint64_t offset = 0;  ///< bytes from the beginning of the file
-  std::uint32_t size = 0;    ///< bytes
-  std::uint32_t frame = 0;   ///< number within its stream, from 1
+  std::uint64_t offset = 0;     ///< bytes from the beginning of the file
+  std::uint32_t size = 0;       ///< bytes
+  std::uint32_t frame = 0;      ///< number within its stream, from 1
+  std::uint64_t timestamp = 0;  ///< microseconds
   std::array<char, 4> codec{};
   bool depth = false;      ///< of the depth stream
   std::size_t pixels = 0;  ///< of the decoded image
 };
 
-/// What a sound recording holds.
+/// What a recording holds that can be played.
 struct OniRecording {
   std::filesystem::path file;
   int width = 0;  ///< pixels of the depth stream
@@ -29,12 +32,26 @@ struct OniRecording {
   std::size_t frame_count = 0;       ///< of the depth stream
   bool mirrored = false;             ///< columns run from right to left
   std::uint64_t end = 0;             ///< bytes up to the end of the last record
-  std::vector<OniPayload> payloads;  ///< in file order
+  std::vector<OniPayload> payloads;  ///< in file order; if it is not plain, of depth only
+
+  /// OpenNI2 plays the file as it is. Else it gets a copy of the depth (copy_depth()): the end is
+  /// missing, the version is an old one, or there is something about its streams that OpenNI2 does
+  /// not take.
+  bool is_plain = true;
+  /// The end mark is missing, as whatever recorded was stopped, or the file was not copied to its
+  /// end; what is complete can be played.
+  bool is_cut_off = false;
+  /// Properties of the depth stream that say what its images mean, by name.
+  std::map<std::string, std::vector<std::uint8_t>> depth_properties;
 };
 
 /// Checks everything but the frames' contents, without reading these: milliseconds even for long
 /// recordings. Throws InputError that says what is wrong, where, and what to do.
 OniRecording validate_oni(const std::filesystem::path& file);
+
+/// Writes the depth of a recording as a file that OpenNI2 plays: complete, finished, of the newest
+/// version, with nothing but what was checked. Throws InputError if there is no room for it.
+void copy_depth(const OniRecording& recording, const std::filesystem::path& copy);
 
 /// Checks the contents of frames: each decodes to exactly one image.
 class OniPayloadChecker {
