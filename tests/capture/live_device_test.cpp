@@ -36,13 +36,16 @@ class VirtualCamera {
 
   std::string uri() const { return server_.uri(); }
   void unplug() { plugged_ = false; }
+  void stall() { stalled_ = true; }
 
  private:
   void run(std::chrono::milliseconds period) {
     try {
       VirtualDepthSender sender = server_.accept(small_camera(), 100, 0.001F);
       for (std::uint64_t number = 0; plugged_; ++number) {
-        sender.try_send(synthetic_frame(number));
+        if (!stalled_) {
+          sender.try_send(synthetic_frame(number));
+        }
         std::this_thread::sleep_for(period);
       }
     } catch (const DeviceError&) {
@@ -52,6 +55,7 @@ class VirtualCamera {
 
   TemporaryFolder folder_;
   std::atomic<bool> plugged_{true};
+  std::atomic<bool> stalled_{false};
   VirtualDepthServer server_;
   std::thread thread_;
 };
@@ -99,6 +103,25 @@ TEST(LiveDevice, UnpluggingIsNoticed) {
         }
       },
       ThrowsMessage<DeviceError>(HasSubstr("was unplugged")));
+}
+
+TEST(LiveDevice, WaitingForAStalledDeviceCanBeEnded) {
+  VirtualCamera camera(2ms);
+  std::atomic<bool> stop{false};
+  SourceOptions options;
+  options.stop = [&stop] { return stop.load(); };
+  LiveDevice device(camera.uri(), options);
+  DepthFrame frame;
+  ASSERT_TRUE(device.next(frame));
+  camera.stall();
+  const auto later = std::async(std::launch::async, [&stop] {
+    std::this_thread::sleep_for(100ms);
+    stop = true;
+  });
+  const auto start = std::chrono::steady_clock::now();
+  while (device.next(frame)) {
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, LOCKBOX_SLOWDOWN * 1s);
 }
 
 /// Exit status of a process that opens the camera without naming it.
@@ -178,6 +201,26 @@ TEST(Record, UnpluggingEndsTheRecording) {
     camera.unplug();
   });
   EXPECT_GT(record("openni2:" + camera.uri(), folder / "a.oni", [] { return false; }), 5U);
+}
+
+TEST(Record, ARecordingIsRecordedAgainBitForBit) {
+  const TemporaryFolder folder;
+  OniWriter writer(folder / "a.oni", small_camera(), 30);
+  for (std::uint64_t number = 0; number < 5; ++number) {
+    writer.write(synthetic_frame(number));
+  }
+  writer.finish();
+  const auto never = [] { return false; };
+  EXPECT_EQ(record((folder / "a.oni").string(), folder / "b.oni", never), 5U);
+  OniPlayer player(folder / "b.oni");
+  DepthFrame frame;
+  for (std::uint64_t number = 0; number < 5; ++number) {
+    ASSERT_TRUE(player.next(frame));
+    EXPECT_EQ(frame.depth, synthetic_frame(number).depth);
+    EXPECT_EQ(number_of(frame), number);
+    EXPECT_EQ(frame.camera, small_camera());
+  }
+  EXPECT_EQ(record((folder / "a.oni").string(), folder / "c.oni", [] { return true; }), 1U);
 }
 
 TEST(Record, WrongSourcesAreRefused) {

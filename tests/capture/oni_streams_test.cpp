@@ -42,9 +42,18 @@ std::vector<Streams> all_streams() {
   constexpr auto C = openni::SENSOR_COLOR;
   constexpr auto I = openni::SENSOR_IR;
   std::vector<Streams> all;
-  for (const std::vector<openni::SensorType>& order : std::vector<std::vector<openni::SensorType>>{
-           {D}, {D, C}, {C, D}, {D, I}, {I, D}, {D, C, I}, {D, I, C}, {C, D, I}, {I, D, C},
-           {C, I, D}, {I, C, D}}) {
+  for (const std::vector<openni::SensorType>& order :
+       std::vector<std::vector<openni::SensorType>>{{D},
+                                                    {D, C},
+                                                    {C, D},
+                                                    {D, I},
+                                                    {I, D},
+                                                    {D, C, I},
+                                                    {D, I, C},
+                                                    {C, D, I},
+                                                    {I, D, C},
+                                                    {C, I, D},
+                                                    {I, C, D}}) {
     all.push_back({order, false, false});
     all.push_back({order, true, true});
   }

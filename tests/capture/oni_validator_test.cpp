@@ -141,8 +141,8 @@ TEST(OniValidator, ARecordingWithoutTheFinalNumberOfFramesPlays) {
   EXPECT_EQ(status_of_child([&] { return replay(folder / "unfinished.oni"); }), kComplete);
 }
 
-/// Plays the first `size` bytes of a recording: 0 if all complete frames came, bit for bit, in order,
-/// and the cut was said once.
+/// Plays the first `size` bytes of a recording: 0 if all complete frames came, bit for bit, in
+/// order, and the cut was said once.
 int replay_cut(const std::filesystem::path& file, const std::string& bytes, std::size_t frames) {
   write_file(file, bytes);
   int warnings = 0;
@@ -211,9 +211,8 @@ TEST(OniValidator, ACutRecordingPlaysUpToTheCut) {
       if (frames == 0 || cut >= sound.size()) {
         continue;
       }
-      EXPECT_EQ(status_of_child([&] {
-                  return replay_cut(folder / "cut.oni", sound.substr(0, cut), frames);
-                }),
+      EXPECT_EQ(status_of_child(
+                    [&] { return replay_cut(folder / "cut.oni", sound.substr(0, cut), frames); }),
                 0)
           << cut;
     }
@@ -230,8 +229,7 @@ TEST(OniValidator, ARecordingThatEndsInZerosPlaysUpToThem) {
                                   third.offset + third.size - 1}) {
     std::string bytes = sound.substr(0, end);
     bytes.resize(sound.size());
-    const int result =
-        status_of_child([&] { return replay_cut(folder / "zeros.oni", bytes, 2); });
+    const int result = status_of_child([&] { return replay_cut(folder / "zeros.oni", bytes, 2); });
     EXPECT_EQ(result, 0) << end;
   }
 }

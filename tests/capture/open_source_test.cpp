@@ -2,11 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
+#include <future>
 #include <thread>
 
 #include "lockbox/capture/camera_info.hpp"
 #include "lockbox/capture/depth_folder.hpp"
+#include "lockbox/capture/frame_grabber.hpp"
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_writer.hpp"
@@ -91,6 +94,49 @@ TEST(OpenSource, RealTimeDropsWhatASlowConsumerMisses) {
   std::this_thread::sleep_for(150ms);
   ASSERT_TRUE(source->next(frame));
   EXPECT_GE(frame.index, 4U);
+}
+
+/// Two frames, an hour apart.
+void write_recording_with_a_pause(const std::filesystem::path& folder) {
+  DepthFolderWriter writer(folder);
+  DepthFrame frame = synthetic_frame(0);
+  writer.write(frame);
+  frame.stamp = 3600.0;
+  writer.write(frame);
+}
+
+TEST(OpenSource, RealTimeDoesNotWaitThroughAPauseWhenToldToStop) {
+  const TemporaryFolder folder;
+  write_recording_with_a_pause(folder / "depth");
+  const auto start = std::chrono::steady_clock::now();
+  SourceOptions options;
+  options.realtime = true;
+  options.stop = [start] { return std::chrono::steady_clock::now() - start > 150ms; };
+  const std::unique_ptr<FrameSource> source = open_source((folder / "depth").string(), options);
+  DepthFrame frame;
+  ASSERT_TRUE(source->next(frame));
+  EXPECT_FALSE(source->next(frame));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 2s);
+}
+
+TEST(OpenSource, AGrabberThatWaitsThroughAPauseStops) {
+  const TemporaryFolder folder;
+  write_recording_with_a_pause(folder / "depth");
+  SourceOptions options;
+  options.realtime = true;
+  FrameGrabber grabber((folder / "depth").string(), options);
+  std::promise<void> first;
+  grabber.registerCallback<FrameGrabber::FrameCallback>(
+      [&first](const std::shared_ptr<const DepthFrame>&) { first.set_value(); });
+  std::atomic<bool> ended{false};
+  grabber.registerCallback<FrameGrabber::EndCallback>(
+      [&ended](const std::string&) { ended = true; });
+  grabber.start();
+  first.get_future().wait();
+  const auto start = std::chrono::steady_clock::now();
+  grabber.stop();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 1s);
+  EXPECT_FALSE(ended);  // not by itself
 }
 
 }  // namespace

@@ -68,9 +68,7 @@ class StreamsOfDevice {
     }
   }
 
-  void allow_frames(int count) {
-    streams_.front().setProperty(kVirtualDepthLimit, count);
-  }
+  void allow_frames(int count) { streams_.front().setProperty(kVirtualDepthLimit, count); }
 
   /// Waits until every stream has delivered this frame, which it reads.
   void read_through(int frame) {

@@ -43,7 +43,11 @@ FrameGrabber::FrameGrabber(std::function<std::unique_ptr<FrameSource>()> open)
       ends_(createSignal<EndCallback>()) {}
 
 FrameGrabber::FrameGrabber(const std::string& source, const SourceOptions& options)
-    : FrameGrabber([source, options] { return open_source(source, options); }) {}
+    : FrameGrabber([this, source, options]() {
+        SourceOptions stoppable = options;
+        stoppable.stop = [this, stop = options.stop] { return stop_ || (stop && stop()); };
+        return open_source(source, stoppable);
+      }) {}
 
 FrameGrabber::~FrameGrabber() noexcept {
   stop();
@@ -90,8 +94,8 @@ void FrameGrabber::run() {
     double last_stamp = 0.0;
     for (bool first = true; !stop_; first = false) {
       const auto frame = std::make_shared<DepthFrame>();
-      ended = !source_->next(*frame);
-      if (ended) {
+      if (!source_->next(*frame)) {
+        ended = !stop_;
         break;
       }
       if (!first && frame->stamp > last_stamp) {

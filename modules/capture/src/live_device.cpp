@@ -16,7 +16,7 @@ constexpr int kLooks = 50;
 
 struct LiveDevice::Impl {
   Impl(const std::string& uri, const SourceOptions& options)
-      : rectification(given_calibration(options)) {
+      : rectification(given_calibration(options)), stop(options.stop) {
     open_depth(uri, device, depth);
     name = device.getDeviceInfo().getUri();
     unplug_watch.emplace(device);
@@ -44,8 +44,12 @@ struct LiveDevice::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  void wait() {
+  /// Returns false if it was told to stop.
+  bool wait() {
     for (int slice = 0; !wait_for_frame(depth, kLookMilliseconds); ++slice) {
+      if (stop && stop()) {
+        return false;
+      }
       if (unplug_watch->unplugged()) {
         throw DeviceError(name + ": the device was unplugged");
       }
@@ -55,9 +59,11 @@ struct LiveDevice::Impl {
                           "whether another program uses it");
       }
     }
+    return true;
   }
 
   Rectification rectification;
+  std::function<bool()> stop;
   openni::Device device;
   openni::VideoStream depth;
   std::optional<UnplugWatch> unplug_watch;
@@ -72,7 +78,9 @@ LiveDevice::LiveDevice(const std::string& uri, const SourceOptions& options)
 LiveDevice::~LiveDevice() = default;
 
 bool LiveDevice::next(DepthFrame& frame) {
-  impl_->wait();
+  if (!impl_->wait()) {
+    return false;
+  }
   openni::VideoFrameRef read;
   if (impl_->depth.readFrame(&read) != openni::STATUS_OK) {
     throw DeviceError(impl_->name + ": a frame cannot be read: " + openni_error());

@@ -97,8 +97,8 @@ bool OniNode::is_playable() const {
     return has("xnCropping") && has("xnDeviceMaxDepth");
   }
   if (type_ == OniNodeType::image && codec == "JPEG") {
-    const std::uint64_t decoded = std::uint64_t{3} * static_cast<unsigned>(width_) *
-                                  static_cast<unsigned>(height_);
+    const std::uint64_t decoded =
+        std::uint64_t{3} * static_cast<unsigned>(width_) * static_cast<unsigned>(height_);
     const std::uint64_t old_format = integer("xnPixelFormat", kRgbOfOpenNi1);
     const std::uint64_t format = integer("oniPixelFormat", kRgb);
     return decoded <= kOniPlayerImage &&

@@ -39,8 +39,8 @@ class OniNode {
   /// Has the recorder written the number of frames, which it does at the end?
   bool is_finished() const;
 
-  /// May the player be given this stream? The depth, otherwise sound, may lack what the player needs;
-  /// of others it takes a few encodings only. Asked when the node is ready.
+  /// May the player be given this stream? The depth, otherwise sound, may lack what the player
+  /// needs; of others it takes a few encodings only. Asked when the node is ready.
   bool is_playable() const;
 
   /// The player must know how to decode the depth.
@@ -83,7 +83,7 @@ class OniNode {
   std::string name_;
   std::array<char, 4> codec_{};
   std::optional<std::uint32_t> frame_count_;  ///< as far as the version says
-  std::uint64_t seek_table_ = 0;  ///< offset, 0 if there is none
+  std::uint64_t seek_table_ = 0;              ///< offset, 0 if there is none
   Properties properties_;
   int width_ = 0;
   int height_ = 0;

@@ -57,8 +57,7 @@ class Alias {
 
 void warn_if_cut_off(const OniRecording& recording, const SourceOptions& options) {
   if (recording.is_cut_off && options.warn) {
-    options.warn(recording.file.string() + ": breaks off at byte " +
-                 std::to_string(recording.end) +
+    options.warn(recording.file.string() + ": breaks off at byte " + std::to_string(recording.end) +
                  ", without the end mark of a finished recording; the " +
                  std::to_string(recording.frame_count) + " depth images before that are played");
   }
@@ -70,7 +69,8 @@ struct OniPlayer::Impl {
   Impl(const std::filesystem::path& path, const SourceOptions& options)
       : recording(validate_oni(path)),
         payloads(recording),
-        rectification(given_calibration(options)) {
+        rectification(given_calibration(options)),
+        stop(options.stop) {
     rectification.check_size(recording.width, recording.height, path.string());
     require_openni();
     open();
@@ -125,8 +125,12 @@ struct OniPlayer::Impl {
     }
   }
 
-  void read(openni::VideoFrameRef& frame) {
+  /// Returns false if it was told to stop.
+  bool read(openni::VideoFrameRef& frame) {
     for (int slice = 0; !wait_for_frame(depth, kSliceMilliseconds); ++slice) {
+      if (stop && stop()) {
+        return false;
+      }
       if (slice == kSlices) {
         fail("stopped delivering after frame " + std::to_string(delivered));
       }
@@ -138,11 +142,13 @@ struct OniPlayer::Impl {
       fail("delivered frame " + std::to_string(frame.getFrameIndex()) + " after frame " +
            std::to_string(delivered));
     }
+    return true;
   }
 
   OniRecording recording;
   OniPayloadChecker payloads;
   Rectification rectification;
+  std::function<bool()> stop;
   openni::Device device;
   openni::VideoStream depth;
   PinholeCamera camera;
@@ -160,7 +166,9 @@ bool OniPlayer::next(DepthFrame& frame) {
   }
   impl_->payloads.check_through(impl_->delivered + 2);
   openni::VideoFrameRef read;
-  impl_->read(read);
+  if (!impl_->read(read)) {
+    return false;
+  }
   frame.camera = impl_->camera;
   copy_frame(read, impl_->recording.mirrored, frame);
   frame.index = impl_->delivered++;

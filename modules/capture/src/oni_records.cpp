@@ -10,8 +10,8 @@ namespace lockbox {
 namespace {
 
 constexpr std::uint32_t kRecordMagic = 0x0052494E;  // "NIR\0"
-constexpr std::uint32_t kMaximumFields = 1 << 20;  // bytes; the largest in use are tables of 20 kB
-constexpr std::size_t kMaximumName = 79;           // characters, the player's limit
+constexpr std::uint32_t kMaximumFields = 1 << 20;   // bytes; the largest in use are tables of 20 kB
+constexpr std::size_t kMaximumName = 79;            // characters, the player's limit
 constexpr std::uint32_t kMaximumNode = 16;
 // Versions that the player reads, as major, minor, maintenance and build.
 constexpr std::array<std::uint32_t, 4> kOldestVersion = {1, 0, 0, 4};

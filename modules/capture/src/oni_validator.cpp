@@ -187,9 +187,10 @@ class Validation {
   void require_depth() const {
     const std::string file = file_.path().string();
     if (recording_.is_cut_off && recording_.frame_count == 0) {
-      throw InputError(file, "is truncated or unfinished: it breaks off at byte " +
-                                 std::to_string(recording_.end) +
-                                 ", before its first complete depth image; copy or record it again");
+      throw InputError(file,
+                       "is truncated or unfinished: it breaks off at byte " +
+                           std::to_string(recording_.end) +
+                           ", before its first complete depth image; copy or record it again");
     }
     if (depth_ == nullptr) {
       throw InputError(file, "holds no depth stream; record it again with the depth camera on");

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "lockbox/capture/frame_source.hpp"
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_validator.hpp"
 #include "lockbox/capture/virtual_depth.hpp"
@@ -187,20 +188,46 @@ std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& ca
   return count;
 }
 
-std::size_t record(const std::string& source, const std::filesystem::path& file,
-                   const std::function<bool()>& stop) {
-  constexpr std::string_view kPrefix = "openni2:";
-  if (source.compare(0, kPrefix.size(), kPrefix) != 0) {
-    throw InputError(source, "only live devices are recorded: openni2: or openni2:<uri>");
-  }
+namespace {
+
+std::size_t record_device(const std::string& uri, const std::filesystem::path& file,
+                          const std::function<bool()>& stop) {
   require_replaceable(file);
-  RecorderProcess recorder(source.substr(kPrefix.size()), file);
+  RecorderProcess recorder(uri, file);
   while (recorder.is_running() && !stop()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   recorder.finish();
   cut_tail(file);
   return validate_oni(file).frame_count;
+}
+
+}  // namespace
+
+std::size_t record(const std::string& source, const std::filesystem::path& file,
+                   const std::function<bool()>& stop,
+                   const std::function<void(const std::string&)>& warn) {
+  constexpr std::string_view kLive = "openni2:";
+  if (source.compare(0, kLive.size(), kLive) == 0) {
+    return record_device(source.substr(kLive.size()), file, stop);
+  }
+  SourceOptions options;
+  options.stop = stop;
+  options.warn = warn;
+  const std::unique_ptr<FrameSource> recording = open_source(source, options);
+  DepthFrame frame;
+  if (!recording->next(frame)) {
+    throw InputError(source, "delivered no frame");
+  }
+  constexpr int kNominalRate = 30;  // frames per second; the stamps say when they really came
+  OniWriter writer(file, frame.camera, kNominalRate, frame.metres_per_unit);
+  std::size_t count = 0;
+  do {
+    writer.write(frame);
+    ++count;
+  } while (!stop() && recording->next(frame));
+  writer.finish();
+  return count;
 }
 
 }  // namespace lockbox

@@ -49,7 +49,7 @@ std::unique_ptr<FrameSource> open_source(const std::string& source, const Source
   }
   std::unique_ptr<FrameSource> recording = open_recording(source, options);
   if (options.realtime) {
-    return std::make_unique<RealtimeSource>(std::move(recording));
+    return std::make_unique<RealtimeSource>(std::move(recording), options.stop);
   }
   return recording;
 }

@@ -19,7 +19,8 @@ namespace lockbox {
 std::optional<std::string> find_damage_16z(std::span<const std::uint8_t> payload,
                                            std::size_t pixels, bool with_table);
 
-/// What is wrong with the segments or the size of a JPEG image, or nothing: the decoder trusts them.
+/// What is wrong with the segments or the size of a JPEG image, or nothing: the decoder trusts
+/// them.
 std::optional<std::string> find_damage_jpeg(std::span<const std::uint8_t> payload,
                                             std::size_t pixels);
 

@@ -1,17 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "realtime_source.hpp"
 
+#include <algorithm>
 #include <thread>
 #include <utility>
 
 namespace lockbox {
+namespace {
 
-RealtimeSource::RealtimeSource(std::unique_ptr<FrameSource> recording)
-    : recording_(std::move(recording)) {}
+constexpr std::chrono::milliseconds kLook(100);  // between looks at whether to stop
+
+}  // namespace
+
+RealtimeSource::RealtimeSource(std::unique_ptr<FrameSource> recording, std::function<bool()> stop)
+    : recording_(std::move(recording)), stop_(std::move(stop)) {}
 
 RealtimeSource::Clock::time_point RealtimeSource::due(const DepthFrame& frame) const {
   return start_ + std::chrono::duration_cast<Clock::duration>(
                       std::chrono::duration<double>(frame.stamp - first_stamp_));
+}
+
+/// Returns false if it was told to stop.
+bool RealtimeSource::wait_until(Clock::time_point time) const {
+  for (auto now = Clock::now(); now < time; now = Clock::now()) {
+    if (stop_ && stop_()) {
+      return false;
+    }
+    std::this_thread::sleep_until(std::min<Clock::time_point>(time, now + kLook));
+  }
+  return true;
 }
 
 bool RealtimeSource::next(DepthFrame& frame) {
@@ -21,10 +38,9 @@ bool RealtimeSource::next(DepthFrame& frame) {
     start_ = Clock::now();
     first_stamp_ = pending_.stamp;
   }
-  if (!has_pending_) {
+  if (!has_pending_ || !wait_until(due(pending_))) {
     return false;
   }
-  std::this_thread::sleep_until(due(pending_));
   do {
     std::swap(frame, pending_);
     has_pending_ = recording_->next(pending_);

@@ -13,7 +13,8 @@ namespace lockbox {
 /// that is late gets the newest frame that is due; the ones before it are dropped.
 class RealtimeSource : public FrameSource {
  public:
-  explicit RealtimeSource(std::unique_ptr<FrameSource> recording);
+  /// While it waits it asks, if stop is given, whether to go on; it ends when that returns true.
+  explicit RealtimeSource(std::unique_ptr<FrameSource> recording, std::function<bool()> stop = {});
 
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override { return recording_->frame_count(); }
@@ -24,8 +25,10 @@ class RealtimeSource : public FrameSource {
   using Clock = std::chrono::steady_clock;
 
   Clock::time_point due(const DepthFrame& frame) const;
+  bool wait_until(Clock::time_point time) const;
 
   std::unique_ptr<FrameSource> recording_;
+  std::function<bool()> stop_;
   DepthFrame pending_;  ///< read, not yet delivered
   bool started_ = false;
   bool has_pending_ = false;

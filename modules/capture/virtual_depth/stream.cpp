@@ -92,9 +92,9 @@ void Stream::fill(std::span<const std::uint16_t> depth, void* image) const {
     case ONI_SENSOR_COLOR:
       return fill_rows<Rgb>(depth, width, mirrored_, image, colour_of);
     case ONI_SENSOR_IR:
-      return fill_rows<std::uint16_t>(
-          depth, width, mirrored_, image,
-          [](std::uint16_t value) { return static_cast<std::uint16_t>(value >> 2); });
+      return fill_rows<std::uint16_t>(depth, width, mirrored_, image, [](std::uint16_t value) {
+        return static_cast<std::uint16_t>(value >> 2);
+      });
     default:
       return fill_rows<std::uint16_t>(depth, width, mirrored_, image,
                                       [](std::uint16_t value) { return value; });

@@ -15,8 +15,8 @@
 
 namespace lockbox::virtual_depth {
 
-/// The producer's depth, or a colour (RGB) or infrared (16-bit grey) image made of it: pictures that
-/// follow from the depth of the same frame, for those who record and play such streams.
+/// The producer's depth, or a colour (RGB) or infrared (16-bit grey) image made of it: pictures
+/// that follow from the depth of the same frame, for those who record and play such streams.
 class Stream : public oni::driver::StreamBase, private Listener {
  public:
   Stream(OniSensorType type, Feed& feed);

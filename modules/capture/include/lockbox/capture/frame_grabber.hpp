@@ -44,7 +44,8 @@ class FrameGrabber : public pcl::Grabber {
   void start() override;
 
   /// No callback runs any more when it returns, unless a callback itself calls it: then the
-  /// grabber ends after that callback. May take as long as the source waits for a frame.
+  /// grabber ends after that callback. Takes half a second at most if the grabber has opened its
+  /// source itself; else it may take as long as the source waits for a frame.
   void stop() override;
 
   bool isRunning() const override { return running_; }

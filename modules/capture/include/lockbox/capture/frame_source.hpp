@@ -19,7 +19,8 @@ class FrameSource {
   virtual ~FrameSource() = default;
 
   /// Fills frame (its buffer is reused) and returns true, or returns false at the end.
-  /// A live source waits for the next frame. Throws DeviceError or InputError.
+  /// A live source waits for the next frame, but no longer than SourceOptions::stop wants; then it
+  /// returns false, too. Throws DeviceError or InputError.
   virtual bool next(DepthFrame& frame) = 0;
 
   /// Number of frames of a recording; nothing for a live source.
@@ -37,6 +38,9 @@ struct SourceOptions {
   std::optional<double> depth_scale;                 ///< units per metre, depth folders
   bool realtime = false;                             ///< play recordings at recorded speed
   std::function<void(const std::string&)> warn;      ///< told what looks wrong but is usable
+  /// Asked again and again, every half a second at least, while next() waits for a device or for
+  /// the time of a frame. True ends the wait.
+  std::function<bool()> stop;
 };
 
 /// Opens `openni2:`, `openni2:<uri>`, a .oni file, a folder with depth.txt, or a folder of .pcd.

@@ -14,7 +14,8 @@ class LiveDevice : public FrameSource {
   explicit LiveDevice(const std::string& uri, const SourceOptions& options = {});
   ~LiveDevice() override;
 
-  /// Throws DeviceError if the device is unplugged or delivers nothing for five seconds.
+  /// Waits for a frame; false if it was told to stop. Throws DeviceError if the device is unplugged
+  /// or delivers nothing for five seconds.
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override { return std::nullopt; }
   bool is_realtime() const override { return true; }

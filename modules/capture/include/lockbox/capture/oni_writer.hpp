@@ -51,9 +51,12 @@ std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& ca
                       int frames_per_second, const std::function<bool(DepthFrame&)>& next_frame);
 
 /// Records the depth of a live device (`openni2:` or `openni2:<uri>`) until stop returns true,
-/// asked every 50 ms, or the device is unplugged; returns the number of frames. Throws InputError
-/// or DeviceError; the latter, with the recording complete, if the disk is full.
+/// asked every 50 ms, or the device is unplugged; or that of a recording of any kind, from its
+/// beginning, until stop returns true, asked after each frame, or its end. Returns the number of
+/// frames. What looks wrong but is usable is told to warn. Throws InputError or DeviceError; the
+/// latter, with the recording complete, if the disk is full.
 std::size_t record(const std::string& source, const std::filesystem::path& file,
-                   const std::function<bool()>& stop);
+                   const std::function<bool()>& stop,
+                   const std::function<void(const std::string&)>& warn = {});
 
 }  // namespace lockbox
