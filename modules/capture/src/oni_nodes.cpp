@@ -41,6 +41,11 @@ bool decides_interpretation(std::string_view name) {
                           "oniRequiredFrameSize", "RequiredDataSize"});
 }
 
+bool is_known_format(std::uint64_t format_of_openni1) {
+  constexpr std::uint64_t kJpeg = 5;
+  return format_of_openni1 >= kRgbOfOpenNi1 && format_of_openni1 <= kJpeg;
+}
+
 /// Takes the value of a property record and checks its form.
 std::vector<std::uint8_t> take_value(OniRecord& record) {
   std::vector<std::uint8_t> value = record.take_data();
@@ -136,6 +141,10 @@ void OniNode::check_property(const OniRecord& record, const std::string& name,
   if (expected == 0 && decides_interpretation(name) &&
       record.type() != OniRecordType::int_property) {
     record.refuse(name + " is not a whole number");
+  }
+  if (name == "xnPixelFormat" && !is_depth() &&
+      !is_known_format(number_at<std::uint64_t>(value, 0))) {
+    record.refuse("the images are in an unknown format");
   }
   if (name == "xnFOV") {
     for (const double angle : {number_at<double>(value, 0), number_at<double>(value, 8)}) {

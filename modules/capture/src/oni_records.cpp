@@ -132,7 +132,7 @@ OniHeader read_oni_header(const OniFile& file) {
   header.has_short_offsets = supported_version(file, bytes) < kNewestVersion;
   std::memcpy(&header.maximum_timestamp, bytes.data() + 12, 8);
   std::memcpy(&header.maximum_node, bytes.data() + 20, 4);
-  if (header.maximum_node > kMaximumNode) {
+  if (header.maximum_node > kMaximumNode && header.maximum_node != OniHeader::kUnfinished) {
     file.refuse(0, "it claims " + std::to_string(header.maximum_node) + " streams");
   }
   return header;

@@ -65,6 +65,8 @@ inline constexpr std::uint64_t kOniPlayerRecord = kOniPlayerImage + 40;
 /// The 24 bytes at the beginning.
 struct OniHeader {
   static constexpr std::uint64_t kSize = 24;
+  /// The greatest node until OpenNI 1 has finished the recording.
+  static constexpr std::uint32_t kUnfinished = 0xFFFFFFFF;
   bool has_short_offsets;           ///< 32 bits, before version 1.0.1.0
   std::uint64_t maximum_timestamp;  ///< microseconds
   std::uint32_t maximum_node;

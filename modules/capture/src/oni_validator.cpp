@@ -41,7 +41,8 @@ class Validation {
   explicit Validation(const std::filesystem::path& path)
       : file_(path), header_(read_oni_header(file_)) {
     recording_.file = path;
-    recording_.is_plain = !header_.has_short_offsets;
+    recording_.is_plain =
+        !header_.has_short_offsets && header_.maximum_node != OniHeader::kUnfinished;
     recording_.end = OniHeader::kSize;
   }
 
