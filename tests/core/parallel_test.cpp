@@ -81,6 +81,15 @@ TEST(ExecutorTest, WorkersHaveIndicesBelowTheThreadCount) {
   }
 }
 
+TEST(ExecutorTest, TakesNoMoreThreadsThanTheMachineHasUseFor) {
+  const Executor executor(100000);
+  EXPECT_GE(executor.threads(), static_cast<int>(std::thread::hardware_concurrency()));
+  EXPECT_LT(executor.threads(), 10000);
+  std::atomic<int> visits{0};
+  executor.for_each(1000, [&](std::size_t) { ++visits; });
+  EXPECT_EQ(visits.load(), 1000);
+}
+
 TEST(ExecutorTest, LoopsSeeWhatWasWrittenBeforeThem) {
   // Without atomics: also what ThreadSanitizer judges the loop by.
   const Executor executor(4);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
+#include <thread>
 
 #include "hand_over.hpp"
 #include "loop_shares.hpp"
@@ -17,6 +18,15 @@ namespace {
 std::size_t body_count(std::initializer_list<Loop> loops) {
   return std::accumulate(loops.begin(), loops.end(), std::size_t{0},
                          [](std::size_t count, const Loop& loop) { return count + loop.count; });
+}
+
+/// Four a core of the machine, and at least 16. What more threads than cores compute is the same,
+/// only later; each takes a stack and scratch memory, megabytes in all.
+int most_threads() {
+  constexpr int kPerCore = 4;
+  constexpr int kOnSmallMachines = 16;
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  return std::max(kPerCore * cores, kOnSmallMachines);
 }
 
 }  // namespace
@@ -30,7 +40,9 @@ struct Executor::Impl {
 Executor::Executor(int threads, Priority priority) : impl_(std::make_shared<Impl>()) {
   impl_->priority = priority;
   constexpr unsigned kCallers = 1;
-  impl_->arena.initialize(threads > 0 ? threads : tbb::this_task_arena::max_concurrency(), kCallers,
+  const int taken =
+      threads > 0 ? std::min(threads, most_threads()) : tbb::this_task_arena::max_concurrency();
+  impl_->arena.initialize(taken, kCallers,
                           priority == Priority::low ? tbb::task_arena::priority::low
                                                     : tbb::task_arena::priority::normal);
 }
