@@ -40,6 +40,7 @@ class SceneFile : public ::testing::Test {
 TEST_F(SceneFile, EverythingThatItSaysIsRead) {
   const Scene scene = read_scene(write(R"(
 moving: camera
+room: {lower: [-1, -2, -3], upper: [4, 5, 6]}
 planes:
   - {frame: base, point: [1, 2, 3], normal: [0, 0, 2], extent: [4, 5]}
 boxes:
@@ -53,6 +54,9 @@ arms:
       - {time: 0.75, shoulder: [0, 0, 1], wrist: [0.4, 0, 1]}
 )"));
   EXPECT_EQ(scene.moving, Moving::camera);
+  ASSERT_TRUE(scene.room);
+  EXPECT_EQ(scene.room->min(), Eigen::Vector3d(-1, -2, -3));
+  EXPECT_EQ(scene.room->max(), Eigen::Vector3d(4, 5, 6));
   ASSERT_EQ(scene.planes.size(), 1U);
   EXPECT_EQ(scene.planes[0].frame, SceneFrame::base);
   EXPECT_EQ(scene.planes[0].point, Eigen::Vector3d(1, 2, 3));
@@ -98,6 +102,10 @@ TEST_F(SceneFile, MistakesAreNamedWithTheirLine) {
               AllOf(HasSubstr(".yaml:2: "), HasSubstr("'plane'"), HasSubstr("planes")));
   EXPECT_THAT(complaint("moving: table\n"),
               AllOf(HasSubstr(":1: "), HasSubstr("object or camera")));
+  EXPECT_THAT(complaint("moving: object\nroom: {lower: [0, 0, 0]}\n"),
+              AllOf(HasSubstr(":2: "), HasSubstr("'upper' is missing")));
+  EXPECT_THAT(complaint("room: {lower: [0, 0, 0], upper: [1, 0, 1]}\n"), HasSubstr("above lower"));
+  EXPECT_THAT(complaint("room: [0, 1]\n"), HasSubstr("map"));
   EXPECT_THAT(complaint("planes: []\nplanes: []\n"), AllOf(HasSubstr(":2: "), HasSubstr("twice")));
   EXPECT_THAT(complaint("planes:\n  - {point: [0, 0, 1]}\n"),
               AllOf(HasSubstr(":2: "), HasSubstr("'normal' is missing")));

@@ -47,15 +47,16 @@ Eigen::Isometry3d pose_along(const Eigen::Vector3d& from, const Eigen::Vector3d&
 
 struct PlacedScene::Geometry {
   Moving moving;
-  Eigen::Isometry3d T_world_base;  ///< at the first state
-  double begin;                    ///< seconds
+  Eigen::Isometry3d T_world_base;   ///< at the first state
+  Eigen::Isometry3d T_world_scene;  ///< of the scene's base frame
+  double begin;                     ///< seconds
   double duration;
   std::vector<Fixture> fixtures;
   std::vector<Arm> arms;
 
   Geometry(const Scene& scene, const std::vector<State>& run);
   Eigen::Isometry3d T_world_frame(SceneFrame frame) const {
-    return frame == SceneFrame::base ? T_world_base : Eigen::Isometry3d::Identity();
+    return frame == SceneFrame::base ? T_world_scene : Eigen::Isometry3d::Identity();
   }
   void append_arm(const Arm& arm, double time, const Eigen::Isometry3d& T_camera_world,
                   std::vector<RenderItem>& items) const;
@@ -64,6 +65,7 @@ struct PlacedScene::Geometry {
 PlacedScene::Geometry::Geometry(const Scene& scene, const std::vector<State>& run)
     : moving(scene.moving),
       T_world_base(run.front().configuration.T_camera_base),
+      T_world_scene(T_world_base * Eigen::Isometry3d(scene.R_base_scene)),
       begin(run.front().stamp),
       duration(run.back().stamp - run.front().stamp) {
   for (const ScenePlane& plane : scene.planes) {

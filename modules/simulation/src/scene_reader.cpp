@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 
 #include "lockbox/core/error.hpp"
@@ -107,6 +108,19 @@ SceneArm read_arm(const std::string& file, const YAML::Node& node) {
   return arm;
 }
 
+std::optional<Eigen::AlignedBox3d> read_room(const std::string& file, const YamlMap& scene) {
+  if (!scene.has("room")) return std::nullopt;
+  const YamlMap map(file, scene.node("room"), {"lower", "upper"});
+  map.require("lower");
+  map.require("upper");
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero();
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+  map.read("lower", lower);
+  map.read("upper", upper);
+  if ((upper - lower).minCoeff() <= 0.0) map.refuse("upper", "must be above lower (metres)");
+  return Eigen::AlignedBox3d(lower, upper);
+}
+
 YAML::Node parsed(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (std::filesystem::is_directory(file) || !stream) {
@@ -124,7 +138,7 @@ YAML::Node parsed(const std::filesystem::path& file) {
 
 Scene read_scene(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const YamlMap map(file, parsed(path), {"moving", "planes", "boxes", "arms"});
+  const YamlMap map(file, parsed(path), {"moving", "room", "planes", "boxes", "arms"});
   Scene scene;
   std::string moving = "object";
   map.read("moving", moving);
@@ -132,6 +146,7 @@ Scene read_scene(const std::filesystem::path& path) {
     map.refuse("moving", "must be object or camera");
   }
   scene.moving = moving == "object" ? Moving::object : Moving::camera;
+  scene.room = read_room(file, map);
   for (const YAML::Node& node : map.items("planes")) {
     scene.planes.push_back(read_plane(file, node));
   }

@@ -31,6 +31,8 @@ class YamlMap {
     }
   }
 
+  YAML::Node node(const char* key) const { return node_[key]; }
+
   /// The entries of a list; none where the key is absent.
   std::vector<YAML::Node> items(const char* key) const;
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace lockbox {
@@ -55,13 +56,18 @@ struct SceneArm {
 
 struct Scene {
   Moving moving = Moving::object;
+  /// In its base frame: what it leaves to the model, which `fitted` sees to (scene_fit.hpp).
+  std::optional<Eigen::AlignedBox3d> room;
+  /// Where its base frame lies in the model's, turned by `fitted`.
+  Eigen::Matrix3d R_base_scene = Eigen::Matrix3d::Identity();
   std::vector<ScenePlane> planes;
   std::vector<SceneBox> boxes;
   std::vector<SceneArm> arms;
 };
 
 /// Reads a scene file; its keys are the names of the members above, `quaternion` (qx, qy, qz, qw)
-/// and `position` those of a pose. Throws InputError with file and line.
+/// and `position` those of a pose, `lower` and `upper` those of the room. Throws InputError with
+/// file and line.
 Scene read_scene(const std::filesystem::path& file);
 
 }  // namespace lockbox
