@@ -51,6 +51,7 @@ class ExperimentCommand : public Command {
         ->default_str("");
     options.add_option("-o,--output", settings_.output, "Folder for raw results and figures")
         ->required()
+        ->check(folder_name())
         ->type_name("DIR");
     options.add_option("--sensor", settings_.sensor, sensor_names());
     options.add_option("--seed", settings_.seed, "Of all that is random, the sensor's noise too")

@@ -1,36 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "interruption.hpp"
 
+#include <atomic>
 #include <csignal>
+#include <cstring>
 
 namespace lockbox::app {
 namespace {
 
-// A signal handler gets no argument of ours: nothing but a variable of this kind can hear it.
-volatile std::sig_atomic_t interrupted = 0;
+constexpr std::array kEndingSignals = {SIGHUP, SIGINT, SIGPIPE, SIGTERM};
 
-void note_interruption(int) {
-  interrupted = 1;
+// A signal handler gets no argument of ours: nothing but a variable of this kind can hear it.
+std::atomic<int> noted{0};
+static_assert(std::atomic<int>::is_always_lock_free, "else signal handlers may not touch it");
+
+void note(int signal) {
+  int none = 0;
+  if (noted.compare_exchange_strong(none, signal) || signal == SIGPIPE) return;
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
 }
 
 }  // namespace
 
 Interruption::Interruption() {
-  interrupted = 0;
-  struct sigaction action = {};
-  action.sa_handler = note_interruption;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  static_assert(kEndingSignals.size() == kSignals);
+  for (std::size_t i = 0; i < kSignals; ++i) {
+    struct sigaction action = {};
+    struct sigaction before = {};
+    action.sa_handler = note;
+    action.sa_flags = SA_RESTART;
+    sigaction(kEndingSignals[i], &action, &before);
+    before_[i] = before.sa_handler;
+    if (before.sa_handler == SIG_IGN && kEndingSignals[i] != SIGINT) {
+      std::signal(kEndingSignals[i], SIG_IGN);
+    }
+  }
 }
 
 Interruption::~Interruption() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (std::size_t i = 0; i < kSignals; ++i) std::signal(kEndingSignals[i], before_[i]);
 }
 
 bool Interruption::requested() const {
-  return interrupted != 0;
+  return interruption::requested();
+}
+
+bool interruption::requested() noexcept {
+  return noted != 0;
+}
+
+int interruption::signal_number() noexcept {
+  return noted;
+}
+
+std::string interruption::signal_name() {
+  return std::string("SIG").append(sigabbrev_np(noted));
 }
 
 }  // namespace lockbox::app

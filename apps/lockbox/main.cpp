@@ -2,14 +2,20 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
+#include "interruption.hpp"
 #include "lockbox/core/error.hpp"
+#include "nearest_name.hpp"
+#include "usage_problem.hpp"
 #include "version.hpp"
 
 namespace lockbox::app {
@@ -40,19 +46,31 @@ std::optional<ExitStatus> parse(CLI::App& options, std::span<char*> arguments) {
   } catch (const CLI::FileError& error) {
     return fail(ExitStatus::invalid_input, std::string("--config: ") + error.what());
   } catch (const CLI::ConfigError& error) {
-    return fail(ExitStatus::invalid_input,
-                options.get_config_ptr()->as<std::string>() +
-                    ": keys are the long names of this command's options; " + error.what());
+    return fail(ExitStatus::invalid_input, options.get_config_ptr()->as<std::string>() + ": " +
+                                               configuration_problem(options, error));
   } catch (const CLI::ParseError& error) {
     return fail(ExitStatus::wrong_usage,
-                std::string(error.what()) + "\nSee `" + options.get_name() + " --help`.");
+                usage_problem(options, error) + "\nSee `" + options.get_name() + " --help`.");
   }
+}
+
+/// What cannot be had. The standard library does not name the folder for temporary files.
+std::string name_of(const std::filesystem::filesystem_error& error) {
+  if (!error.path1().empty()) return error.path1().string();
+  const char* const folder = std::getenv("TMPDIR");
+  return std::string("the folder for temporary files (TMPDIR=") + (folder ? folder : "") + ")";
+}
+
+/// Of a command that a signal has ended.
+ExitStatus signal_status() {
+  constexpr int kAsShellsSay = 128;
+  return static_cast<ExitStatus>(kAsShellsSay + interruption::signal_number());
 }
 
 ExitStatus run(const CommandEntry& entry, std::span<char*> arguments) {
   const auto command = entry.make();
   CLI::App options(entry.summary, "lockbox " + entry.name);
-  options.footer("Example:\n  " + entry.example);
+  options.footer("Example:\n  " + entry.example + "\n\n" + kStatusHelp);
   options.set_config("--config", "", "Read options from FILE: lines `name = value`")
       ->type_name("FILE");
   options.allow_config_extras(CLI::config_extras_mode::error);
@@ -60,13 +78,14 @@ ExitStatus run(const CommandEntry& entry, std::span<char*> arguments) {
   command->add_options(options);
   if (const auto status = parse(options, arguments)) return *status;
   try {
-    return command->run();
+    const ExitStatus status = command->run();
+    return interruption::requested() ? signal_status() : status;
   } catch (const InputError& error) {
     return fail(ExitStatus::invalid_input, error.what());
   } catch (const DeviceError& error) {
     return fail(ExitStatus::device_failed, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
-    return fail(ExitStatus::invalid_input, error.path1().string() + ": " + error.code().message());
+    return fail(ExitStatus::invalid_input, name_of(error) + ": " + error.code().message());
   } catch (const std::bad_alloc&) {
     return fail(ExitStatus::internal_error, "not enough memory");
   } catch (const std::exception& error) {
@@ -74,9 +93,9 @@ ExitStatus run(const CommandEntry& entry, std::span<char*> arguments) {
   }
 }
 
-/// Nobody has read what a full disk or a closed pipe has swallowed.
+/// Nobody has read what a full disk has swallowed. That a pipe was closed, its signal tells.
 ExitStatus require_output(ExitStatus status) {
-  if (std::cout.flush()) return status;
+  if (std::cout.flush() || status == ExitStatus::pipe_closed) return status;
   return fail(ExitStatus::invalid_input, "standard output cannot be written; is the disk full?");
 }
 
@@ -93,7 +112,12 @@ ExitStatus dispatch(std::span<char*> arguments) {
   for (const auto& entry : commands()) {
     if (entry.name == name) return run(entry, arguments.subspan(1));
   }
-  if (!name.empty()) std::cerr << "lockbox: there is no command '" << name << "'\n\n";
+  if (!name.empty()) {
+    std::vector<std::string> names;
+    for (const auto& entry : commands()) names.push_back(entry.name);
+    std::cerr << "lockbox: there is no command '" << name << "'" << did_you_mean(name, names)
+              << "\n\n";
+  }
   print_overview(std::cerr);
   return ExitStatus::wrong_usage;
 }

@@ -1,12 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_checks.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/core/parallel.hpp"
 
 namespace lockbox::app {
+namespace {
+
+/// Recordings of other programs, videos, images, clouds, tables, archives.
+constexpr std::array kFileKinds = {
+    ".avi",  ".bag",  ".csv",  ".db3", ".exr",  ".gif",  ".gz",   ".h5",  ".hdf5", ".jpeg", ".jpg",
+    ".json", ".klg",  ".las",  ".m4v", ".mcap", ".mkv",  ".mov",  ".mp4", ".npy",  ".npz",  ".obj",
+    ".oni",  ".pcap", ".pcd",  ".pgm", ".ply",  ".png",  ".ppm",  ".rrf", ".stl",  ".svo",  ".tar",
+    ".tgz",  ".tif",  ".tiff", ".tum", ".txt",  ".urdf", ".webm", ".xyz", ".yaml", ".yml",  ".zip"};
+
+bool names_a_file(const std::string& text) {
+  std::string kind = std::filesystem::path(text).extension().string();
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(kFileKinds.begin(), kFileKinds.end(), kind) != kFileKinds.end();
+}
+
+std::string problem_as_folder(const std::string& text) {
+  if (text == "-")
+    return "'-', standard output, cannot hold a folder; for one of that name say ./-";
+  if (!names_a_file(text)) return "";
+  return in_quotes(text) +
+         " is the name of a file; what is not a recording (.oni) is written into a folder (end its "
+         "name with / if it is one)";
+}
+
+}  // namespace
 
 CLI::Validator positive() {
   return {[](std::string& text) -> std::string {
@@ -31,6 +61,36 @@ CLI::Validator recording_name() {
                        : in_quotes(text) + " does not end in .oni, as recordings do";
           },
           ""};
+}
+
+CLI::Validator folder_name() {
+  return {[](std::string& text) { return problem_as_folder(text); }, ""};
+}
+
+CLI::Validator recording_or_folder_name() {
+  return {[](std::string& text) {
+            return std::filesystem::path(text).extension() == ".oni" ? std::string()
+                                                                     : problem_as_folder(text);
+          },
+          ""};
+}
+
+void add_threads_option(CLI::App& options, int& threads) {
+  const auto held_to_machine = [](std::string& text) -> std::string {
+    const auto value = parse_number(text);
+    constexpr double kMost = 1e6;  // more than any machine has, and still a number of threads
+    if (value && *value >= 1.0) {
+      text = std::to_string(Executor(static_cast<int>(std::min(*value, kMost))).threads());
+    }
+    return "";
+  };
+  options.add_option("--threads", threads, "Threads; 0: all cores; at most four a core are taken")
+      ->transform(CLI::Validator(held_to_machine, ""))
+      ->check(not_negative());
+}
+
+void add_overwrite_option(CLI::App& options, bool& overwrite) {
+  options.add_flag("--overwrite", overwrite, "Replace what exists under the names of the output");
 }
 
 }  // namespace lockbox::app

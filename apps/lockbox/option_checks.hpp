@@ -9,5 +9,13 @@ namespace lockbox::app {
 CLI::Validator positive();
 CLI::Validator not_negative();
 CLI::Validator recording_name();  ///< ends in .oni, or no source would know it again
+CLI::Validator folder_name();     ///< neither that of a file of a known kind nor `-`
+CLI::Validator recording_or_folder_name();
+
+/// Declares --threads, of which no more are taken than an Executor takes.
+void add_threads_option(CLI::App& options, int& threads);
+
+/// Declares --overwrite; whether files exist is checked by require_new (output_paths.hpp).
+void add_overwrite_option(CLI::App& options, bool& overwrite);
 
 }  // namespace lockbox::app

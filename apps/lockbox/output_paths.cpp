@@ -24,4 +24,10 @@ void require_different(const fs::path& output, const fs::path& input) {
   }
 }
 
+void require_new(const fs::path& file, bool overwrite) {
+  std::error_code unreadable;
+  if (overwrite || !fs::exists(file, unreadable)) return;
+  throw InputError(file.string(), "exists already; choose another name, or give --overwrite");
+}
+
 }  // namespace lockbox::app

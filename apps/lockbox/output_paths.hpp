@@ -14,4 +14,7 @@ void make_folder_of(const std::filesystem::path& file);
 /// Throws InputError if both are names of one file, so that writing would destroy what is read.
 void require_different(const std::filesystem::path& output, const std::filesystem::path& input);
 
+/// Throws InputError if the file exists, unless it is to be overwritten.
+void require_new(const std::filesystem::path& file, bool overwrite);
+
 }  // namespace lockbox::app

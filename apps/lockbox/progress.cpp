@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "progress.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <iomanip>
-#include <iostream>
 #include <sstream>
 #include <utility>
 
@@ -13,9 +10,11 @@ namespace lockbox::app {
 namespace {
 
 using std::chrono::duration;
+using std::chrono::steady_clock;
 
-constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
-constexpr auto kLineInterval = std::chrono::seconds(5);
+// How often it is looked whether a second (kLong) has passed in silence.
+constexpr auto kTick = std::chrono::milliseconds(250);
+constexpr auto kLong = std::chrono::milliseconds(750);
 constexpr std::size_t kBarWidth = 24;
 
 std::string minutes_and_seconds(double seconds) {
@@ -25,37 +24,59 @@ std::string minutes_and_seconds(double seconds) {
   return text.str();
 }
 
+/// "searching: 12 s"
+std::string with_seconds(const std::string& what, steady_clock::time_point start) {
+  const auto seconds = duration<double>(steady_clock::now() - start).count();
+  return what + ": " + std::to_string(static_cast<long>(seconds + 0.5)) + " s";
+}
+
+std::string singular(const std::string& unit) {
+  return unit.ends_with('s') ? unit.substr(0, unit.size() - 1) : unit;
+}
+
+/// Whether a line that has not changed by itself is to be shown again.
+bool is_silent(const StatusLine& line) {
+  return line.is_due() && line.age() >= kLong;
+}
+
 }  // namespace
 
 Progress::Progress(std::string activity, std::optional<std::size_t> total, bool quiet,
                    std::string unit)
     : activity_(std::move(activity)),
       total_(total),
-      quiet_(quiet),
       unit_(std::move(unit)),
-      on_terminal_(isatty(STDERR_FILENO) != 0),
       start_(Clock::now()),
-      shown_(start_) {}
+      phase_start_(start_) {
+  if (!quiet) ticker_.emplace(kTick, [this] { tick(); });
+}
+
+void Progress::begin(std::string_view phase) {
+  const std::lock_guard lock(mutex_);
+  phase_ = phase;
+  phase_start_ = Clock::now();
+}
 
 void Progress::update(std::size_t done, std::string_view status) {
+  const std::lock_guard lock(mutex_);
   done_ = done;
   status_ = status;
-  const auto now = Clock::now();
-  const Clock::duration interval = on_terminal_ ? Clock::duration(kRedrawInterval) : kLineInterval;
-  if (quiet_ || now - shown_ < interval) return;
-  shown_ = now;
+  phase_.clear();
+  if (!ticker_ || !shown_.is_due()) return;
   shown_done_ = done;
-  if (on_terminal_) {
-    std::cerr << '\r' << line() << "\x1b[K" << std::flush;
-  } else {
-    std::cerr << line() << '\n';
-  }
+  shown_.show(line());
 }
 
 void Progress::finish() {
-  if (quiet_ || (!on_terminal_ && shown_done_ == done_)) return;
-  if (on_terminal_) std::cerr << '\r';
-  std::cerr << line() << (on_terminal_ ? "\x1b[K\n" : "\n");
+  if (!ticker_) return;
+  ticker_.reset();
+  phase_.clear();
+  if (shown_.is_on_terminal() || shown_done_ != done_) shown_.leave(line());
+}
+
+void Progress::tick() {
+  const std::lock_guard lock(mutex_);
+  if (!phase_.empty() && is_silent(shown_)) shown_.show(line());
 }
 
 std::string Progress::line() const {
@@ -63,11 +84,16 @@ std::string Progress::line() const {
   const double rate = elapsed > 0.0 ? static_cast<double>(done_) / elapsed : 0.0;
   std::ostringstream text;
   text << activity_ << ' ';
-  if (on_terminal_ && total_) text << bar() << ' ';
+  if (shown_.is_on_terminal() && total_) text << bar() << ' ';
   text << done_;
   if (total_) text << '/' << *total_;
-  text << ' ' << unit_ << ", " << std::fixed << std::setprecision(1) << rate << ' ' << unit_
-       << "/s";
+  const std::string unit = total_.value_or(done_) == 1 ? singular(unit_) : unit_;
+  text << ' ' << unit;
+  if (!phase_.empty()) {
+    text << ", " << with_seconds(phase_, phase_start_);
+    return text.str();
+  }
+  text << ", " << std::fixed << std::setprecision(1) << rate << ' ' << unit_ << "/s";
   if (!status_.empty()) text << ", " << status_;
   if (total_ && done_ < *total_ && rate > 0.0) {
     text << ", " << minutes_and_seconds(static_cast<double>(*total_ - done_) / rate) << " left";
@@ -79,6 +105,20 @@ std::string Progress::bar() const {
   const std::size_t total = std::max<std::size_t>(*total_, 1);
   const std::size_t filled = std::min(kBarWidth, kBarWidth * done_ / total);
   return '[' + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + ']';
+}
+
+Activity::Activity(std::string what, bool quiet)
+    : what_(std::move(what)), start_(steady_clock::now()) {
+  if (quiet) return;
+  ticker_.emplace(kTick, [this] {
+    if (is_silent(shown_)) shown_.show(with_seconds(what_, start_));
+  });
+}
+
+Activity::~Activity() {
+  if (!ticker_) return;
+  ticker_.reset();
+  shown_.erase();
 }
 
 }  // namespace lockbox::app

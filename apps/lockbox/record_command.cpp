@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "commands.hpp"
+#include "counted.hpp"
 #include "interruption.hpp"
 #include "lockbox/capture/oni_writer.hpp"
 #include "option_checks.hpp"
@@ -21,12 +22,15 @@ class RecordCommand : public Command {
         ->required()
         ->check(recording_name())
         ->type_name("FILE.oni");
+    add_overwrite_option(options, overwrite_);
     options.add_option("--seconds", seconds_, "Stop after this time; 0: at Ctrl-C")
         ->check(not_negative());
     options.add_flag("-q,--quiet", quiet_, "Say nothing but errors");
   }
 
   ExitStatus run() override {
+    require_different(output_, source_);
+    require_new(output_, overwrite_);
     make_folder_of(output_);
     const Interruption interruption;
     const auto start = std::chrono::steady_clock::now();
@@ -36,7 +40,7 @@ class RecordCommand : public Command {
     };
     if (!quiet_) std::cerr << "recording " << source_ << "; Ctrl-C ends\n";
     const std::size_t frames = record(source_, output_, is_over);
-    if (!quiet_) std::cout << frames << " frames in " << output_ << '\n';
+    if (!quiet_) std::cout << counted(frames, "frame") << " in " << output_ << '\n';
     return ExitStatus::done;
   }
 
@@ -44,6 +48,7 @@ class RecordCommand : public Command {
   std::string source_;
   std::string output_;
   double seconds_ = 0.0;
+  bool overwrite_ = false;
   bool quiet_ = false;
 };
 

@@ -17,22 +17,6 @@ namespace {
 constexpr std::array kAllStatuses = {TrackingStatus::initializing, TrackingStatus::tracking,
                                      TrackingStatus::uncertain, TrackingStatus::lost};
 
-std::string end_text(RunEnd end) {
-  switch (end) {
-    case RunEnd::still_running:
-      return "still running, or ended by force";
-    case RunEnd::end_of_source:
-      return "end of the source";
-    case RunEnd::interrupted:
-      return "interrupted";
-    case RunEnd::frame_limit:
-      return "frame limit reached";
-    case RunEnd::failed:
-      return "ended by an error";
-  }
-  return "";
-}
-
 void emit_values(YAML::Emitter& out, const std::string& key, const NamedValues& values) {
   out << YAML::Key << key << YAML::Value << YAML::BeginMap;
   for (const auto& [name, value] : values) out << YAML::Key << name << YAML::Value << value;
@@ -58,8 +42,9 @@ void emit_versions(YAML::Emitter& out) {
                {"eigen", kEigenVersion}});
 }
 
-void emit_totals(YAML::Emitter& out, const RunTotals& totals, RunEnd end, double seconds) {
-  out << YAML::Key << "end" << YAML::Value << end_text(end);
+void emit_totals(YAML::Emitter& out, const RunTotals& totals, const std::string& end,
+                 double seconds) {
+  out << YAML::Key << "end" << YAML::Value << end;
   out << YAML::Key << "seconds" << YAML::Value << seconds;
   out << YAML::Key << "frames" << YAML::Value << YAML::BeginMap;
   out << YAML::Key << "total" << YAML::Value << totals.frames();
@@ -95,11 +80,14 @@ double RunTotals::latency_percentile(double share) const {
 }
 
 void write_run_description(const std::filesystem::path& file, const RunDescription& description,
-                           const RunTotals& totals, RunEnd end, double seconds) {
+                           const RunTotals& totals, const std::string& end, double seconds) {
   constexpr std::size_t kDigits = 10;
   YAML::Emitter out;
   out.SetDoublePrecision(kDigits);
   out << YAML::BeginMap;
+  for (const auto& [name, value] : description.origin) {
+    out << YAML::Key << name << YAML::Value << value;
+  }
   out << YAML::Key << "model" << YAML::Value
       << std::filesystem::absolute(description.model).string();
   out << YAML::Key << "source" << YAML::Value << description.source;

@@ -4,18 +4,17 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lockbox/core/pinhole_camera.hpp"
 #include "lockbox/tracking/tracker.hpp"
+#include "run_origin.hpp"
 
 namespace lockbox::app {
 
-using NamedValues = std::vector<std::pair<std::string, std::string>>;
-
 /// All that is needed to repeat a run.
 struct RunDescription {
+  NamedValues origin;  ///< run_origin()
   std::filesystem::path model;
   std::string source;
   PinholeCamera camera;
@@ -40,10 +39,9 @@ class RunTotals {
   std::vector<TrackingStatus> statuses_;
 };
 
-enum class RunEnd { still_running, end_of_source, interrupted, frame_limit, failed };
-
-/// Writes run.yaml anew: first when the run starts, then when it has ended. seconds: wall time.
+/// Writes run.yaml anew: first when the run starts, then when it has ended. end: why it has.
+/// seconds: wall time.
 void write_run_description(const std::filesystem::path& file, const RunDescription& description,
-                           const RunTotals& totals, RunEnd end, double seconds);
+                           const RunTotals& totals, const std::string& end, double seconds);
 
 }  // namespace lockbox::app

@@ -78,6 +78,8 @@ RunWriter::RunWriter(const std::filesystem::path& folder, const KinematicTree& t
   if (with_covariance) {
     covariance_ = open_for_writing(folder / "covariance.csv");
     write_covariance_header(covariance_, tree);
+  } else {
+    std::filesystem::remove(folder / "covariance.csv");  // of the run that is overwritten
   }
 }
 

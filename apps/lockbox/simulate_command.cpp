@@ -12,7 +12,9 @@
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/run_bounds.hpp"
+#include "lockbox/simulation/scene_fit.hpp"
 #include "lockbox/simulation/simulator.hpp"
+#include "locked_folder.hpp"
 #include "model_options.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
@@ -20,6 +22,7 @@
 #include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
+#include "visibility_report.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -70,12 +73,15 @@ class SimulateCommand : public Command {
                     "Recording, or folder of depth images; groundtruth.csv is written beside the "
                     "one, or into the other")
         ->required()
+        ->check(recording_or_folder_name())
         ->type_name("FILE.oni|DIR");
+    add_overwrite_option(options, overwrite_);
     options.add_option("--sensor", sensor_, sensor_names())->type_name("NAME");
     options.add_option("--seed", seed_, "Of the sensor's noise")->check(not_negative());
     options
         .add_option("--scene", scene_,
-                    "Scene file, or the name of a shipped scene: background and occluders")
+                    "Scene file, or the name of a shipped scene, which makes room for the model: "
+                    "background and occluders")
         ->type_name("FILE");
     options
         .add_option("--camera-info", camera_info_,
@@ -88,26 +94,29 @@ class SimulateCommand : public Command {
         ->type_name("FILE.csv");
     options.add_option("--frames", frames_, "Number of frames of an auto trajectory")
         ->check(positive());
-    options.add_option("--threads", threads_, "Threads; 0: all cores")->check(not_negative());
+    add_threads_option(options, threads_);
     options.add_flag("-q,--quiet", quiet_, "Say nothing but errors");
   }
 
   ExitStatus run() override {
-    const KinematicTree tree = model_.load_tree();
-    std::vector<State> states = trajectory(tree);
-    const PlacedScene scene =
-        scene_.empty() ? PlacedScene() : PlacedScene(read_scene(find_scene(scene_)), states);
-    Simulator simulator(tree, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_));
-
     const bool is_recording = output_.extension() == ".oni";
     const auto truth = (is_recording ? output_.parent_path() : output_) / "groundtruth.csv";
     require_different(truth, trajectory_);
-    const std::vector<State> rendered = states;
-    if (is_recording) {
-      write_recording(simulator, states);
-    } else {
-      write_folder(simulator, states);
+    for (const auto& file : {is_recording ? output_ : output_ / "depth.txt", truth, bounds_}) {
+      require_new(file, overwrite_);
     }
+    const KinematicTree tree = model_.load_tree();
+    std::vector<State> states = trajectory(tree);
+    const PlacedScene scene = placed_scene(tree, states);
+    Simulator simulator(tree, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_));
+    const std::vector<State> rendered = states;
+    VisibilityReport visibility({tree, camera(), scene, Executor(threads_)});
+    if (is_recording) {
+      write_recording(simulator, visibility, states);
+    } else {
+      write_folder(simulator, visibility, states);
+    }
+    if (!quiet_) visibility.print_warnings();
     write_states(truth, tree, states);
     if (!bounds_.empty()) write_run_bounds(tree, rendered, scene, states);
     if (!quiet_) std::cout << output_.string() << "\ntruth: " << truth.string() << '\n';
@@ -123,6 +132,7 @@ class SimulateCommand : public Command {
   }
 
   std::vector<State> generated_trajectory() const {
+    const Activity activity("loading the model and planning its motion", quiet_);
     const ArticulatedModel model = model_.load();
     TrajectoryOptions options;
     options.frames = frames_;
@@ -140,17 +150,26 @@ class SimulateCommand : public Command {
     return calibration.camera;
   }
 
-  void write_recording(Simulator& simulator, std::vector<State>& states) const {
+  PlacedScene placed_scene(const KinematicTree& tree, const std::vector<State>& states) const {
+    if (scene_.empty()) return {};
+    return {fitted(read_scene(find_scene(scene_)), tree, states.front()), states};
+  }
+
+  void write_recording(Simulator& simulator, VisibilityReport& visibility,
+                       std::vector<State>& states) const {
     make_folder_of(output_);
     OniWriter writer(output_, camera(), frames_per_second(states));
-    render(simulator, states, [&](const DepthFrame& frame) { writer.write(frame); });
+    render(simulator, visibility, states, [&](const DepthFrame& frame) { writer.write(frame); });
     writer.finish();
     take_recorded_stamps(output_, states);
   }
 
-  void write_folder(Simulator& simulator, std::vector<State>& states) const {
+  void write_folder(Simulator& simulator, VisibilityReport& visibility,
+                    std::vector<State>& states) const {
+    const LockedFolder folder(output_);
+    std::filesystem::remove(output_ / "depth.txt");  // of what is overwritten
     DepthFolderWriter writer(output_);
-    render(simulator, states, [&](const DepthFrame& frame) { writer.write(frame); });
+    render(simulator, visibility, states, [&](const DepthFrame& frame) { writer.write(frame); });
   }
 
   /// The scene's occluders move with the stamps that were rendered; the file carries the recorded.
@@ -167,13 +186,16 @@ class SimulateCommand : public Command {
     write_bounds(bounds_, tree, bounds);
   }
 
-  /// Renders the states; after Ctrl-C only those that were rendered are left.
-  void render(Simulator& simulator, std::vector<State>& states, const FrameSink& write) const {
+  /// Renders the states; after a signal only those that were rendered are left.
+  void render(Simulator& simulator, VisibilityReport& visibility, std::vector<State>& states,
+              const FrameSink& write) const {
     const Interruption interruption;
     Progress progress("simulate", states.size(), quiet_);
     DepthFrame frame;
     for (std::size_t i = 0; i < states.size(); ++i) {
+      progress.begin("rendering");
       simulator.simulate(states[i], i, frame);
+      visibility.add(i, states[i]);
       write(frame);
       progress.update(i + 1);
       if (interruption.requested()) states.resize(i + 1);
@@ -191,6 +213,7 @@ class SimulateCommand : public Command {
   std::filesystem::path bounds_;
   int frames_ = 300;
   int threads_ = 0;
+  bool overwrite_ = false;
   bool quiet_ = false;
 };
 

@@ -12,6 +12,8 @@ namespace lockbox::app {
 /// Pictures of the model over the depth image, one of every few frames, as PNG files.
 class Snapshots {
  public:
+  static constexpr auto kFirst = "frame_000000.png";
+
   /// Makes the folder. The tree is referred to.
   Snapshots(const std::filesystem::path& folder, const KinematicTree& tree, std::size_t interval,
             const Executor& executor);

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
 #include <iostream>
 #include <map>
+#include <memory>
 
 #include "commands.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
+#include "locked_folder.hpp"
 #include "model_options.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
 #include "parameters.hpp"
+#include "progress.hpp"
+#include "snapshots.hpp"
 #include "source_options.hpp"
 #include "tracking_run.hpp"
 
@@ -33,6 +38,7 @@ class TrackCommand : public Command {
     options_ = &options;
     model_.add_to(options);
     source_.add_to(options);
+    options.footer(std::string(options.get_footer()) + "\n\n" + kTrackStatusHelp);
     options
         .add_option("--initial-state", initial_state_,
                     "States file whose first row is the start; auto: found, no guess needed")
@@ -42,12 +48,9 @@ class TrackCommand : public Command {
   }
 
   ExitStatus run() override {
-    if (!settings_.recording.empty()) {
-      require_different(settings_.recording, source_.name());
-      make_folder_of(settings_.recording);
-    }
-    const ArticulatedModel model = model_.load();
-    const auto source = source_.open();
+    require_free_output();
+    const ArticulatedModel model = load();
+    const auto source = open();
     TrackerOptions tracker_options = make_tracker_options(model.tree);
     tracker_options.background_search = source->is_realtime();
     Tracker tracker(model, tracker_options);
@@ -57,6 +60,7 @@ class TrackCommand : public Command {
       if (settings_.output.empty()) std::cerr << "no --output: results are not written\n";
     }
     RunDescription description;
+    description.origin = run_origin();
     description.model = model.file;
     description.source = source_.name();
     description.options = options_in_force(*options_);
@@ -65,10 +69,38 @@ class TrackCommand : public Command {
   }
 
  private:
+  /// Before the user waits for anything.
+  void require_free_output() const {
+    if (!settings_.recording.empty()) {
+      require_different(settings_.recording, source_.name());
+      require_new(settings_.recording, settings_.overwrite);
+      make_folder_of(settings_.recording);
+    }
+    if (!settings_.snapshots.empty()) {
+      require_new(settings_.snapshots / Snapshots::kFirst, settings_.overwrite);
+    }
+    if (std::filesystem::is_directory(settings_.output)) {
+      const LockedFolder folder(settings_.output);
+      require_new(settings_.output / "states.csv", settings_.overwrite);
+    }
+  }
+
+  ArticulatedModel load() const {
+    const Activity activity("loading the model", settings_.quiet);
+    return model_.load();
+  }
+
+  std::unique_ptr<FrameSource> open() const {
+    const Activity activity("opening the source", settings_.quiet);
+    return source_.open();
+  }
+
   void add_output_options(CLI::App& options) {
     options
         .add_option("-o,--output", settings_.output, "Folder for states.csv, base.tum and run.yaml")
+        ->check(folder_name())
         ->type_name("DIR");
+    add_overwrite_option(options, settings_.overwrite);
     options.add_flag("--covariance", settings_.covariance, "Also write covariance.csv");
     options.add_option("--record", settings_.recording, "Also record the frames")
         ->check(recording_name())
@@ -76,6 +108,7 @@ class TrackCommand : public Command {
     options
         .add_option("--snapshots", settings_.snapshots,
                     "Folder for pictures of the model over the depth image")
+        ->check(folder_name())
         ->type_name("DIR");
     options
         .add_option("--snapshot-interval", settings_.snapshot_interval,
@@ -91,8 +124,7 @@ class TrackCommand : public Command {
 
   void add_tracker_options(CLI::App& options) {
     RegistrationOptions& registration = tracker_.registration;
-    options.add_option("--threads", tracker_.threads, "Threads; 0: all cores")
-        ->check(not_negative());
+    add_threads_option(options, tracker_.threads);
     options
         .add_option("--iterations", registration.max_iterations,
                     "Linearisations a frame; more follow while surfaces still move")

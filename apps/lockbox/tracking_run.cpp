@@ -5,90 +5,17 @@
 #include <chrono>
 #include <iomanip>
 #include <iostream>
+#include <utility>
 
+#include "counted.hpp"
 #include "interruption.hpp"
-#include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
-#include "lockbox/visualization/live_view.hpp"
-#include "lockbox/visualization/scene_composer.hpp"
 #include "progress.hpp"
-#include "run_writer.hpp"
-#include "snapshots.hpp"
+#include "run_outputs.hpp"
+#include "search_report.hpp"
 
 namespace lockbox::app {
 namespace {
-
-constexpr int kRecordingRate = 30;  // nominal; the stamps say when frames really came
-
-/// Everything that a run writes, each part only if it was asked for.
-class Outputs {
- public:
-  Outputs(const ArticulatedModel& model, RunDescription description, const RunSettings& settings)
-      : settings_(settings), description_(std::move(description)), start_(Clock::now()) {
-    if (settings.view) view_.emplace(model);  // first: without a display no file is begun
-    if (!settings.output.empty()) {
-      states_.emplace(settings.output, model.tree, settings.covariance);
-    }
-    if (!settings.snapshots.empty()) {
-      snapshots_.emplace(settings.snapshots, model.tree, settings.snapshot_interval, Executor());
-    }
-  }
-
-  void add(const DepthFrame& frame, const TrackingResult& result) {
-    if (totals_.frames() == 0) begin(frame);
-    totals_.add(result);
-    if (states_) states_->write(result);
-    if (recording_) recording_->write(frame);
-    if (snapshots_) snapshots_->add(frame, result.configuration);
-    if (view_) {
-      view_->show(frame, result.configuration,
-                  frame_title(frame.index, frame.stamp, to_string(result.status)));
-    }
-  }
-
-  void finish(RunEnd end) {
-    describe(end);
-    if (recording_) recording_->finish();
-  }
-
-  /// After an error, which the user has to hear of rather than of others that follow from it.
-  void abandon() noexcept {
-    try {
-      describe(RunEnd::failed);
-    } catch (const std::exception&) {
-      // The description of the beginning of the run is left.
-    }
-  }
-
-  const RunTotals& totals() const { return totals_; }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  /// What only the first frame tells.
-  void begin(const DepthFrame& frame) {
-    description_.camera = frame.camera;
-    describe(RunEnd::still_running);
-    if (!settings_.recording.empty()) {
-      recording_.emplace(settings_.recording, frame.camera, kRecordingRate, frame.metres_per_unit);
-    }
-  }
-
-  void describe(RunEnd end) const {
-    if (settings_.output.empty()) return;
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    write_run_description(settings_.output / "run.yaml", description_, totals_, end, seconds);
-  }
-
-  const RunSettings& settings_;
-  RunDescription description_;
-  RunTotals totals_;
-  std::optional<RunWriter> states_;
-  std::optional<OniWriter> recording_;
-  std::optional<Snapshots> snapshots_;
-  std::optional<LiveView> view_;
-  Clock::time_point start_;
-};
 
 /// Number of frames that a run will have, if that is known.
 std::optional<std::size_t> expected_frames(const FrameSource& source, const RunSettings& settings) {
@@ -97,30 +24,42 @@ std::optional<std::size_t> expected_frames(const FrameSource& source, const RunS
   return std::min(settings.max_frames, available.value_or(settings.max_frames));
 }
 
-RunEnd track_all(FrameSource& source, Tracker& tracker, const RunSettings& settings,
-                 const Interruption& interruption, Outputs& outputs) {
+std::string phase_after(TrackingStatus status) {
+  const bool is_known = status == TrackingStatus::tracking || status == TrackingStatus::uncertain;
+  return is_known ? "following the object" : "searching for the object";
+}
+
+std::string signal_text() {
+  return "signal " + interruption::signal_name();
+}
+
+/// Returns why it has ended.
+std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& settings,
+                      RunOutputs& outputs, SearchReport& report) {
   Progress progress("track", expected_frames(source, settings), settings.quiet);
   DepthFrame frame;
-  RunEnd end = RunEnd::end_of_source;
-  while (source.next(frame)) {
+  auto status = TrackingStatus::initializing;
+  std::string end = "end of the source";
+  while (!interruption::requested()) {
+    progress.begin("waiting for a frame");
+    if (!source.next(frame)) break;
+    progress.begin(phase_after(status));
     const TrackingResult& result = tracker.process(frame);
+    status = result.status;
     outputs.add(frame, result);
-    progress.update(outputs.totals().frames(), to_string(result.status));
-    if (interruption.requested()) {
-      end = RunEnd::interrupted;
-      break;
-    }
+    report.add(frame, result);
+    progress.update(outputs.totals().frames(), to_string(status));
     if (outputs.totals().frames() == settings.max_frames) {
-      end = RunEnd::frame_limit;
+      end = "frame limit reached";
       break;
     }
   }
   progress.finish();
-  return end;
+  return interruption::requested() ? signal_text() : end;
 }
 
 void print_summary(const RunTotals& totals, const RunSettings& settings) {
-  std::cout << totals.frames() << " frames";
+  std::cout << counted(totals.frames(), "frame");
   for (const auto status : {TrackingStatus::initializing, TrackingStatus::tracking,
                             TrackingStatus::uncertain, TrackingStatus::lost}) {
     if (totals.frames_with(status) > 0) {
@@ -132,25 +71,40 @@ void print_summary(const RunTotals& totals, const RunSettings& settings) {
   if (!settings.output.empty()) std::cout << "results: " << settings.output.string() << '\n';
 }
 
+ExitStatus status_of(const RunTotals& totals) {
+  if (totals.frames_with(TrackingStatus::tracking) == 0) return ExitStatus::never_tracked;
+  return totals.ended_lost() ? ExitStatus::lost : ExitStatus::done;
+}
+
 }  // namespace
 
 ExitStatus track_source(FrameSource& source, Tracker& tracker, const ArticulatedModel& model,
                         RunDescription description, const RunSettings& settings) {
-  Outputs outputs(model, std::move(description), settings);
+  RunOutputs outputs(model, std::move(description), settings);
+  SearchReport report(model.tree, tracker.options().cloud.max_depth, settings.quiet);
   const Interruption interruption;
-  RunEnd end = RunEnd::failed;
+  std::string end;
   try {
-    end = track_all(source, tracker, settings, interruption, outputs);
-  } catch (...) {
-    outputs.abandon();
+    end = track_all(source, tracker, settings, outputs, report);
+  } catch (const Stopped&) {
+    if (!interruption.requested()) throw;
+    end = signal_text();
+  } catch (const DeviceError& error) {
+    outputs.abandon(std::string("the device failed: ") + error.what());
+    throw;
+  } catch (const std::exception& error) {
+    outputs.abandon(std::string("error: ") + error.what());
     throw;
   }
   outputs.finish(end);
-  if (outputs.totals().frames() == 0 && end != RunEnd::interrupted) {
+  const RunTotals& totals = outputs.totals();
+  if (totals.frames() == 0 && !interruption.requested()) {
     throw InputError(source.description(), "delivered no frame");
   }
-  if (!settings.quiet) print_summary(outputs.totals(), settings);
-  return outputs.totals().ended_lost() ? ExitStatus::lost : ExitStatus::done;
+  if (!settings.quiet) print_summary(totals, settings);
+  const ExitStatus status = status_of(totals);
+  if (status == ExitStatus::never_tracked) report.print_summary(totals);
+  return status;
 }
 
 }  // namespace lockbox::app

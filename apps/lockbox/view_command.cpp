@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "counted.hpp"
 #include "interruption.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/visualization/live_view.hpp"
@@ -94,7 +95,7 @@ class ViewCommand : public Command {
     const std::size_t first = frame_.value_or(0);
     if (!run.at(first)) {
       throw InputError("--frame " + std::to_string(first),
-                       "there are " + std::to_string(run.size()) + " frames only");
+                       "the run has only " + counted(run.size(), "frame"));
     }
     const bool plays = !frame_ || !screenshot_.empty();
     WindowOptions window;

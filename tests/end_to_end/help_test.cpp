@@ -24,8 +24,14 @@ TEST(Help, OfEachCommandShowsItsOptionsAndAnExample) {
     EXPECT_EQ(result.status, 0) << command;
     EXPECT_THAT(result.output, HasSubstr("Example:\n  lockbox " + command + " "));
     EXPECT_THAT(result.output, HasSubstr("--config"));
+    EXPECT_THAT(result.output, HasSubstr("130"));
     EXPECT_THAT(result.errors, IsEmpty());
   }
+}
+
+TEST(Help, OfTrackSaysWhenNothingWasTracked) {
+  EXPECT_THAT(run_tool({"track", "--help"}).output,
+              testing::ContainsRegex("5: done, but no frame"));
 }
 
 TEST(Version, IsSaid) {
@@ -48,6 +54,42 @@ TEST(Usage, MissingOptionsAreNamed) {
   const auto result = run_tool({"track", "--source", "x.oni"});
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.errors, HasSubstr("--model"));
+}
+
+TEST(Usage, WhatWasMistypedIsNamedWithWhatWasMeant) {
+  const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> mistakes = {
+      {{"trakc", "--model", "cabinet"}, {"'trakc'", "did you mean track?"}},
+      {{"track", "--modl", "cabinet", "--source", "x"}, {"--modl;", "did you mean --model?"}},
+      {{"track", "--modl=cabinet", "--source", "x"}, {"--modl;", "did you mean --model?"}},
+      {{"track", "--model", "cabinet", "--source", "x", "--snap", "y"},
+       {"--snap;", "did you mean --snapshots?"}},
+      {{"inspect", "cabinet"}, {"'cabinet'", "did you mean --model cabinet?"}},
+      {{"inspect", "--model", "cabinet", "more"}, {"'more' belongs to no option"}},
+      {{"experiment", "globl", "--output", "x"}, {"'globl'", "did you mean global?"}},
+      {{"experiment", "global", "--outptu", "x"}, {"--outptu;", "did you mean --output?"}},
+      {{"experiment", "global", "--output", "x", "--scense", "3"},
+       {"--scense;", "did you mean --scenes?"}}};
+  for (const auto& [arguments, words] : mistakes) {
+    const auto result = run_tool(arguments);
+    EXPECT_EQ(result.status, 2) << arguments[1];
+    for (const auto& word : words) EXPECT_THAT(result.errors, HasSubstr(word));
+  }
+  EXPECT_THAT(run_tool({"track", "--qqqqqq"}).errors, testing::Not(HasSubstr("did you mean")));
+}
+
+TEST(Usage, FilesAreNotTakenForFolders) {
+  const TemporaryFolder folder;
+  for (const auto* name : {"x.bag", "x.mp4", "x.MCAP", "x.png", "x.ONI", "-"}) {
+    const auto file = name == std::string("-") ? name : (folder / name).string();
+    const auto simulated = run_tool({"simulate", "--model", "rigid_block", "--trajectory", "auto",
+                                     "--frames", "2", "--output", file});
+    EXPECT_EQ(simulated.status, 2) << name;
+    EXPECT_THAT(simulated.errors, HasSubstr(name));
+    const auto tracked =
+        run_tool({"track", "--model", "rigid_block", "--source", "x.oni", "--output", file});
+    EXPECT_EQ(tracked.status, 2) << name;
+    EXPECT_FALSE(std::filesystem::exists(file));
+  }
 }
 
 TEST(Usage, ValuesOutOfRangeAreRefused) {

@@ -108,7 +108,7 @@ TEST_F(RigidBlock, LeavesCompleteFilesAfterAnInterruption) {
   }
   tool.send_signal(SIGINT);
   const auto result = tool.wait();
-  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.status, 130) << result.errors;
 
   const std::string text = read_text(states);
   EXPECT_EQ(text.back(), '\n');
@@ -116,7 +116,7 @@ TEST_F(RigidBlock, LeavesCompleteFilesAfterAnInterruption) {
   EXPECT_LT(rows.size(), kFrames + 1) << "it was not interrupted";
   const std::string total = "total: " + std::to_string(rows.size() - 1);
   EXPECT_THAT(read_text(path("interrupted/run.yaml")), HasSubstr(total));
-  EXPECT_THAT(read_text(path("interrupted/run.yaml")), HasSubstr("end: interrupted"));
+  EXPECT_THAT(read_text(path("interrupted/run.yaml")), HasSubstr("end: signal SIGINT"));
 }
 
 TEST_F(RigidBlock, StopsAtTheFrameLimitAndDrawsSnapshots) {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_outputs.hpp"
+
+#include <utility>
+
+#include "lockbox/visualization/scene_composer.hpp"
+#include "output_paths.hpp"
+
+namespace lockbox::app {
+namespace {
+
+constexpr int kRecordingRate = 30;  // nominal; the stamps say when frames really came
+
+}  // namespace
+
+RunOutputs::RunOutputs(const ArticulatedModel& model, RunDescription description,
+                       const RunSettings& settings)
+    : settings_(settings), description_(std::move(description)), start_(Clock::now()) {
+  if (settings.view) view_.emplace(model);
+  if (!settings.output.empty()) {
+    folder_.emplace(settings.output);
+    require_new(settings.output / "states.csv", settings.overwrite);
+    states_.emplace(settings.output, model.tree, settings.covariance);
+  }
+  if (!settings.snapshots.empty()) {
+    snapshots_.emplace(settings.snapshots, model.tree, settings.snapshot_interval, Executor());
+  }
+}
+
+void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result) {
+  if (totals_.frames() == 0) begin(frame);
+  totals_.add(result);
+  if (states_) states_->write(result);
+  if (recording_) recording_->write(frame);
+  if (snapshots_) snapshots_->add(frame, result.configuration);
+  if (view_) {
+    view_->show(frame, result.configuration,
+                frame_title(frame.index, frame.stamp, to_string(result.status)));
+  }
+}
+
+void RunOutputs::finish(const std::string& end) {
+  describe(end);
+  if (recording_) recording_->finish();
+}
+
+void RunOutputs::abandon(const std::string& end) noexcept {
+  try {
+    describe(end);
+  } catch (const std::exception&) {
+    // The description of the beginning of the run is left.
+  }
+}
+
+/// What only the first frame tells.
+void RunOutputs::begin(const DepthFrame& frame) {
+  description_.camera = frame.camera;
+  describe("still running, or ended by force");
+  if (!settings_.recording.empty()) {
+    recording_.emplace(settings_.recording, frame.camera, kRecordingRate, frame.metres_per_unit);
+  }
+}
+
+void RunOutputs::describe(const std::string& end) const {
+  if (settings_.output.empty()) return;
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  write_run_description(settings_.output / "run.yaml", description_, totals_, end, seconds);
+}
+
+}  // namespace lockbox::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "lockbox/capture/oni_writer.hpp"
+#include "lockbox/visualization/live_view.hpp"
+#include "locked_folder.hpp"
+#include "run_description.hpp"
+#include "run_settings.hpp"
+#include "run_writer.hpp"
+#include "snapshots.hpp"
+
+namespace lockbox::app {
+
+/// Everything that a run writes, each part only if it was asked for.
+class RunOutputs {
+ public:
+  /// Model and settings are referred to. Throws InputError.
+  RunOutputs(const ArticulatedModel& model, RunDescription description,
+             const RunSettings& settings);
+
+  void add(const DepthFrame& frame, const TrackingResult& result);
+
+  /// end: why the run has ended.
+  void finish(const std::string& end);
+
+  /// After an error, which the user has to hear of rather than of others that follow from it.
+  void abandon(const std::string& end) noexcept;
+
+  const RunTotals& totals() const { return totals_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void begin(const DepthFrame& frame);
+  void describe(const std::string& end) const;
+
+  const RunSettings& settings_;
+  RunDescription description_;
+  RunTotals totals_;
+  std::optional<LiveView> view_;  // first: without a display no file is begun
+  std::optional<LockedFolder> folder_;
+  std::optional<RunWriter> states_;
+  std::optional<OniWriter> recording_;
+  std::optional<Snapshots> snapshots_;
+  Clock::time_point start_;
+};
+
+}  // namespace lockbox::app

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How runs end, what they say then, and what they leave alone.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "tool.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+using testing::SizeIs;
+
+constexpr std::size_t kFrames = 30;
+
+class RunEnds : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<TemporaryFolder>();
+    write_text(path("camera.yaml"),
+               "image_width: 160\nimage_height: 120\ncamera_matrix: {rows: 3, cols: 3, data: "
+               "[144, 0, 79.5, 0, 144, 59.5, 0, 0, 1]}\ndistortion_model: plumb_bob\n"
+               "distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}\n");
+    simulated_ = simulate("auto", "block");
+    start_ = path("block/groundtruth.csv");
+  }
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  void SetUp() override { ASSERT_EQ(simulated_.status, 0) << simulated_.errors; }
+
+  static std::string path(const std::string& name) { return (*folder_ / name).string(); }
+
+  static ToolResult simulate(const std::string& trajectory, const std::string& output,
+                             const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {
+        "simulate", "--model",       "rigid_block",       "--trajectory", trajectory,  "--frames",
+        "30",       "--camera-info", path("camera.yaml"), "--output",     path(output)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_tool(arguments);
+  }
+
+  static std::vector<std::string> tracking(const std::string& source, const std::string& run,
+                                           const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"track",      "--model",  "rigid_block", "--source",
+                                          path(source), "--output", path(run)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  /// Begins where it is, so that no time goes into a search.
+  static std::vector<std::string> following(const std::string& run,
+                                            const std::vector<std::string>& more = {}) {
+    auto arguments = tracking("block", run, {"--initial-state", start_});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  static void wait_for_rows(const std::string& run, std::size_t rows) {
+    for (int waits = 0; waits < 2000 && read_lines(path(run + "/states.csv")).size() < rows + 1;
+         ++waits) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
+  static std::unique_ptr<TemporaryFolder> folder_;
+  static ToolResult simulated_;
+  static std::string start_;
+};
+
+std::unique_ptr<TemporaryFolder> RunEnds::folder_;
+ToolResult RunEnds::simulated_;
+std::string RunEnds::start_;
+
+TEST_F(RunEnds, WithTheStatusOfTheSignalAndCompleteFiles) {
+  const std::vector<std::pair<int, std::string>> signals = {
+      {SIGHUP, "SIGHUP"}, {SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}};
+  for (const auto& [signal, name] : signals) {
+    Tool tool(following(name, {"--realtime"}));
+    wait_for_rows(name, 3);
+    tool.send_signal(signal);
+    const auto result = tool.wait();
+    EXPECT_EQ(result.status, 128 + signal) << result.errors;
+    const auto text = read_text(path(name + "/states.csv"));
+    EXPECT_EQ(text.back(), '\n');
+    const auto rows = read_lines(path(name + "/states.csv")).size() - 1;
+    EXPECT_LT(rows, kFrames) << "it was not interrupted";
+    const auto description = read_text(path(name + "/run.yaml"));
+    EXPECT_THAT(description, HasSubstr("end: signal " + name));
+    EXPECT_THAT(description, HasSubstr("total: " + std::to_string(rows)));
+  }
+}
+
+TEST_F(RunEnds, WithTheStatusOfAPipeThatWasClosed) {
+  const auto pipe = path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  Tool tool(following("piped"), {}, pipe);
+  close(reader);
+  EXPECT_EQ(tool.wait().status, 128 + SIGPIPE);
+  EXPECT_THAT(read_lines(path("piped/states.csv")), SizeIs(kFrames + 1));
+  EXPECT_THAT(read_text(path("piped/run.yaml")), HasSubstr("total: 30"));
+}
+
+TEST_F(RunEnds, OfASimulationIsACompleteFolder) {
+  Tool tool({"simulate", "--model", "rigid_block", "--trajectory", "auto", "--frames", "3000",
+             "--output", path("cut_short")});
+  while (read_lines(path("cut_short/depth.txt")).size() < 3) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  tool.send_signal(SIGTERM);
+  EXPECT_EQ(tool.wait().status, 128 + SIGTERM);
+  EXPECT_EQ(read_lines(path("cut_short/depth.txt")).size(),
+            read_lines(path("cut_short/groundtruth.csv")).size());
+}
+
+TEST_F(RunEnds, AsFailedWhereTheObjectIsNeverTrackedAndSayWhatTheDepthsTell) {
+  write_text(path("aside.csv"),
+             "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,4,0,0.9,1,0,0,0\n0.1,4,0,0.9,1,0,0,0\n");
+  ASSERT_EQ(simulate(path("aside.csv"), "empty").status, 0);
+  const auto result = run_tool(tracking("empty", "nothing"));
+  EXPECT_EQ(result.status, 5);
+  EXPECT_THAT(result.errors, HasSubstr("not found up to frame 0"));
+  EXPECT_THAT(result.errors, HasSubstr("not found in any of 2 frames: no pixel has a depth"));
+  EXPECT_THAT(result.errors, HasSubstr("The model measures 0."));
+  const auto quiet = run_tool(tracking("empty", "quiet", {"--quiet", "--max-frames", "1"}));
+  EXPECT_EQ(quiet.status, 5);
+  EXPECT_THAT(quiet.errors, HasSubstr("not found in any of 1 frame: "));
+  EXPECT_THAT(quiet.errors, Not(HasSubstr("up to")));
+}
+
+TEST_F(RunEnds, WithADoubtAboutADepthScaleThatPutsEverythingOutOfRange) {
+  ASSERT_EQ(simulate(start_, "room", {"--scene", "room"}).status, 0);
+  for (const std::string scale : {"100", "100000"}) {
+    const auto result =
+        run_tool(tracking("room", "scale" + scale, {"--depth-scale", scale, "--max-frames", "2"}));
+    EXPECT_EQ(result.status, 5);
+    EXPECT_THAT(result.errors, HasSubstr("is the depth scale right (--depth-scale"));
+  }
+}
+
+TEST_F(RunEnds, BeforeItBeginsWhereAnotherWritesIntoTheFolder) {
+  Tool first(following("shared", {"--realtime"}));
+  wait_for_rows("shared", 2);
+  for (const bool overwrites : {false, true}) {
+    auto arguments = following("shared");
+    if (overwrites) arguments.emplace_back("--overwrite");
+    const auto second = run_tool(arguments);
+    EXPECT_EQ(second.status, 3);
+    EXPECT_THAT(second.errors, HasSubstr(path("shared") + ": another run"));
+  }
+  EXPECT_EQ(first.wait().status, 0);
+  EXPECT_THAT(read_lines(path("shared/states.csv")), SizeIs(kFrames + 1));
+}
+
+TEST_F(RunEnds, BeforeItBeginsWhereAnEarlierOneWouldBeOverwrittenUnasked) {
+  ASSERT_EQ(run_tool(following("twice", {"--covariance"})).status, 0);
+  const auto before = read_text(path("twice/states.csv"));
+  const auto refused = run_tool(following("twice", {"--max-frames", "2"}));
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_THAT(refused.errors, HasSubstr("twice/states.csv"));
+  EXPECT_THAT(refused.errors, HasSubstr("--overwrite"));
+  EXPECT_EQ(read_text(path("twice/states.csv")), before);
+  const auto asked = run_tool(following("twice", {"--max-frames", "2", "--overwrite"}));
+  EXPECT_EQ(asked.status, 0) << asked.errors;
+  EXPECT_THAT(read_lines(path("twice/states.csv")), SizeIs(3));
+  EXPECT_FALSE(std::filesystem::exists(path("twice/covariance.csv"))) << "of the earlier run";
+}
+
+TEST_F(RunEnds, BeforeItBeginsWhereARecordingWouldBeOverwrittenUnasked) {
+  ASSERT_EQ(simulate(start_, "new/block.oni").status, 0);
+  const auto before = read_text(path("new/block.oni"));
+  EXPECT_EQ(simulate(start_, "new/block.oni").status, 3);
+  const auto other = simulate(start_, "new/other.oni");
+  EXPECT_EQ(other.status, 3);
+  EXPECT_THAT(other.errors, HasSubstr("groundtruth.csv")) << "it is that of the other recording";
+  EXPECT_EQ(run_tool(following("recorded", {"--record", path("new/block.oni")})).status, 3);
+  EXPECT_EQ(run_tool({"record", "--source", "openni2:", "--output", path("new/block.oni")}).status,
+            3);
+  EXPECT_EQ(read_text(path("new/block.oni")), before);
+  EXPECT_EQ(simulate(start_, "block").status, 3);
+  EXPECT_EQ(simulate(start_, "new/block.oni", {"--overwrite", "--seed", "2"}).status, 0);
+  EXPECT_NE(read_text(path("new/block.oni")), before);
+  ASSERT_EQ(simulate(start_, "images").status, 0);
+  EXPECT_EQ(simulate(start_, "images", {"--overwrite"}).status, 0);
+  EXPECT_THAT(read_lines(path("images/depth.txt")), SizeIs(kFrames + 1));
+}
+
+TEST_F(RunEnds, WithADescriptionOfHowItWasStarted) {
+  const auto result = run_tool(following("described", {"--max-frames", "1"}));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("1 frame, 1 tracking"));
+  const auto description = read_text(path("described/run.yaml"));
+  EXPECT_THAT(description, ContainsRegex("command: .*lockbox track --model rigid_block "));
+  EXPECT_THAT(description, ContainsRegex("started: 20[0-9-]+T[0-9:]+[+-][0-9][0-9]:[0-9][0-9]\n"));
+  EXPECT_THAT(description, ContainsRegex("host: ."));
+  EXPECT_THAT(description, ContainsRegex("folder: /"));
+  EXPECT_THAT(description, HasSubstr("end: frame limit reached"));
+}
+
+TEST_F(RunEnds, WithTheErrorInItsDescription) {
+  std::filesystem::create_directory(path("failed"));
+  ASSERT_EQ(symlink("/dev/full", path("failed/base.tum").c_str()), 0);
+  const auto result = run_tool(following("failed"));
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(read_text(path("failed/run.yaml")), ContainsRegex("end: .?error: .*base.tum"));
+}
+
+TEST_F(RunEnds, BeforeItBeginsWhereTemporaryFilesHaveNoFolder) {
+  ASSERT_EQ(simulate(start_, "temporary/block.oni").status, 0);
+  const auto result =
+      run_tool(tracking("temporary/block.oni", "temporary/run"), {"TMPDIR=" + path("gone")});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("TMPDIR"));
+  EXPECT_THAT(result.errors, HasSubstr(path("gone")));
+}
+
+TEST_F(RunEnds, AreAwaitedWithALineThatMovesOnATerminal) {
+  std::filesystem::copy(path("block"), path("slow"), std::filesystem::copy_options::recursive);
+  write_text(path("slow/depth.txt"), "0 depth/000000.png\n1.4 depth/000001.png\n");
+  std::string command = "TERM=xterm script -qec '" LOCKBOX_TOOL;
+  for (const auto& argument :
+       tracking("slow", "awaited", {"--realtime", "--initial-state", start_})) {
+    command += " " + argument;
+  }
+  FILE* const terminal = popen((command + "' /dev/null 2>&1 </dev/null").c_str(), "r");
+  ASSERT_NE(terminal, nullptr);
+  std::string shown;
+  for (int c = fgetc(terminal); c != EOF; c = fgetc(terminal)) shown += static_cast<char>(c);
+  EXPECT_EQ(pclose(terminal), 0) << shown;
+  EXPECT_THAT(shown, HasSubstr("waiting for a frame: 1 s"));
+}
+
+}  // namespace
+}  // namespace lockbox
