@@ -212,7 +212,7 @@ TEST_F(View, PlaysUntilItsWindowIsClosedOrInterrupted) {
       user_->press("q");
     }
     const auto result = tool.wait();
-    EXPECT_EQ(result.status, 0) << result.errors;
+    EXPECT_EQ(result.status, by_signal ? 130 : 0) << result.errors;
   }
 }
 
