@@ -28,8 +28,10 @@ CLI::Option* SourceArguments::add_source(CLI::App& options) {
                   "ROS camera calibration (YAML) to use instead of the source's own intrinsics")
       ->type_name("FILE");
   options
-      .add_option("--depth-scale", depth_scale_,
-                  "Units per metre of depth images in a folder (TUM data sets: 5000)")
+      .add_option(
+          "--depth-scale", depth_scale_,
+          "Units per metre of depth images in a folder (TUM data sets: 5000; else 1000), or "
+          "of clouds (else 1)")
       ->check(positive());
   return source;
 }

@@ -14,7 +14,10 @@
 namespace lockbox {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::ThrowsMessage;
 
 class DepthFolder : public ::testing::Test {
@@ -26,6 +29,15 @@ class DepthFolder : public ::testing::Test {
     }
   }
   std::filesystem::path path() const { return folder_ / "sequence"; }
+  static std::vector<std::string> warnings_of(const std::filesystem::path& folder,
+                                              SourceOptions options = {}) {
+    std::vector<std::string> warnings;
+    options.warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+    DepthFolderSource source(folder, options);
+    for (DepthFrame frame; source.next(frame);) {
+    }
+    return warnings;
+  }
   void expect_refusal(const std::string& message) const {
     EXPECT_THAT(
         [this] {
@@ -75,27 +87,132 @@ TEST_F(DepthFolder, TheScaleComesFromOptionsThenFileThenMillimetres) {
   EXPECT_FLOAT_EQ(frame.metres_per_unit, 0.001F);
 }
 
-TEST_F(DepthFolder, ImplausibleDepthsAreToldOnce) {
+TEST_F(DepthFolder, ImplausibleDepthsAreToldOnceWithTheScaleThatFits) {
   write(3);
   SourceOptions options;
-  std::vector<std::string> warnings;
   options.depth_scale = 1.0;
+  EXPECT_THAT(warnings_of(path(), options),
+              ElementsAre(AllOf(HasSubstr("depth scale"), HasSubstr("--depth-scale 1000)"))));
+  options.depth_scale = 100000.0;
+  EXPECT_THAT(warnings_of(path(), options), ElementsAre(HasSubstr("nearer than")));
+  options.depth_scale = 1000.0;
+  EXPECT_THAT(warnings_of(path(), options), IsEmpty());
+}
+
+TEST_F(DepthFolder, ImagesInFinerUnitsThanMillimetresAreRecognised) {
+  for (const int factor : {5, 10}) {
+    const std::filesystem::path folder = folder_ / std::to_string(factor);
+    DepthFrame frame = synthetic_frame(0);
+    for (std::uint16_t& depth : frame.depth) {
+      depth = static_cast<std::uint16_t>(depth * factor);
+    }
+    DepthFolderWriter(folder).write(frame);
+    write_camera_info(folder / "camera_info.yaml",
+                      {.camera = small_camera(), .distortion = {}, .depth_scale = {}});
+    const std::string advice = "--depth-scale " + std::to_string(1000 * factor);
+    EXPECT_THAT(warnings_of(folder), ElementsAre(HasSubstr(advice)));
+    SourceOptions options;
+    options.depth_scale = 1000.0 * factor;
+    EXPECT_THAT(warnings_of(folder, options), IsEmpty());
+  }
+}
+
+TEST_F(DepthFolder, OneImageThatCannotBeUsedSpoilsOneFrame) {
+  write(6);
+  const auto image = [this](int number) {
+    return path() / "depth" / ("00000" + std::to_string(number) + ".png");
+  };
+  write_text(image(0), "");                     // of a camera that warms up
+  std::filesystem::resize_file(image(2), 500);  // of a full disk
+  std::filesystem::remove(image(3));
+  DepthFolderWriter(folder_ / "small").write(synthetic_frame(0, {8, 6, 9, 9, 3.5, 2.5}));
+  std::filesystem::copy_file(folder_ / "small/depth/000000.png", image(4),
+                             std::filesystem::copy_options::overwrite_existing);
+  std::vector<std::string> warnings;
+  SourceOptions options;
   options.warn = [&warnings](const std::string& text) { warnings.push_back(text); };
   DepthFolderSource source(path(), options);
   DepthFrame frame;
-  while (source.next(frame)) {
+  for (std::uint64_t number = 0; number < 6; ++number) {
+    ASSERT_TRUE(source.next(frame));
+    const DepthFrame expected = synthetic_frame(number);
+    const bool is_good = number == 1 || number == 5;
+    EXPECT_EQ(frame.depth,
+              is_good ? expected.depth : std::vector<std::uint16_t>(expected.depth.size(), 0))
+        << number;
+    EXPECT_EQ(frame.stamp, expected.stamp);
+    EXPECT_EQ(frame.camera, expected.camera);
+    EXPECT_EQ(frame.index, number);
   }
-  EXPECT_THAT(warnings, ::testing::ElementsAre(HasSubstr("depth scale")));
+  EXPECT_FALSE(source.next(frame));
+  EXPECT_EQ(source.faults().unreadable, 4U);
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("000000.png"), HasSubstr("4 of 6 frames")));
+}
+
+TEST_F(DepthFolder, ImagesThatAllCannotBeUsedAreRefused) {
+  write(3);
+  for (const auto& entry : std::filesystem::directory_iterator(path() / "depth")) {
+    write_text(entry.path(), "");
+  }
+  EXPECT_THAT(
+      [this] { DepthFolderSource{path()}; },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("none of its 3 frames"), HasSubstr("000000.png"))));
+}
+
+TEST_F(DepthFolder, AHugeImageIsRefusedBeforeMemoryIsTaken) {
+  write(1);
+  std::string png = read_text(path() / "depth" / "000000.png");
+  // Width and height stand behind the signature and the name of the first chunk; its checksum is
+  // that of 16384 x 16384, 16-bit grey.
+  png.replace(16, 8, std::string("\0\0\x40\0\0\0\x40\0", 8));
+  png.replace(29, 4, std::string("\xdc\x33\x93\x1b", 4));
+  write_text(path() / "depth" / "000000.png", png);
+  expect_refusal("16384x16384 pixels, more than the 16777216");
+}
+
+TEST_F(DepthFolder, StampsInOtherUnitsAreBroughtToSeconds) {
+  write(3);
+  const auto stamps_of = [this](const std::string& index) {
+    write_text(path() / "depth.txt", index);
+    DepthFolderSource source(path());
+    std::vector<double> stamps;
+    for (DepthFrame frame; source.next(frame);) {
+      stamps.push_back(frame.stamp);
+    }
+    return stamps;
+  };
+  using ::testing::DoubleNear;
+  EXPECT_THAT(stamps_of("1700000000000000000 depth/000000.png\n"
+                        "1700000000033333333 depth/000001.png\n"),
+              ElementsAre(1.7e9, DoubleNear(1.7e9 + 0.033333333, 1e-6)));
+  EXPECT_THAT(warnings_of(path()), ElementsAre(HasSubstr("nanoseconds")));
+  EXPECT_THAT(stamps_of("0 depth/000000.png\n33333 depth/000001.png\n66667 depth/000002.png\n"),
+              ElementsAre(0.0, 0.033333, 0.066667));
+  EXPECT_THAT(stamps_of("0 depth/000000.png\n33 depth/000001.png\n67 depth/000002.png\n"),
+              ElementsAre(0.0, 33.0, 67.0));
+  EXPECT_THAT(warnings_of(path()), ElementsAre(HasSubstr("divide them by 1000")));
+}
+
+TEST_F(DepthFolder, LinesInDisorderAreSortedByStampsAndSaid) {
+  write(3);
+  write_text(path() / "depth.txt",
+             "0.2 depth/000002.png\n0 depth/000000.png\n0.1 depth/000001.png\n0.");
+  DepthFolderSource source(path());
+  DepthFrame frame;
+  for (std::uint64_t number = 0; number < 3; ++number) {
+    ASSERT_TRUE(source.next(frame));
+    EXPECT_EQ(frame.depth, synthetic_frame(number).depth);
+  }
+  EXPECT_FALSE(source.next(frame));  // the line that was cut off counts for nothing
+  EXPECT_THAT(warnings_of(path()), ElementsAre(HasSubstr("not in the order of their timestamps")));
 }
 
 TEST_F(DepthFolder, ProblemsInTheIndexNameTheLine) {
   write(2);
   write_text(path() / "depth.txt", "# comment\n\n0.0 depth/000000.png\n0,1 depth/000001.png\n");
   expect_refusal("depth.txt:4: expected");
-  write_text(path() / "depth.txt", "0.0 depth/000000.png\n0.1 depth/missing.png\n");
-  expect_refusal("depth.txt:2: there is no image");
-  write_text(path() / "depth.txt", "0.1 depth/000000.png\n0.1 depth/000001.png\n");
-  expect_refusal("depth.txt:2: timestamps do not increase");
+  write_text(path() / "depth.txt", "0.0 depth/000000.png\n0.1\n0.2 depth/000001.png\n");
+  expect_refusal("depth.txt:2: expected");
   write_text(path() / "depth.txt", "# nothing\n");
   expect_refusal("lists no images");
 }
@@ -120,10 +237,13 @@ TEST_F(DepthFolder, ACameraOfAnotherSizeIsRefused) {
   write(1);
   SourceOptions options;
   options.camera = PinholeCamera{640, 480, 500, 500, 319.5, 239.5};
-  DepthFolderSource source(path(), options);
-  DepthFrame frame;
-  EXPECT_THAT([&] { source.next(frame); },
-              ThrowsMessage<InputError>(HasSubstr("160x120 but the camera calibration is for")));
+  EXPECT_THAT([&] { DepthFolderSource(path(), options); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("160x120 but the camera calibration is for 640x480"),
+                        HasSubstr("multiply its size, fx, fy, cx and cy by 0.25"))));
+  options.camera = PinholeCamera{120, 160, 144, 144, 59.5, 79.5};
+  EXPECT_THAT([&] { DepthFolderSource(path(), options); },
+              ThrowsMessage<InputError>(HasSubstr("width and height are exchanged")));
 }
 
 TEST_F(DepthFolder, ASequenceIsNotOverwritten) {
@@ -178,46 +298,6 @@ TEST_F(DepthFolder, DistortionIsUndone) {
     }
   }
   EXPECT_EQ(measured, camera.width * camera.height);  // barrel distortion fills all
-}
-
-TEST(CameraInfo, NumbersComeBackExactly) {
-  const TemporaryFolder folder;
-  const CameraCalibration written{.camera = {640, 480, 607.178466796875, 1.0 / 3.0, 319.1, 0.1},
-                                  .distortion = {0.1, -0.2, 1e-9, 0.0, 5.5},
-                                  .depth_scale = 5000.0};
-  write_camera_info(folder / "camera_info.yaml", written);
-  const CameraCalibration read = read_camera_info(folder / "camera_info.yaml");
-  EXPECT_EQ(read.camera, written.camera);
-  EXPECT_EQ(read.distortion, written.distortion);
-  EXPECT_EQ(read.depth_scale, written.depth_scale);
-}
-
-TEST(CameraInfo, ProblemsNameTheLine) {
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder / "camera_info.yaml";
-  const std::string sound =
-      "image_width: 640\nimage_height: 480\n"
-      "camera_matrix: {rows: 3, cols: 3, data: [500, 0, 320, 0, 500, 240, 0, 0, 1]}\n";
-  const std::vector<std::pair<std::string, std::string>> cases{
-      {"image_width: 640\nimage_height: -1\ncamera_matrix: {data: [500, 0, 320, 0, 500, 240, 0, 0, "
-       "1]}\n",
-       ":2: image_height is not a size"},
-      {"image_width: 640\nimage_height: 480\n", "camera_matrix is missing"},
-      {"image_width: 640\nimage_height: 480\ncamera_matrix: {data: [5, 0]}\n", ":3: camera_matrix"},
-      {sound + "depth_scale: 0\n", ":4: depth_scale must be positive"},
-      {sound + "depth_scale: 1,5\n", ":4: depth_scale is not a number"},
-      {sound + "distortion_model: equidistant\ndistortion_coefficients: {data: [1, 0, 0, 0]}\n",
-       ":4: distortion model equidistant is not supported"},
-      {sound + "distortion_coefficients: {data: [1, 0]}\n", ":4: plumb_bob needs 5"},
-      {"a: [1, 2\n", "is not valid YAML"},
-      {"", "is not a camera calibration"},
-  };
-  for (const auto& [text, message] : cases) {
-    write_text(file, text);
-    EXPECT_THAT([&] { read_camera_info(file); }, ThrowsMessage<InputError>(HasSubstr(message)))
-        << text;
-  }
-  EXPECT_THROW(read_camera_info(folder / "missing.yaml"), InputError);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -15,6 +16,7 @@
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "text_file.hpp"
 
 namespace lockbox {
 namespace {
@@ -37,6 +39,73 @@ TEST(OpenSource, WrongSourcesSayWhatIsWrong) {
               ThrowsMessage<InputError>(HasSubstr("/nonexistent/a.oni: no such file or folder")));
   EXPECT_THAT([&] { open_source(folder.path().string()); },
               ThrowsMessage<InputError>(HasSubstr("neither a depth.txt")));
+}
+
+TEST(OpenSource, FilesOfOtherKindsAreNamedWithAdvice) {
+  const TemporaryFolder folder;
+  const std::vector<std::array<std::string, 3>> cases{
+      {"a.bag", "#ROSBAG V2.0\n", "is a ROS 1 bag"},
+      {"a.mcap", "\x89MCAP0\r\n", "is a ROS 2 bag"},
+      {"a.db3", "SQLite format 3", "is a ROS 2 bag"},
+      {"a.mkv", "\x1a\x45\xdf\xa3", "Azure Kinect"},
+      {"a.pcd", "# .PCD v0.7\n", "give the folder"},
+      {"a.ply", "ply\nformat ascii 1.0\n", "pcl_ply2pcd"},
+      {"a.png", "\x89PNG\r\n", "depth.txt"},
+      {"A.MP4", "ftyp", "is a video"},
+      {"a.klg", "any", "Logger2"},
+      {"a.urdf", "<robot/>", "--model"},
+      {"depth.txt", "0 a.png\n", "give the folder that holds depth.txt"},
+      {"renamed.oni", "#ROSBAG V2.0\n", "is a ROS 1 bag"},
+  };
+  for (const auto& [name, content, message] : cases) {
+    write_text(folder / name, content);
+    const std::string file = (folder / name).string();
+    EXPECT_THAT([&] { open_source(file); }, ThrowsMessage<InputError>(HasSubstr(message))) << name;
+  }
+}
+
+TEST(OpenSource, FoldersOfOtherKindsAreNamedWithAdvice) {
+  const TemporaryFolder folder;
+  const std::vector<std::array<std::string, 3>> cases{
+      {"bag", "metadata.yaml", "ROS 2 bag"},
+      {"images", "1.png", "list them in a depth.txt"},
+      {"recordings", "a.oni", "give one of them"},
+      {"clouds", "1.ply", "pcl_ply2pcd"},
+      {"above/sequence", "depth.txt", "the folder sequence in it does"},
+  };
+  for (const auto& [path, file, message] : cases) {
+    std::filesystem::create_directories(folder / path);
+    write_text(folder / path / file, "");
+    const std::string source = (folder / path.substr(0, path.find('/'))).string();
+    EXPECT_THAT([&] { open_source(source); }, ThrowsMessage<InputError>(HasSubstr(message)))
+        << path;
+  }
+}
+
+TEST(OpenSource, StampsThatDoNotAdvanceAreAdvancedByAFrame) {
+  const TemporaryFolder folder;
+  {
+    DepthFolderWriter writer(folder / "sequence");
+    for (std::uint64_t number = 0; number < 6; ++number) {
+      writer.write(synthetic_frame(number));
+    }
+  }
+  write_text(folder / "sequence" / "depth.txt",
+             "1.0 depth/000000.png\n1.0 depth/000001.png\n1.5 depth/000002.png\n"
+             "0.25 depth/000003.png\n0.375 depth/000004.png\n9.0 depth/000005.png\n");
+  std::vector<std::string> warnings;
+  SourceOptions options;
+  options.warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+  const auto source = open_source((folder / "sequence").string(), options);
+  std::vector<double> stamps;
+  for (DepthFrame frame; source->next(frame);) {
+    EXPECT_EQ(frame.depth, synthetic_frame(stamps.size()).depth);
+    stamps.push_back(frame.stamp);
+  }
+  EXPECT_THAT(stamps, ::testing::ElementsAre(1.0, ::testing::DoubleNear(1.0 + 1.0 / 30.0, 1e-9),
+                                             1.5, 2.0, 2.125, 9.0));
+  EXPECT_EQ(source->faults().restamped, 3U);
+  EXPECT_THAT(warnings, ::testing::ElementsAre(HasSubstr("frame 1: its timestamp 1 is not later")));
 }
 
 TEST(OpenSource, TwoPlayersOfOneFileDoNotDisturbEachOther) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 
@@ -115,6 +116,62 @@ TEST(PcdFolder, StampsComeFromTheNamesThatHoldThem) {
       stamps({"cloud_1305031102175304", "cloud_1305031103175304"}),
       ElementsAre(DoubleNear(1305031102.175304, 1e-6), DoubleNear(1305031103.175304, 1e-6)));
   EXPECT_THAT(stamps({"0001", "0002"}), ElementsAre(0.0, DoubleNear(1.0 / 30.0, 1e-12)));
+}
+
+/// The depth of pixel 0 of each frame, in millimetres; 0 in frames without any depth.
+std::vector<int> first_depths(PcdFolderSource& source) {
+  std::vector<int> depths;
+  for (DepthFrame frame; source.next(frame);) {
+    depths.push_back(static_cast<int>(std::lround(1000.0 * double{frame.metres(0, 0)})));
+  }
+  return depths;
+}
+
+TEST(PcdFolder, NumbersInNamesCountAsNumbers) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> order{"cloud_0",  "cloud_1",  "cloud_2",     "cloud_007",
+                                       "cloud_10", "cloud_11", "cloud_11b_3", "cloud_11b_20"};
+  std::vector<int> expected;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    write_ascii(folder / (order[i] + ".pcd"), 0.001 * static_cast<double>(i));
+    expected.push_back(1000 + static_cast<int>(i));
+  }
+  write_ascii(folder / "._cloud_0.pcd", 5.0);  // as some systems put beside each file
+  PcdFolderSource source(folder.path());
+  EXPECT_EQ(first_depths(source), expected);
+}
+
+TEST(PcdFolder, StampsInNamesGiveTheOrder) {
+  const TemporaryFolder folder;
+  write_ascii(folder / "9.5.pcd", 0.0);
+  write_ascii(folder / "10.25.pcd", 0.001);
+  write_ascii(folder / "10.5.pcd", 0.002);
+  PcdFolderSource source(folder.path());
+  EXPECT_EQ(first_depths(source), (std::vector<int>{1000, 1001, 1002}));
+}
+
+TEST(PcdFolder, TheCameraComesFromTheFirstCloudThatTellsIt) {
+  const TemporaryFolder folder;
+  std::ofstream empty(folder / "0.pcd");
+  empty << kAsciiHeader << "WIDTH 20\nHEIGHT 15\nPOINTS 300\nDATA ascii\n";
+  for (int i = 0; i < 300; ++i) {
+    empty << "nan nan nan\n";
+  }
+  empty.close();
+  std::ofstream(folder / "1.pcd").close();
+  write_ascii(folder / "2.pcd", 0.0);
+  write_ascii(folder / "3.pcd", 0.0, 10, 10);
+  write_ascii(folder / "4.pcd", 0.001);
+  std::filesystem::resize_file(folder / "4.pcd", 2000);
+  write_ascii(folder / "5.pcd", 0.002);
+  SourceOptions options;
+  std::vector<std::string> warnings;
+  options.warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+  PcdFolderSource source(folder.path(), options);
+  EXPECT_EQ(first_depths(source), (std::vector<int>{0, 0, 1000, 0, 0, 1002}));
+  EXPECT_EQ(source.faults().unreadable, 3U);
+  EXPECT_THAT(warnings,
+              ::testing::ElementsAre(HasSubstr("1.pcd: is empty"), HasSubstr("3 of 6 frames")));
 }
 
 TEST(PcdFolder, CloudsThatAreNoImagesAreRefused) {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pcd_component.hpp"
 
-#include <pcl/console/print.h>
+#include <pcl/io/lzf.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
-
-#include <algorithm>
 
 namespace {
 
@@ -23,25 +21,10 @@ pcl::PointCloud<pcl::PointXYZ> to_pcl(const lockbox::OrganizedCloud& cloud) {
 
 extern "C" {
 
-__attribute__((visibility("default"))) bool lockbox_load_pcd(const std::filesystem::path& file,
-                                                             lockbox::OrganizedCloud& cloud,
-                                                             std::string& problem) try {
-  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);  // the caller reports
-  pcl::PointCloud<pcl::PointXYZ> points;
-  if (pcl::PCDReader().read(file.string(), points) != 0) {
-    problem = "PCL cannot read it";
-    return false;
-  }
-  cloud.width = static_cast<int>(points.width);
-  cloud.height = static_cast<int>(points.height);
-  cloud.xyz.resize(points.size() * 3);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    std::copy_n(points[i].data, 3, cloud.xyz.begin() + static_cast<std::ptrdiff_t>(3 * i));
-  }
-  return true;
-} catch (const std::exception& error) {
-  problem = error.what();
-  return false;
+__attribute__((visibility("default"))) bool lockbox_decompress_lzf(const std::vector<char>& packed,
+                                                                   std::vector<char>& data) {
+  return pcl::lzfDecompress(packed.data(), static_cast<unsigned int>(packed.size()), data.data(),
+                            static_cast<unsigned int>(data.size())) == data.size();
 }
 
 __attribute__((visibility("default"))) bool lockbox_save_pcd(const std::filesystem::path& file,

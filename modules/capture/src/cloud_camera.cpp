@@ -41,7 +41,7 @@ float depth_unit(const OrganizedCloud& cloud) {
 
 }  // namespace
 
-PinholeCamera recover_camera(const OrganizedCloud& cloud, const std::string& where) {
+std::optional<PinholeCamera> recover_camera(const OrganizedCloud& cloud, const std::string& where) {
   PinholeFit fit;
   std::size_t i = 0;
   for (int v = 0; v < cloud.height; ++v) {
@@ -50,9 +50,7 @@ PinholeCamera recover_camera(const OrganizedCloud& cloud, const std::string& whe
     }
   }
   if (!fit.is_determined()) {
-    throw InputError(where,
-                     "has too few points to recover the camera from; give its calibration with "
-                     "--camera-info");
+    return std::nullopt;
   }
   if (!fit.is_pinhole()) {
     throw InputError(where,

@@ -10,9 +10,9 @@
 
 namespace lockbox {
 
-/// Least squares over all points (PinholeFit). Throws InputError(where, ...) if the points are too
-/// few, or do not lie on the rays of a pinhole camera.
-PinholeCamera recover_camera(const OrganizedCloud& cloud, const std::string& where);
+/// Least squares over all points (PinholeFit); nothing if the points are too few. Throws
+/// InputError(where, ...) if they do not lie on the rays of a pinhole camera.
+std::optional<PinholeCamera> recover_camera(const OrganizedCloud& cloud, const std::string& where);
 
 /// The z coordinates as a depth image: in whole millimetres if all are (to 1e-6 m), else in the
 /// finest of 0.1, 0.25 and 1 mm that reaches the farthest point. Beyond reach: no measurement.

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string_view>
 
+#include "foreign_source.hpp"
 #include "lockbox/capture/depth_folder.hpp"
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/capture/live_device.hpp"
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/pcd_folder.hpp"
 #include "lockbox/core/error.hpp"
+#include "pcd_files.hpp"
 #include "realtime_source.hpp"
+#include "steady_stamps.hpp"
 
 namespace lockbox {
 namespace {
@@ -17,13 +20,10 @@ std::unique_ptr<FrameSource> open_folder(const std::filesystem::path& folder,
   if (std::filesystem::exists(folder / "depth.txt")) {
     return std::make_unique<DepthFolderSource>(folder, options);
   }
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".pcd") {
-      return std::make_unique<PcdFolderSource>(folder, options);
-    }
+  if (!pcd_files(folder).empty()) {
+    return std::make_unique<PcdFolderSource>(folder, options);
   }
-  throw InputError(folder.string(),
-                   "this folder holds neither a depth.txt (a depth image sequence) nor .pcd files");
+  throw InputError(folder.string(), foreign_folder(folder));
 }
 
 std::unique_ptr<FrameSource> open_recording(const std::string& source,
@@ -37,6 +37,9 @@ std::unique_ptr<FrameSource> open_recording(const std::string& source,
   if (std::filesystem::is_directory(path)) {
     return open_folder(path, options);
   }
+  if (const std::optional<std::string> kind = foreign_file(path)) {
+    throw InputError(source, *kind);
+  }
   return std::make_unique<OniPlayer>(path, options);
 }
 
@@ -45,9 +48,10 @@ std::unique_ptr<FrameSource> open_recording(const std::string& source,
 std::unique_ptr<FrameSource> open_source(const std::string& source, const SourceOptions& options) {
   constexpr std::string_view kLive = "openni2:";
   if (source.compare(0, kLive.size(), kLive) == 0) {
-    return std::make_unique<LiveDevice>(source.substr(kLive.size()), options);
+    return std::make_unique<SteadyStamps>(
+        std::make_unique<LiveDevice>(source.substr(kLive.size()), options), options.warn);
   }
-  std::unique_ptr<FrameSource> recording = open_recording(source, options);
+  auto recording = std::make_unique<SteadyStamps>(open_recording(source, options), options.warn);
   if (options.realtime) {
     return std::make_unique<RealtimeSource>(std::move(recording), options.stop);
   }

@@ -3,7 +3,6 @@
 
 #include "lockbox/core/component.hpp"
 #include "lockbox/core/error.hpp"
-#include "pcd_header.hpp"
 
 namespace lockbox {
 namespace {
@@ -18,12 +17,8 @@ Function* find_function(const char* name) {
 
 }  // namespace
 
-void load_pcd(const std::filesystem::path& file, OrganizedCloud& cloud) {
-  check_pcd(file);
-  std::string problem;
-  if (!find_function<LoadPcd>(kLoadPcd)(file, cloud, problem)) {
-    throw InputError(file.string(), problem);
-  }
+bool decompress_lzf(const std::vector<char>& packed, std::vector<char>& data) {
+  return find_function<DecompressLzf>(kDecompressLzf)(packed, data);
 }
 
 void save_pcd(const std::filesystem::path& file, const OrganizedCloud& cloud) {

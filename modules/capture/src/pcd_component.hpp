@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The face of the component with PCL's reader and writer of .pcd files.
+// The face of the component with PCL's writer and its compression of .pcd files.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,20 +16,20 @@ struct OrganizedCloud {
   std::vector<float> xyz;  ///< metres, three values a pixel
 };
 
-/// Functions that liblockbox_pcd.so exports under these names. They return whether they succeeded,
-/// or else the reason in problem: exceptions do not cross the boundary.
-using LoadPcd = bool(const std::filesystem::path& file, OrganizedCloud& cloud,
-                     std::string& problem);
+/// Functions that liblockbox_pcd.so exports under these names. They return whether they succeeded;
+/// exceptions do not cross the boundary.
+using DecompressLzf = bool(const std::vector<char>& packed, std::vector<char>& data);
 using SavePcd = bool(const std::filesystem::path& file, const OrganizedCloud& cloud,
                      std::string& problem);
 inline constexpr char kPcdComponent[] = "liblockbox_pcd.so";
-inline constexpr char kLoadPcd[] = "lockbox_load_pcd";
+inline constexpr char kDecompressLzf[] = "lockbox_decompress_lzf";
 inline constexpr char kSavePcd[] = "lockbox_save_pcd";
 
-/// Checks the file, loads the component, and reads. Throws InputError.
-void load_pcd(const std::filesystem::path& file, OrganizedCloud& cloud);
+/// Returns whether packed decompresses to exactly data.size() bytes. Throws InputError if the
+/// component is not installed, as does save_pcd.
+bool decompress_lzf(const std::vector<char>& packed, std::vector<char>& data);
 
-/// Throws InputError.
+/// Throws InputError if the file cannot be written.
 void save_pcd(const std::filesystem::path& file, const OrganizedCloud& cloud);
 
 }  // namespace lockbox

@@ -1,72 +1,101 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/capture/pcd_folder.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <vector>
+#include <cmath>
 
 #include "cloud_camera.hpp"
+#include "depth_plausibility.hpp"
 #include "lockbox/core/error.hpp"
-#include "pcd_component.hpp"
+#include "pcd_files.hpp"
+#include "pcd_reader.hpp"
 #include "rectification.hpp"
-#include "stamp_in_name.hpp"
+#include "spoiled_frames.hpp"
 
 namespace lockbox {
-namespace {
-
-constexpr double kPeriod = 1.0 / 30.0;  // seconds, where names hold no stamps
-
-std::vector<std::filesystem::path> clouds_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".pcd") {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-/// Stamps from the names if all hold one and they increase, else evenly spaced ones.
-std::vector<double> stamps_of(const std::vector<std::filesystem::path>& files) {
-  std::vector<double> stamps;
-  for (const std::filesystem::path& file : files) {
-    const std::optional<double> stamp = stamp_in_name(file.stem().string());
-    if (!stamp || (!stamps.empty() && *stamp <= stamps.back())) {
-      break;
-    }
-    stamps.push_back(*stamp);
-  }
-  if (stamps.size() != files.size()) {
-    stamps.clear();
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      stamps.push_back(kPeriod * static_cast<double>(i));
-    }
-  }
-  return stamps;
-}
-
-}  // namespace
 
 struct PcdFolderSource::Impl {
   Impl(const std::filesystem::path& path, const SourceOptions& options)
-      : folder(path), files(clouds_in(path)), stamps(stamps_of(files)) {
-    if (files.empty()) {
+      : folder(path),
+        warn(options.warn ? options.warn : [](const std::string&) {}),
+        clouds(timed_clouds(path, warn)),
+        units_per_metre(options.depth_scale.value_or(1.0)),
+        spoiled(path.string(), warn) {
+    if (clouds.files.empty()) {
       throw InputError(path.string(), "this folder holds no .pcd files");
     }
+    if (!(units_per_metre > 0.0) || !std::isfinite(units_per_metre)) {
+      throw InputError(path.string(), "the depth scale must be positive: units per metre");
+    }
     std::optional<CameraCalibration> calibration = given_calibration(options);
-    if (!calibration) {
-      load_pcd(files.front(), cloud);
-      camera = recover_camera(cloud, files.front().string());
+    if (calibration) {
+      camera = calibration->camera;
     }
     rectification.emplace(std::move(calibration));
+    const std::size_t first = first_usable_frame(
+        folder.string(), clouds.files.size(), [this](std::size_t frame) { return look_at(frame); });
+    judge_scale(clouds.files[first].string());
+  }
+
+  /// Loads the cloud, and recovers the camera if that is not known yet. Returns what prevents the
+  /// use of the cloud. Throws InputError if the cloud's points are on the rays of no camera.
+  std::optional<std::string> look_at(std::size_t frame) {
+    const std::string name = clouds.files[frame].string();
+    if (std::optional<std::string> problem = load(frame)) {
+      return problem;
+    }
+    if (camera.width == 0) {
+      const std::optional<PinholeCamera> recovered = recover_camera(cloud, name);
+      if (!recovered) {
+        return name +
+               ": has too few points to recover the camera from; give its calibration with "
+               "--camera-info";
+      }
+      camera = *recovered;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::string> load(std::size_t frame) try {
+    const std::string name = clouds.files[frame].string();
+    load_pcd(name, cloud);
+    rectification->check_size(cloud.width, cloud.height, name);
+    if (camera.width != 0 && (cloud.width != camera.width || cloud.height != camera.height)) {
+      throw InputError(name, "has another size than the first cloud of the folder");
+    }
+    for (float& coordinate : cloud.xyz) {
+      coordinate = static_cast<float>(coordinate / units_per_metre);
+    }
+    return std::nullopt;
+  } catch (const InputError& error) {
+    return error.what();
+  }
+
+  void judge_scale(const std::string& name) const {
+    const auto doubt = doubtful_cloud_scale(cloud, units_per_metre);
+    if (doubt && doubt->is_out_of_reach) {
+      throw InputError(name, doubt->text);
+    }
+    if (doubt) {
+      warn(name + ": " + doubt->text);
+    }
+  }
+
+  void take_cloud(DepthFrame& frame) {
+    if (const std::optional<std::string> problem = load(position)) {
+      spoiled.add(*problem);
+      frame.depth.assign(
+          static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height), 0);
+    } else {
+      set_depth(cloud, frame);
+    }
   }
 
   std::filesystem::path folder;
-  std::vector<std::filesystem::path> files;
-  std::vector<double> stamps;
-  PinholeCamera camera;  ///< recovered, unless given
+  std::function<void(const std::string&)> warn;
+  TimedClouds clouds;
+  double units_per_metre;
+  SpoiledFrames spoiled;
+  PinholeCamera camera;  ///< given, or recovered
   std::optional<Rectification> rectification;
   OrganizedCloud cloud;
   std::size_t position = 0;
@@ -78,52 +107,28 @@ PcdFolderSource::PcdFolderSource(const std::filesystem::path& folder, const Sour
 PcdFolderSource::~PcdFolderSource() = default;
 
 bool PcdFolderSource::next(DepthFrame& frame) {
-  if (impl_->position == impl_->files.size()) {
+  if (impl_->position == impl_->clouds.files.size()) {
+    impl_->spoiled.finish(impl_->clouds.files.size());
     return false;
   }
-  const std::filesystem::path& file = impl_->files[impl_->position];
-  const OrganizedCloud& cloud = impl_->cloud;
-  load_pcd(file, impl_->cloud);
-  impl_->rectification->check_size(cloud.width, cloud.height, file.string());
-  const bool is_given = impl_->camera.width == 0;
-  if (!is_given && (cloud.width != impl_->camera.width || cloud.height != impl_->camera.height)) {
-    throw InputError(file.string(), "has another size than the first cloud of the folder");
-  }
-  set_depth(cloud, frame);
+  impl_->take_cloud(frame);
   frame.camera = impl_->camera;
-  frame.stamp = impl_->stamps[impl_->position];
+  frame.stamp = impl_->clouds.stamps[impl_->position];
   frame.index = impl_->position++;
   impl_->rectification->apply(frame);
   return true;
 }
 
 std::optional<std::size_t> PcdFolderSource::frame_count() const {
-  return impl_->files.size();
+  return impl_->clouds.files.size();
+}
+
+SourceFaults PcdFolderSource::faults() const {
+  return {.unreadable = impl_->spoiled.count()};
 }
 
 std::string PcdFolderSource::description() const {
   return "organized clouds in " + impl_->folder.string();
-}
-
-PcdFolderWriter::PcdFolderWriter(const std::filesystem::path& folder) : folder_(folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError(folder.string(), "cannot be created (" + error.message() + ")");
-  }
-  if (!clouds_in(folder).empty()) {
-    throw InputError(folder.string(),
-                     "holds .pcd files already; remove them or choose another folder");
-  }
-}
-
-void PcdFolderWriter::write(const DepthFrame& frame) const {
-  if (!(frame.stamp >= 0.0)) {
-    throw InputError(folder_.string(), "the stamps of frames must not be negative");
-  }
-  std::array<char, 64> name;  // zeros in front, so that name order is time order
-  std::snprintf(name.data(), name.size(), "%018.6f.pcd", frame.stamp);
-  save_pcd(folder_ / name.data(), cloud_of(frame));
 }
 
 }  // namespace lockbox

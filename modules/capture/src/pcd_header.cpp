@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pcd_header.hpp"
 
-#include <array>
-#include <cstdint>
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -17,64 +17,89 @@ namespace lockbox {
 namespace {
 
 constexpr std::size_t kMinimumPcdSize = 2;  // pixels
-constexpr int kMaximumHeaderLines = 100;
-constexpr std::size_t kMaximumPointBytes = 4096;
+constexpr std::size_t kMaximumHeaderBytes = std::size_t{1} << 16U;
 
-class PcdHeader {
+// PCL's richest points have some 50 bytes, those with a descriptor of 352 floats 1.4 kB. With the
+// most pixels (image_limits.hpp) clouds above 1 GB are refused below.
+constexpr std::size_t kMaximumPointBytes = 4096;
+constexpr std::uint64_t kMaximumCloudBytes = std::uint64_t{1} << 30U;
+
+// LZF writes at most 264 bytes for three: who promises more has no such data.
+constexpr std::uint64_t kMaximumExpansion = 88;
+
+using Words = std::vector<std::string>;
+
+/// Keys are written in capitals; some programs do not. COLUMNS is the old name of FIELDS.
+std::string key_of(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  return word == "COLUMNS" ? "FIELDS" : word;
+}
+
+class HeaderReader {
  public:
-  explicit PcdHeader(const std::filesystem::path& file)
-      : name_(file.string()), in_(file, std::ios::binary) {
-    if (!in_) {
+  explicit HeaderReader(const std::filesystem::path& file) : name_(file.string()) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in || !std::filesystem::is_regular_file(file)) {
       throw InputError(name_, "no such file, or it cannot be read");
     }
-    in_.imbue(std::locale::classic());
-    std::string line;
-    for (int i = 0; i < kMaximumHeaderLines && std::getline(in_, line); ++i) {
-      std::istringstream words(line);
-      std::string key;
-      std::string word;
-      words >> key;
-      if (key.empty() || key.front() == '#') {
-        continue;
-      }
-      while (words >> word) {
-        entries_[key].push_back(word);
-      }
-      if (key == "DATA") {
-        data_ = static_cast<std::uint64_t>(in_.tellg());
-        bytes_of_data_ = std::filesystem::file_size(file) - data_;
+    std::string text(kMaximumHeaderBytes, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    std::size_t begin = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos;
+         end = text.find('\n', begin)) {
+      const bool is_last = add_line(text.substr(begin, end - begin));
+      begin = end + 1;
+      if (is_last) {
+        header_.begin = begin;
+        header_.bytes = std::filesystem::file_size(file) - begin;
         return;
       }
     }
-    throw InputError(name_, "is not a .pcd file: there is no line DATA");
+    throw InputError(name_,
+                     text.empty() ? "is empty" : "is not a .pcd file: there is no line DATA");
   }
 
-  void check() {
-    const std::size_t width = number("WIDTH", 0);
-    const std::size_t height = number("HEIGHT", 0);
-    if (height == 1) {
-      throw InputError(name_,
-                       "is not an organized cloud (HEIGHT 1): the pixels of the depth image are "
-                       "lost; save the clouds as the camera delivers them");
-    }
-    if (width < kMinimumPcdSize || width > kMaximumImageSize || height < kMinimumPcdSize ||
-        height > kMaximumImageSize || number("POINTS", 0) != width * height) {
-      throw InputError(name_, "WIDTH, HEIGHT and POINTS do not describe an image");
-    }
-    const std::size_t point_bytes = check_fields();
-    check_data(width * height * point_bytes);
+  PcdHeader check() {
+    check_size();
+    check_fields();
+    check_data();
+    return header_;
   }
 
  private:
-  const std::vector<std::string>& words(const std::string& key) {
-    if (entries_[key].empty()) {
-      throw InputError(name_, "the header lacks " + key);
+  /// Returns whether the data begins after this line.
+  bool add_line(const std::string& line) {
+    std::istringstream in(line);
+    std::string key;
+    in >> key;
+    key = key_of(key);
+    if (key.empty() || key.front() == '#' || key == "VERSION" || key == "VIEWPOINT") {
+      return false;
     }
-    return entries_[key];
+    if (entries_.count(key) != 0) {
+      throw InputError(name_, "the header has more than one line " + key);
+    }
+    Words& words = entries_[key];
+    for (std::string word; in >> word;) {
+      words.push_back(word);
+    }
+    return key == "DATA";
   }
 
-  std::size_t number(const std::string& key, std::size_t index) {
-    const std::vector<std::string>& all = words(key);
+  bool has(const std::string& key) const { return entries_.count(key) != 0; }
+
+  const Words& words(const std::string& key) const {
+    const auto found = entries_.find(key);
+    if (found == entries_.end() || found->second.empty()) {
+      throw InputError(name_, "the header lacks " + key);
+    }
+    return found->second;
+  }
+
+  std::size_t number(const std::string& key, std::size_t index) const {
+    const Words& all = words(key);
     const std::optional<double> value =
         index < all.size() ? parse_finite_number(all[index]) : std::nullopt;
     if (!value || *value < 0.0 || *value > 1e9 ||
@@ -84,58 +109,89 @@ class PcdHeader {
     return static_cast<std::size_t>(*value);
   }
 
-  /// Returns the bytes of a point.
-  std::size_t check_fields() {
-    const std::vector<std::string> fields = words("FIELDS");
-    std::size_t bytes = 0;
-    std::size_t coordinates = 0;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const std::size_t size = number("SIZE", i);
-      const std::size_t count = entries_.count("COUNT") != 0 ? number("COUNT", i) : 1;
-      const bool is_coordinate = fields[i] == "x" || fields[i] == "y" || fields[i] == "z";
-      if (is_coordinate && size == 4 && count == 1 && i < words("TYPE").size() &&
-          words("TYPE")[i] == "F") {
-        ++coordinates;
-      }
-      bytes += size * count;
+  void check_size() {
+    header_.width = number("WIDTH", 0);
+    header_.height = has("HEIGHT") ? number("HEIGHT", 0) : 1;
+    if (header_.height == 1) {
+      throw InputError(name_,
+                       "is not an organized cloud (HEIGHT 1): the pixels of the depth image are "
+                       "lost; save the clouds as the camera delivers them");
     }
-    if (coordinates != 3 || bytes > kMaximumPointBytes) {
-      throw InputError(name_, "its points do not have coordinates x, y, z of type float");
+    if (header_.width < kMinimumPcdSize || header_.height < kMinimumPcdSize ||
+        !is_image_size(header_.width, header_.height) ||
+        (has("POINTS") && number("POINTS", 0) != header_.points())) {
+      throw InputError(name_, "WIDTH, HEIGHT and POINTS do not describe an image of at most " +
+                                  std::to_string(kMaximumImagePixels) + " pixels");
     }
-    return bytes;
   }
 
-  void check_data(std::size_t expected) {
-    const std::string kind = words("DATA").front();
+  void check_fields() {
+    const Words& fields = words("FIELDS");
+    std::array<int, 3> found{};
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const std::size_t size = has("SIZE") ? number("SIZE", i) : sizeof(float);
+      const std::size_t count = has("COUNT") ? number("COUNT", i) : 1;
+      const std::size_t axis = fields[i].size() == 1 ? std::string("xyz").find(fields[i]) : 3;
+      if (axis < 3 && count == 1 && is_real(i, size)) {
+        header_.coordinates.at(axis) = {header_.point_bytes, header_.point_values, size};
+        ++found.at(axis);
+      }
+      if (size > kMaximumPointBytes || count > kMaximumPointBytes) {
+        header_.point_bytes = kMaximumPointBytes;
+      }
+      header_.point_bytes += size * count;
+      header_.point_values += count;
+      if (header_.point_bytes > kMaximumPointBytes) {
+        throw InputError(name_, "its points have more than " + std::to_string(kMaximumPointBytes) +
+                                    " bytes each");
+      }
+    }
+    if (found != std::array<int, 3>{1, 1, 1}) {
+      throw InputError(name_, "its points do not have coordinates x, y, z of type float");
+    }
+  }
+
+  bool is_real(std::size_t field, std::size_t size) const {
+    const bool is_float =
+        !has("TYPE") || (field < words("TYPE").size() && key_of(words("TYPE")[field]) == "F");
+    return is_float && (size == sizeof(float) || size == sizeof(double));
+  }
+
+  void check_data() {
+    const std::uint64_t expected = std::uint64_t{header_.points()} * header_.point_bytes;
+    if (expected > kMaximumCloudBytes) {
+      throw InputError(name_, "is a cloud of more than 1 GB; save x, y and z only");
+    }
+    const std::string& kind = words("DATA").front();
     if (kind == "binary") {
-      require(bytes_of_data_ >= expected);
+      header_.data = PcdHeader::Data::binary;
+      require(header_.bytes >= expected);
     } else if (kind == "binary_compressed") {
-      std::array<std::uint32_t, 2> sizes{};  // compressed, uncompressed
-      in_.read(reinterpret_cast<char*>(sizes.data()), sizeof(sizes));
-      require(in_ && sizes[1] == expected && bytes_of_data_ >= sizeof(sizes) + sizes[0]);
-    } else if (kind != "ascii") {
+      header_.data = PcdHeader::Data::compressed;
+      require(expected <= kMaximumExpansion * header_.bytes);
+    } else if (kind == "ascii") {
+      require(header_.bytes + 1 >= 2 * header_.points() * header_.point_values);
+    } else {
       throw InputError(name_, "its DATA is neither ascii, binary nor binary_compressed");
     }
   }
 
-  void require(bool complete) const {
-    if (!complete) {
+  void require(bool is_long_enough) const {
+    if (!is_long_enough) {
       throw InputError(name_,
                        "is truncated or damaged: its data is not as long as its header says");
     }
   }
 
   std::string name_;
-  std::ifstream in_;
-  std::map<std::string, std::vector<std::string>> entries_;
-  std::uint64_t data_ = 0;
-  std::uint64_t bytes_of_data_ = 0;
+  std::map<std::string, Words> entries_;
+  PcdHeader header_;
 };
 
 }  // namespace
 
-void check_pcd(const std::filesystem::path& file) {
-  PcdHeader(file).check();
+PcdHeader read_pcd_header(const std::filesystem::path& file) {
+  return HeaderReader(file).check();
 }
 
 }  // namespace lockbox

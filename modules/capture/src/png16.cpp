@@ -120,7 +120,8 @@ std::vector<png_bytep> rows_of(std::uint16_t* pixels, std::size_t width, std::si
 }  // namespace
 
 void read_png16(const std::filesystem::path& file, Image16& image) {
-  const File stream(std::fopen(file.c_str(), "rb"));
+  const File stream(std::filesystem::is_regular_file(file) ? std::fopen(file.c_str(), "rb")
+                                                           : nullptr);
   if (!stream) {
     throw InputError(file.string(), "no such image, or it cannot be read");
   }
@@ -135,6 +136,11 @@ void read_png16(const std::filesystem::path& file, Image16& image) {
                      "depth images must be 16-bit grey, this one has " +
                          std::to_string(header.bit_depth) + " bits a channel" +
                          (header.color_type == PNG_COLOR_TYPE_GRAY ? "" : ", colour"));
+  }
+  if (!is_image_size(header.width, header.height)) {
+    throw InputError(file.string(), "has " + size_text(header.width, header.height) +
+                                        " pixels, more than the " +
+                                        std::to_string(kMaximumImagePixels) + " that are read");
   }
   image.width = static_cast<int>(header.width);
   image.height = static_cast<int>(header.height);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "camera_plausibility.hpp"
+#include "image_limits.hpp"
 #include "lockbox/core/error.hpp"
 
 namespace lockbox {
@@ -39,12 +41,22 @@ std::vector<std::ptrdiff_t> undistortion_table(const CameraCalibration& calibrat
 
 }  // namespace
 
+CameraCalibration read_calibration(const std::filesystem::path& file,
+                                   const SourceOptions& options) {
+  CameraCalibration calibration = read_camera_info(file);
+  const std::optional<std::string> doubt = doubtful_principal_point(calibration.camera);
+  if (doubt && options.warn) {
+    options.warn(file.string() + ": " + *doubt);
+  }
+  return calibration;
+}
+
 std::optional<CameraCalibration> given_calibration(const SourceOptions& options) {
   if (options.camera) {
     return CameraCalibration{.camera = *options.camera, .distortion = {}, .depth_scale = {}};
   }
   if (options.camera_info) {
-    return read_camera_info(*options.camera_info);
+    return read_calibration(*options.camera_info, options);
   }
   return std::nullopt;
 }
@@ -59,11 +71,11 @@ Rectification::Rectification(std::optional<CameraCalibration> calibration)
 void Rectification::check_size(int width, int height, const std::string& where) const {
   if (calibration_ &&
       (calibration_->camera.width != width || calibration_->camera.height != height)) {
-    throw InputError(where, "images are " + std::to_string(width) + "x" + std::to_string(height) +
+    const PinholeCamera& camera = calibration_->camera;
+    throw InputError(where, "images are " + size_text(width, height) +
                                 " but the camera calibration is for " +
-                                std::to_string(calibration_->camera.width) + "x" +
-                                std::to_string(calibration_->camera.height) +
-                                "; give the calibration of this camera at this resolution");
+                                size_text(camera.width, camera.height) + "; " +
+                                size_advice(camera, width, height));
   }
 }
 

@@ -11,6 +11,9 @@
 
 namespace lockbox {
 
+/// Reads it, and tells options.warn what is doubtful about it. Throws InputError.
+CameraCalibration read_calibration(const std::filesystem::path& file, const SourceOptions& options);
+
 /// The calibration that the user gave, if any: options.camera, else options.camera_info.
 std::optional<CameraCalibration> given_calibration(const SourceOptions& options);
 

@@ -11,15 +11,18 @@
 
 namespace lockbox {
 
+/// An image that cannot be used (missing, damaged, of another size) becomes a frame without any
+/// depth, told to options.warn and counted.
 class DepthFolderSource : public FrameSource {
  public:
-  /// Throws InputError, with file and line.
+  /// Throws InputError, with file and line, also if none of the first 300 images can be used.
   explicit DepthFolderSource(const std::filesystem::path& folder,
                              const SourceOptions& options = {});
   ~DepthFolderSource() override;
 
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override;
+  SourceFaults faults() const override;
   std::string description() const override;  ///< says the depth scale in force
 
  private:

@@ -13,6 +13,12 @@
 
 namespace lockbox {
 
+/// What a source had to mend in the frames delivered so far.
+struct SourceFaults {
+  std::size_t unreadable = 0;  ///< file missing, damaged, of another size: came without any depth
+  std::size_t restamped = 0;   ///< stamp not later than that of the frame before: was advanced
+};
+
 /// Delivers frames one after the other, on demand. Not thread-safe.
 class FrameSource {
  public:
@@ -29,13 +35,15 @@ class FrameSource {
   /// Whether frames come when their time has come, and those not taken by then are dropped.
   virtual bool is_realtime() const { return false; }
 
+  virtual SourceFaults faults() const { return {}; }
+
   virtual std::string description() const = 0;
 };
 
 struct SourceOptions {
   std::optional<PinholeCamera> camera;               ///< overrides the source's own intrinsics
   std::optional<std::filesystem::path> camera_info;  ///< ROS camera calibration YAML
-  std::optional<double> depth_scale;                 ///< units per metre, depth folders
+  std::optional<double> depth_scale;                 ///< units per metre, folders
   bool realtime = false;                             ///< play recordings at recorded speed
   std::function<void(const std::string&)> warn;      ///< told what looks wrong but is usable
   /// Asked again and again, every half a second at least, while next() waits for a device or for
@@ -44,6 +52,8 @@ struct SourceOptions {
 };
 
 /// Opens `openni2:`, `openni2:<uri>`, a .oni file, a folder with depth.txt, or a folder of .pcd.
+/// The stamps of frames increase: one that is not later than the last, or is no number, is advanced
+/// to the last plus the frame period (at least 1 us), told once to options.warn, and counted.
 std::unique_ptr<FrameSource> open_source(const std::string& source,
                                          const SourceOptions& options = {});
 

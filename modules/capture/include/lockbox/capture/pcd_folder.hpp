@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sequences of organized point clouds in .pcd files. PCL's reader and writer are in a component of
-// their own, loaded when they are asked for: they bring all of VTK.
+// Sequences of organized point clouds in .pcd files. PCL's writer and compression are in a
+// component of their own, loaded when they are asked for: they bring all of VTK.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,22 @@
 
 namespace lockbox {
 
-/// Delivers the clouds of a folder, in name order, as depth images. Intrinsics are recovered from
-/// the first cloud by least squares unless options give them. Depths that are whole millimetres
-/// stay so; others are rounded to the finest of 0.1, 0.25 and 1 mm that reaches the farthest point.
-/// Stamps come from the names if all hold one (docs/file-formats.md), else are 1/30 s apart.
+/// Delivers the clouds of a folder, in natural order of their names, as depth images. Intrinsics
+/// are recovered from the first cloud that tells them, by least squares, unless options give them.
+/// Depths that are whole millimetres stay so; others are rounded to the finest of 0.1, 0.25 and 1
+/// mm that reaches the farthest point. If all names hold stamps (docs/file-formats.md), these are
+/// the frames' times and their order; else frames are 1/30 s apart. A cloud that cannot be used,
+/// one of another size, too, becomes a frame without any depth, told to options.warn and counted.
 class PcdFolderSource : public FrameSource {
  public:
-  /// Throws InputError if there are no clouds, or their camera can not be recovered, or if
-  /// the component is not installed.
+  /// Throws InputError if there are no clouds, none of the first 300 can be used, their camera can
+  /// not be recovered, or they are not in metres (nor in options.depth_scale).
   explicit PcdFolderSource(const std::filesystem::path& folder, const SourceOptions& options = {});
   ~PcdFolderSource() override;
 
-  /// Throws InputError for a damaged cloud or one that is not organized.
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override;
+  SourceFaults faults() const override;
   std::string description() const override;
 
  private:
