@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 
 #include "commands.hpp"
+#include "counted.hpp"
 #include "evaluation_tree.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/units.hpp"
+#include "lockbox/evaluation/matching_stamps.hpp"
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/report.hpp"
+#include "lockbox/evaluation/tum_trajectory.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "model_options.hpp"
 #include "output_paths.hpp"
@@ -37,10 +41,51 @@ void print_evaluation(const KinematicTree& tree, const Evaluation& evaluation) {
               summary.errors);
   }
   const JudgementCount& judgement = evaluation.judgement;
-  std::cout << judgement.tracking << " of " << evaluation.frames.size()
-            << " frames tracked, of these wrong: " << judgement.tracking_but_wrong
+  std::cout << judgement.tracking << " of " << counted(evaluation.frames.size(), "frame")
+            << " tracked, of these wrong: " << judgement.tracking_but_wrong
             << "; right but not called tracking: " << judgement.right_but_not_tracking
             << "; without an estimate near in time: " << evaluation.unmatched << '\n';
+}
+
+void warn(const std::string& text) {
+  std::cerr << "lockbox: warning: " << text << '\n';
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text.append(text.empty() ? "" : ", ").append(name);
+  return text.empty() ? "none" : text;
+}
+
+/// Joints of the file, judged by its header, that the tree has not.
+std::vector<std::string> foreign_joints(const std::string& file, const KinematicTree& tree) {
+  std::vector<std::string> names;
+  for (const Joint& found : tree_of_columns(file).joints) {
+    if (std::none_of(tree.joints.begin(), tree.joints.end(),
+                     [&found](const Joint& joint) { return joint.name == found.name; })) {
+      names.push_back(found.name);
+    }
+  }
+  return names;
+}
+
+/// The reference, or what is wrong about it, also if it belongs to another model.
+StatesFile read_reference(const std::string& file, const KinematicTree& tree) try {
+  StatesFile reference = read_states(file, tree);
+  const auto foreign = foreign_joints(file, tree);
+  if (!foreign.empty()) {
+    warn(file + " has joints that the model of the estimate has not: " + listed(foreign) +
+         "; is it the truth of another model?");
+  }
+  return reference;
+} catch (const InputError& error) {
+  const auto foreign = foreign_joints(file, tree);
+  if (foreign.empty()) throw;
+  std::vector<std::string> own;
+  for (const Joint& joint : tree.joints) own.push_back(joint.name);
+  throw InputError(std::string(error.what()) + "\n" + file,
+                   "is it the truth of another model? Its joints are " + listed(foreign) +
+                       ", those of the estimate's model " + listed(own));
 }
 
 class EvaluateCommand : public Command {
@@ -49,7 +94,9 @@ class EvaluateCommand : public Command {
     options.add_option("-e,--estimate", estimate_, "Estimated states (states.csv of a run)")
         ->required()
         ->type_name("FILE");
-    options.add_option("-r,--reference", reference_, "True states (groundtruth.csv)")
+    options
+        .add_option("-r,--reference", reference_,
+                    "True states (groundtruth.csv), or a TUM trajectory: of the base only")
         ->required()
         ->type_name("FILE");
     options.add_option("-o,--output", output_, "Folder for summary.json, errors.csv and plots")
@@ -63,12 +110,24 @@ class EvaluateCommand : public Command {
   }
 
   ExitStatus run() override {
-    const KinematicTree tree = load_tree();
+    if (is_tum_trajectory(estimate_)) {
+      throw InputError(estimate_, "is a TUM trajectory; give the states.csv that stands beside it");
+    }
+    const bool base_only = is_tum_trajectory(reference_);
+    const KinematicTree tree = base_only ? tree_without_joints() : load_tree();
     std::optional<std::vector<FrameBound>> bounds;
     if (!bounds_.empty()) bounds = read_bounds(bounds_, tree);
-    const Evaluation evaluation =
-        evaluate(tree, read_states(estimate_, tree), read_states(reference_, tree), bounds);
+    StatesFile estimate = read_states(estimate_, tree);
+    StatesFile reference =
+        base_only ? read_tum_trajectory(reference_) : read_reference(reference_, tree);
+    for (const auto& remark : match_stamps(estimate, reference, reference_)) warn(remark);
+    if (base_only) {
+      std::cerr << "lockbox: " << reference_ << " is a TUM trajectory: joints are not compared\n";
+      reference = at_times_of(estimate, reference);
+    }
+    const Evaluation evaluation = evaluate(tree, estimate, reference, bounds);
     print_evaluation(tree, evaluation);
+    warn_if_all_is_wrong(evaluation.judgement);
     if (!output_.empty()) write_files(tree, evaluation);
     return ExitStatus::done;
   }
@@ -83,6 +142,20 @@ class EvaluateCommand : public Command {
                    "angles, the distances of sliding ones, too\n";
     }
     return tree;
+  }
+
+  static KinematicTree tree_without_joints() {
+    KinematicTree tree;
+    tree.bodies.resize(1);
+    return tree;
+  }
+
+  void warn_if_all_is_wrong(const JudgementCount& judgement) const {
+    constexpr std::size_t kSuspicious = 10;  // frames: so many are not wrong by chance
+    if (judgement.tracking >= kSuspicious && judgement.tracking_but_wrong == judgement.tracking) {
+      warn("no frame that was tracked agrees with " + reference_ +
+           "; is it the truth of this recording, with the pose of the base in the camera's frame?");
+    }
   }
 
   void write_files(const KinematicTree& tree, const Evaluation& evaluation) const {
