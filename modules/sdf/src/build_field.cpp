@@ -10,6 +10,7 @@
 #include "coarse_grid.hpp"
 #include "fine_grid.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/readable_text.hpp"
 
 namespace lockbox {
 namespace {
@@ -19,8 +20,8 @@ using Storage = SignedDistanceField::Storage;
 void require_valid(const FieldOptions& options) {
   const auto is_length = [](double value) { return std::isfinite(value) && value >= 0.0; };
   if (!is_length(options.voxel) || !is_length(options.band) || !is_length(options.far_reach) ||
-      !is_length(options.memory_budget)) {
-    throw InputError("field options", "voxel, band, reach and budget must not be negative");
+      !is_length(options.memory_budget) || !is_length(options.memory_limit)) {
+    throw InputError("field options", "voxel, band, reach, budget and limit must not be negative");
   }
 }
 
@@ -28,9 +29,9 @@ void require_fine_enough(double voxel, const Solid& solid) {
   const double coarsest = 0.5 * solid.thickness();
   // The thickness is measured with rays: an equal voxel must not fail by their rounding.
   if (voxel > 1.001 * coarsest) {
-    throw InputError("geometry", "a voxel of " + length_text(voxel) +
+    throw InputError("geometry", "a voxel of " + readable_length(voxel) +
                                      " is more than half the thinnest wall; choose " +
-                                     length_text(coarsest) + " or less");
+                                     readable_length(coarsest) + " or less");
   }
 }
 
@@ -123,7 +124,7 @@ SignedDistanceField build_field(const TriangleMesh& mesh, const FieldOptions& op
   double error = volume_error(field);
   for (int i = 0; i < kMostTries && error > kMostError; ++i) {
     const double finer = field.voxel() * std::max(0.25, std::sqrt(kAimedError / error));
-    const auto grid = refined_fine_grid(solid, options, finer, executor);
+    const auto grid = grid_within_budget(solid, finer, options, executor);
     if (!grid) {
       break;
     }

@@ -2,22 +2,25 @@
 #include "fine_grid.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <optional>
+#include <string>
 
 #include "lockbox/core/error.hpp"
-#include "lockbox/core/number_text.hpp"
+#include "lockbox/core/readable_text.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr double kBytesPerBlock = 2.0 * kBlockVolume;
-/// Of each block of the bounding box, stored or not, while it is decided.
-constexpr double kBytesPerPlace = 5.0;
-constexpr double kMostBytes = 512e6;
+constexpr double kTableBytesPerBlock = 5.0;  // its entry, and whether it is near the surface
+// A larger table asks for a coarser voxel: bodies of sparse parts, such as tripods, have one. Twice
+// as many bytes keep the voxel in a body that is larger by a quarter.
+constexpr double kMostTableBytes = 64e6;
 constexpr double kUsualBand = 0.02;
 constexpr double kLeastBandVoxels = 4.0;
+
+double band_of(const FieldOptions& options, double usual, double voxel) {
+  return options.band > 0.0 ? options.band : std::max(usual, kLeastBandVoxels * voxel);
+}
 
 /// What a band of this width takes at least: the band on one side of the surface.
 double least_bytes(const Solid& solid, double voxel, double band) {
@@ -25,22 +28,61 @@ double least_bytes(const Solid& solid, double voxel, double band) {
   return solid.area() * band / (block * block * block) * kBytesPerBlock;
 }
 
-/// What the band takes by default, or as the options say.
-double band_for(const FieldOptions& options, double usual, double voxel) {
-  return options.band > 0.0 ? options.band : std::max(usual, kLeastBandVoxels * voxel);
+/// Of the table of all blocks within the bounds. A small surface that reaches far has a large one.
+double table_bytes(const Solid& solid, double voxel, double band) {
+  const Eigen::Array3d covered = solid.bounds().sizes().array() + 2.0 * band;
+  return (covered / (kBlockCells * voxel) + 1.0).prod() * kTableBytesPerBlock;
 }
 
-/// Nothing if the blocks would take more than that.
+/// Nothing if the blocks, or their table, would take more than that.
 std::optional<FineGrid> make_fine_grid(const Solid& solid, double voxel, double band,
-                                       double most_bytes, const Executor& executor) {
-  const Eigen::Array3d blocks =
-      ((solid.bounds().sizes().array() + 2.0 * band) / (kBlockCells * voxel)).ceil();
-  if (least_bytes(solid, voxel, band) > most_bytes || kBytesPerPlace * blocks.prod() > kMostBytes) {
+                                       double most_bytes, double most_table_bytes,
+                                       const Executor& executor) {
+  if (table_bytes(solid, voxel, band) > most_table_bytes ||
+      least_bytes(solid, voxel, band) > most_bytes) {
     return std::nullopt;
   }
   FineGrid grid{make_fine_layout(solid.bounds(), voxel, band), {}};
   grid.stored = blocks_near_surface(grid.layout, solid.tree(), executor);
   return grid.bytes() <= most_bytes ? std::optional(std::move(grid)) : std::nullopt;
+}
+
+/// Nothing if blocks and table together would take more than the limit.
+std::optional<FineGrid> grid_within_limit(const Solid& solid, double voxel, double usual_band,
+                                          const FieldOptions& options, const Executor& executor) {
+  const double band = band_of(options, usual_band, voxel);
+  const double table = table_bytes(solid, voxel, band);
+  return make_fine_grid(solid, voxel, band, options.memory_limit - table, options.memory_limit,
+                        executor);
+}
+
+/// A voxel, not finer than the given one, whose field keeps the limit for sure.
+double affordable_voxel(const Solid& solid, double voxel, const FieldOptions& options) {
+  constexpr double kStep = 1.05;
+  constexpr double kMostOfLeast = 8.0;  // both sides, whole blocks at their borders, and edges
+  const double coarsest = solid.bounds().diagonal().norm();
+  const auto bytes = [&] {
+    const double band = band_of(options, 0.0, voxel);
+    return kMostOfLeast * least_bytes(solid, voxel, band) + table_bytes(solid, voxel, band);
+  };
+  while (voxel < coarsest && bytes() > options.memory_limit) voxel *= kStep;
+  return voxel;
+}
+
+[[noreturn]] void refuse(const Solid& solid, double voxel, const FieldOptions& options) {
+  const double affordable = affordable_voxel(solid, voxel, options);
+  const std::string problem = "a field with a voxel of " + readable_length(voxel) +
+                              " would take more than the limit of " +
+                              readable_number(1e-6 * options.memory_limit) + " MB; ";
+  if (affordable <= 0.5 * solid.thickness()) {
+    throw InputError("geometry", problem + "choose a voxel of " + readable_length(affordable) +
+                                     " to " + readable_length(0.5 * solid.thickness()));
+  }
+  throw InputError("geometry", problem + "its walls of " + readable_length(solid.thickness()) +
+                                   " allow none that is coarser: over a link that is " +
+                                   readable_length(solid.bounds().sizes().maxCoeff()) +
+                                   " large, thicken them to " + readable_length(2.0 * affordable) +
+                                   " or more, or divide the link into several bodies");
 }
 
 }  // namespace
@@ -49,63 +91,30 @@ double FineGrid::bytes() const {
   return kBytesPerBlock * static_cast<double>(stored.size());
 }
 
-std::string length_text(double metres) {
-  struct Unit {
-    double per_metre;
-    const char* name;
-  };
-  constexpr std::array<Unit, 4> kUnits = {{{1.0, " m"}, {1e3, " mm"}, {1e6, " um"}, {1e9, " nm"}}};
-  // Tenths of a millimetre are more familiar than micrometres.
-  constexpr double kLeastMillimetres = 1e-4;
-  const std::size_t unit =
-      metres >= 1.0 ? 0 : (metres >= kLeastMillimetres ? 1 : (metres >= 1e-6 ? 2 : 3));
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.2e", kUnits[unit].per_metre * metres);
-  return fixed_number_text(parse_number(digits).value_or(metres)) + kUnits[unit].name;
-}
-
-std::optional<FineGrid> refined_fine_grid(const Solid& solid, const FieldOptions& options,
-                                          double voxel, const Executor& executor) {
-  const double band = band_for(options, kUsualBand, voxel);
-  return make_fine_grid(solid, voxel, band, options.memory_budget, executor);
+std::optional<FineGrid> grid_within_budget(const Solid& solid, double voxel,
+                                           const FieldOptions& options, const Executor& executor) {
+  return make_fine_grid(solid, voxel, band_of(options, kUsualBand, voxel), options.memory_budget,
+                        kMostTableBytes, executor);
 }
 
 FineGrid choose_fine_grid(const Solid& solid, const FieldOptions& options,
                           const Executor& executor) {
   const bool is_automatic = options.voxel <= 0.0;
-  const double coarsest = 0.5 * solid.thickness();
+  const double coarsest = is_automatic ? 0.5 * solid.thickness() : options.voxel;
   double voxel = is_automatic
                      ? std::min(std::clamp(0.25 * solid.thickness(), 0.001, 0.004), coarsest)
                      : options.voxel;
   // First a coarser voxel, then a narrower band; more than the budget only if neither helps.
+  std::optional<FineGrid> grid;
   while (is_automatic) {
-    if (auto grid = refined_fine_grid(solid, options, voxel, executor)) {
-      return *std::move(grid);
-    }
-    if (voxel >= coarsest) {
-      break;
-    }
+    grid = grid_within_budget(solid, voxel, options, executor);
+    if (grid || voxel >= coarsest) break;
     voxel = std::min(1.2 * voxel, coarsest);
   }
-  const auto last_grid = [&](double last_voxel) {
-    const double band = band_for(options, is_automatic ? 0.0 : kUsualBand, last_voxel);
-    return make_fine_grid(solid, last_voxel, band, kMostBytes, executor);
-  };
-  if (auto grid = last_grid(voxel)) {
-    return *std::move(grid);
-  }
-  if (!is_automatic && last_grid(coarsest)) {
-    throw InputError("geometry", "a field with a voxel of " + length_text(voxel) +
-                                     " would take more than 512 MB; choose a larger voxel, up to " +
-                                     length_text(coarsest) + ", half the thinnest wall");
-  }
-  throw InputError("geometry",
-                   "the thinnest wall, " + length_text(solid.thickness()) +
-                       ", is too thin for a body of " +
-                       length_text(solid.bounds().diagonal().norm()) +
-                       ": a field that is fine enough would take more than 512 MB; thicken such "
-                       "walls, or leave them out of the mesh (is its scale right? lengths are in "
-                       "metres)");
+  if (!is_automatic) grid = grid_within_limit(solid, voxel, kUsualBand, options, executor);
+  if (!grid) grid = grid_within_limit(solid, voxel, 0.0, options, executor);
+  if (!grid || grid->bytes() > options.memory_limit) refuse(solid, voxel, options);
+  return *std::move(grid);
 }
 
 }  // namespace lockbox

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "fine_layout.hpp"
 #include "lockbox/sdf/build_field.hpp"
@@ -17,16 +16,13 @@ struct FineGrid {
   double bytes() const;
 };
 
-/// For people: "3.5 mm", "12 m", three digits of a unit that suits, never an exponent.
-std::string length_text(double metres);
-
-/// With this voxel, and the band that the options ask for; nothing beyond the budget.
-std::optional<FineGrid> refined_fine_grid(const Solid& solid, const FieldOptions& options,
-                                          double voxel, const Executor& executor);
-
 /// With the voxel and band that the options ask for, or with the finest that keep the budget.
-/// Throws InputError for a field beyond 512 MB.
+/// Throws InputError for a field beyond the memory limit, before its memory is taken.
 FineGrid choose_fine_grid(const Solid& solid, const FieldOptions& options,
                           const Executor& executor);
+
+/// With that voxel and the usual band; nothing if that exceeds the budget.
+std::optional<FineGrid> grid_within_budget(const Solid& solid, double voxel,
+                                           const FieldOptions& options, const Executor& executor);
 
 }  // namespace lockbox

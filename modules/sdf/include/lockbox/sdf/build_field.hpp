@@ -14,12 +14,16 @@ struct FieldOptions {
   /// half the wall, where memory_budget would be exceeded.
   double voxel = 0.0;
   /// Metres that the fine samples reach to both sides of the surface. 0: 20 mm or four voxels, the
-  /// larger; four voxels if that is needed to keep the memory_budget.
+  /// larger; four voxels if that is needed to keep the memory_budget, or for a voxel that is given
+  /// the memory_limit.
   double band = 0.0;
   /// Metres that the coarse samples reach beyond the bounds.
   double far_reach = 0.5;
   /// Bytes of fine samples; only what is chosen automatically keeps it.
   double memory_budget = 16e6;
+  /// Bytes of fine samples and of the table of their blocks that no field exceeds. It decides
+  /// whether there is a field, never what is in it.
+  double memory_limit = 512e6;
 
   bool operator==(const FieldOptions&) const = default;
 };
@@ -32,7 +36,8 @@ struct FieldOptions {
 /// The mesh is welded and oriented first, and small holes are closed (see
 /// with_small_holes_closed()). Small gaps are tolerated. Throws InputError for an empty
 /// mesh, one with more than about a hundredth of its surface missing, a voxel above half the
-/// thinnest wall, invalid options, and a field beyond 512 MB; the message names no link.
+/// thinnest wall, invalid options, and, before the memory is taken, a field beyond the
+/// memory_limit; the message names no link.
 ///
 /// storage().thickness is the fifth percentile over the surface of the way through the solid along
 /// the inward normal, for the shell where it is least. storage().mesh_volume is that of the union:
