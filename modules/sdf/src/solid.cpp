@@ -6,7 +6,6 @@
 #include <string>
 
 #include "lockbox/core/error.hpp"
-#include "lockbox/core/readable_text.hpp"
 #include "lockbox/mesh/repair.hpp"
 #include "lockbox/mesh/topology.hpp"
 #include "wall_thickness.hpp"
