@@ -20,6 +20,7 @@ const std::vector<ExperimentEntry>& experiments();
 // One source each: <name>_experiment.cpp.
 std::unique_ptr<Experiment> make_accuracy_experiment();
 std::unique_ptr<Experiment> make_convergence_experiment();
+std::unique_ptr<Experiment> make_creep_experiment();
 std::unique_ptr<Experiment> make_global_experiment();
 std::unique_ptr<Experiment> make_intersection_experiment();
 std::unique_ptr<Experiment> make_kidnap_experiment();

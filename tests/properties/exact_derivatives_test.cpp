@@ -9,6 +9,7 @@
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/model/surface_levers.hpp"
 #include "lockbox/registration/collision_term.hpp"
+#include "lockbox/registration/continued_edges.hpp"
 #include "lockbox/registration/edge_tile.hpp"
 #include "lockbox/registration/free_space_term.hpp"
 #include "lockbox/registration/model_term.hpp"
@@ -82,7 +83,7 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
   for (const double spread : {0.0, 0.01}) {
     const Configuration at = displaced(0.7);
     surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
-    surface.predict(points, executor, predicted);
+    surface.predict(points, ContinuedEdges(), executor, predicted);
     ModelTerm term;
     std::vector<BodySystem> systems(model.tree.bodies.size());
     const ModelTerm::Scene scene{model, points, cloud.camera(), predicted, options, executor};
@@ -114,15 +115,17 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   samples.choose(surface, plan.density(), 1, executor);
   for (std::size_t row = 0; row < samples.rows(); ++row) samples.place_row(surface, row);
   samples.finish();
+  const ContinuedEdges none;
   OutlinePoints outlines;
   outlines.begin(surface.view());
   for (std::size_t i = 0; i < outlines.bands(); ++i) {
-    outlines.find_band({model, surface, edges, 1, options}, i);
+    outlines.find_band({model, surface, edges, none, 1, options}, i);
   }
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
   constexpr double kSpread = 0.005;
-  term.select({model, surface, samples, outlines, cloud, options, executor}, poses(at), kSpread);
+  term.select({model, surface, samples, outlines, none, cloud, options, executor}, poses(at),
+              kSpread);
   const double cost = term.linearize(poses(at), kSpread, systems);
   ASSERT_GT(term.pulled_samples(), 50U);
   EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));

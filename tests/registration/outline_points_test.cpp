@@ -25,10 +25,11 @@ OutlinePoints outlines_of(const ArticulatedModel& model, const VisibleSurface& s
                           const Executor& executor) {
   ViewEdges edges;
   edges.find(surface.view(), executor);
+  const ContinuedEdges none;
   OutlinePoints outlines;
   outlines.begin(surface.view());
   executor.for_each(outlines.bands(), [&](std::size_t i) {
-    outlines.find_band({model, surface, edges, spacing, {}}, i);
+    outlines.find_band({model, surface, edges, none, spacing, {}}, i);
   });
   return outlines;
 }

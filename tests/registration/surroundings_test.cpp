@@ -11,6 +11,7 @@
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/registration/continued_edges.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 
 namespace lockbox {
@@ -65,7 +66,7 @@ TEST(Surroundings, PointsAreLabelledByTheirDistanceFromTheOutline) {
   PixelPrediction predicted;
   ImagePoints points;
   points.assign(cloud, Executor());
-  surface.predict(points, Executor(), predicted);
+  surface.predict(points, ContinuedEdges(), Executor(), predicted);
   int beside = 0;
   for (std::size_t t = 0; t < points.tiles().size(); t += 7) {
     if (points.tiles()[t].count == 0) continue;

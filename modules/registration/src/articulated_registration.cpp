@@ -233,7 +233,8 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
     return;
   }
   free_term_.select(
-      {model_, view_->surface(), view_->samples(), view_->outlines(), cloud, options_, executor_},
+      {model_, view_->surface(), view_->samples(), view_->outlines(), view_->continued(), cloud,
+       options_, executor_},
       poses_, spread);
   selected_ = result_.configuration;
   selected_spread_ = spread;

@@ -52,8 +52,10 @@ EdgeTerm::~EdgeTerm() = default;
 EdgeTerm::EdgeTerm(EdgeTerm&&) noexcept = default;
 
 void EdgeTerm::linearize(const TiledCloud& cloud, const VisibleSurface& view,
-                         std::size_t tiles_per_joint, const BodyPoses& T_camera_body,
+                         const ContinuedEdges& continued, std::size_t tiles_per_joint, const BodyPoses& T_camera_body,
                          const std::vector<BodyJacobian>& jacobians) {
+  view_ = &view;
+  continued_ = &continued;
   prepare(cloud.camera(), T_camera_body);
   express_in_camera(T_camera_body, jacobians);
   selection_.select(view, cloud.camera(), least_bend_, executor_);
@@ -171,6 +173,7 @@ void EdgeTerm::find_edges(const TiledCloud& cloud, const Pixel& first, int row,
     if (column >= columns) break;
     const std::size_t i = index({first.u + column, first.v + row}, cloud.camera());
     if (!(cloud.depth()[i] > 0.0F) || !cloud.keeps(i)) continue;
+    if (continued_->covers(view_->view_pixel(i))) continue;
     if (!worker.tile.may_show_nothing(column, row)) worker.columns.push_back(column);
   }
 }

@@ -37,6 +37,7 @@ class PullFinder {
  public:
   PullFinder(const FreeSpaceTerm::Scene& scene, const BodyPoses& T_body_camera, double spread)
       : surface_(scene.surface),
+        continued_(scene.continued),
         camera_(scene.cloud.camera()),
         observed_(scene.model, scene.surface, T_body_camera, scene.cloud, scene.options, spread),
         options_(scene.options),
@@ -58,7 +59,8 @@ class PullFinder {
     if (observed_.shows_object(*pixel, sample.body)) {
       return std::nullopt;  // the tail of the noise: this point has its say in the model term
     }
-    if (is_beside_outline(sample, plane)) {
+    if (is_beside_outline(sample, plane) ||
+        continued_.covers(surface_.view().index(sample.pixel.u, sample.pixel.v))) {
       return std::nullopt;
     }
     return aim(sample, weight, p, *pixel);
@@ -120,6 +122,7 @@ class PullFinder {
   }
 
   const VisibleSurface& surface_;
+  const ContinuedEdges& continued_;
   const PinholeCamera& camera_;
   const ObservedSurface observed_;
   const RegistrationOptions& options_;

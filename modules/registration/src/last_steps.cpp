@@ -68,7 +68,7 @@ void ArticulatedRegistration::refine_at_edges(const TiledCloud& cloud, bool hold
   const std::size_t tiles = view_detail(options_.point_budget).edge_tiles_per_joint;
   if (tiles == 0) return;
   body_jacobians(model_.tree, poses_, jacobians_);
-  edges_.linearize(cloud, view_->surface(), tiles, poses_, jacobians_);
+  edges_.linearize(cloud, view_->surface(), view_->continued(), tiles, poses_, jacobians_);
   edge_equations_.information = edges_.information();
   edge_equations_.gradient = edges_.gradient();
   for (Index i = 0; i < scale_.unit.size(); ++i) {

@@ -14,11 +14,13 @@ constexpr float kLeastAgreement = 0.5F;  // of the field's normal with the z-buf
 
 }  // namespace
 
-OutlineFinder::OutlineFinder(const VisibleSurface& surface, const ViewEdges& edges, int spacing,
+OutlineFinder::OutlineFinder(const VisibleSurface& surface, const ViewEdges& edges,
+                             const ContinuedEdges& continued, int spacing,
                              const RegistrationOptions& options)
     : surface_(surface),
       view_(surface.view()),
       edges_(edges),
+      continued_(continued),
       camera_(surface.view_camera()),
       options_(options),
       points_per_pixel_(std::max(1, surface.reduction() / spacing)) {}
@@ -31,7 +33,7 @@ void OutlineFinder::append_jumps(int v, std::vector<Pixel>& pixels) const {
   const float floor = dead_zone * static_cast<float>(options_.noise.depth_floor);
   const float quadratic = dead_zone * static_cast<float>(options_.noise.depth_quadratic);
   for (const int u : edges_.row(v)) {
-    if (u < first || u >= end) continue;
+    if (u < first || u >= end || continued_.covers(view_.index(u, v))) continue;
     const float beside =
         std::max(std::max(z[u - 1], z[u + 1]), std::max(z[u - view_.width], z[u + view_.width]));
     if (beside > z[u] + (quadratic * (z[u] * z[u]) + floor)) pixels.push_back({u, v});

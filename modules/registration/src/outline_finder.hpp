@@ -17,7 +17,8 @@ namespace lockbox {
 class OutlineFinder {
  public:
   /// All of these must outlive the object. spacing: see OutlinePoints::Scene.
-  OutlineFinder(const VisibleSurface& surface, const ViewEdges& edges, int spacing,
+  OutlineFinder(const VisibleSurface& surface, const ViewEdges& edges,
+                const ContinuedEdges& continued, int spacing,
                 const RegistrationOptions& options);
 
   /// The pixels of row v to look beside: they have a neighbour which lies farther away by more than
@@ -46,6 +47,7 @@ class OutlineFinder {
   const VisibleSurface& surface_;
   const RenderedDepth& view_;
   const ViewEdges& edges_;
+  const ContinuedEdges& continued_;
   const PinholeCamera& camera_;
   const RegistrationOptions& options_;
   int points_per_pixel_;

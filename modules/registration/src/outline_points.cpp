@@ -86,7 +86,8 @@ void OutlinePoints::begin(const RenderedDepth& view) {
 
 void OutlinePoints::find_band(const Scene& scene, std::size_t i) {
   const RenderedDepth& view = scene.surface.view();
-  const OutlineFinder finder(scene.surface, scene.edges, scene.spacing, scene.options);
+  const OutlineFinder finder(scene.surface, scene.edges, scene.continued, scene.spacing,
+                             scene.options);
   const int first_row = static_cast<int>(i) * kRowsInBand;
   ImageWindow rows = view.drawn;
   rows.top = std::max({first_row, 1, view.drawn.top});

@@ -26,6 +26,7 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   is_drawn_ = true;
   configuration_ = configuration;
   if (!cloud.has_image()) {
+    continued_.clear();
     points_ = &cloud.blocks();
     prediction_.body.assign(points_->x().size(), kernels::label_beside(0.0F));
     prediction_.depth.assign(points_->x().size(), 0.0F);
@@ -36,6 +37,7 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   const int columns = view_columns(detail_.rays, model, poses_, cloud.camera());
   surface_.render(model, poses_, cloud.camera(), columns, executor);
   view_edges_.find(surface_.view(), executor);
+  continued_.find(model, surface_, view_edges_, cloud, reach, options);
   plan_.plan(surface_.view(), view_edges_, surface_.reduction(), surface_.view_camera().fx, reach,
              is_thinned ? point_budget_ : kViewSamples, executor);
   const bool is_pooled = is_predicted && !cloud.is_masked();
@@ -49,15 +51,15 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
     all_.assign(cloud, executor);
     points_ = &all_;
   }
-  surface_.predict(*points_, executor, prediction_);
+  surface_.predict(*points_, continued_, executor, prediction_);
 }
 
 /// What is taken from the view, at once: samples, outlines, and points if they are pooled.
 void PredictedView::gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_pooled,
                            const RegistrationOptions& options, const Executor& executor) {
   samples_.choose(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
-  const OutlinePoints::Scene outlined{model, surface_, view_edges_, detail_.outline_spacing,
-                                      options};
+  const OutlinePoints::Scene outlined{model,      surface_, view_edges_,
+                                      continued_, detail_.outline_spacing, options};
   const PooledPoints::Scene pooled{cloud, surface_, plan_.density(),
                                    point_budget_ > 0 ? kLeastSpacing : 1, options};
   outlines_.begin(surface_.view());

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "lockbox/kernels/point_to_field.hpp"
+#include "lockbox/registration/continued_edges.hpp"
 #include "lockbox/rendering/body_item.hpp"
 
 namespace lockbox {
@@ -16,6 +17,7 @@ constexpr std::size_t kColumnsPerChunk = 32;
 constexpr std::size_t kTilesPerChunk = 4;
 constexpr std::uint8_t kFarthestCounted = 255;
 constexpr std::int16_t kFarthestLabel = -1 - kFarthestCounted;
+constexpr float kFarBeside = kernels::label_beside(1e6F);  // metres: beyond all gates
 
 /// distance <- min(distance, neighbour + 1) for each pixel of a row and its neighbour in another
 /// one. Without a branch, so that it is done for many pixels at once.
@@ -171,8 +173,8 @@ void VisibleSurface::label_row(int v) {
   }
 }
 
-void VisibleSurface::predict(const PointTiles& points, const Executor& executor,
-                             PixelPrediction& prediction) const {
+void VisibleSurface::predict(const PointTiles& points, const ContinuedEdges& continued,
+                             const Executor& executor, PixelPrediction& prediction) const {
   prediction.body.resize(points.x().size());
   prediction.depth.resize(points.x().size());
   const auto pixel_size = static_cast<float>(static_cast<double>(reduction_) / full_camera_.fx);
@@ -188,6 +190,12 @@ void VisibleSurface::predict(const PointTiles& points, const Executor& executor,
       const bool shows_body = label >= 0.0F;
       body[i] = shows_body ? label : kernels::label_beside((-1.0F - label) * pixel_size * z[i]);
       depth[i] = shows_body ? drawn : 0.0F;
+    }
+    if (!continued.any()) return;
+    for (std::size_t i = 0; i < tile.padded; ++i) {
+      if (!continued.covers(view_pixel_[pixel[i]])) continue;
+      body[i] = kFarBeside;
+      depth[i] = 0.0F;
     }
   };
   executor.for_each_chunk(points.tiles().size(), kTilesPerChunk,

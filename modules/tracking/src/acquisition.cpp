@@ -38,7 +38,7 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
                                                     const std::optional<Configuration>& guess,
                                                     SearchScope scope) {
   best_.reset();
-  if (guess && scope != SearchScope::anywhere && find_from(frame, *guess)) {
+  if (guess && scope != SearchScope::anywhere && find_from(frame, *guess, scope)) {
     return best_;
   }
   if (scope != SearchScope::near) {
@@ -81,15 +81,19 @@ void Acquisition::doubt_joints(const JointMargins& margins, RegistrationResult& 
   }
 }
 
-bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess) {
-  if (consider(registration_.align(cloud_, guess, narrow()))) return true;
+bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess,
+                            SearchScope scope) {
+  if (is_enough(registration_.align(cloud_, guess, narrow()), scope)) return true;
   const bool is_on_its_way = best_->last_move > options_.most_last_move;
-  if (is_on_its_way && consider(registration_.align(cloud_, best_->at_rest, narrow()))) return true;
+  if (is_on_its_way &&
+      is_enough(registration_.align(cloud_, best_->at_rest, narrow()), scope)) {
+    return true;
+  }
   const auto contradicted = contradicted_variables(*best_, model_.tree, options_);
   if (!contradicted.empty() && consider(with_joints_sought(best_->at_rest, contradicted))) {
     return true;
   }
-  if (consider(find_near(frame, guess))) return true;
+  if (is_enough(find_near(frame, guess), scope)) return true;
   // Frames that did not wait for a search went by, and joints may have moved anywhere in them.
   return options_.background_search &&
          consider(with_joints_sought(
@@ -106,6 +110,16 @@ RegistrationResult Acquisition::with_joints_sought(const Configuration& start,
 
 Annealing Acquisition::narrow() const {
   return {options_.start_joint_spread, options_.start_joint_iterations};
+}
+
+/// Keeps it if it is the best so far; true if nothing else is to be sought.
+bool Acquisition::is_enough(const RegistrationResult& found, SearchScope scope) {
+  if (consider(found)) return true;
+  if (scope != SearchScope::given_first || !agrees(found, options_) || !rests(found, options_)) {
+    return false;
+  }
+  best_ = found;
+  return true;
 }
 
 /// Keeps it if it is the best so far; true if it is judged `tracking`.

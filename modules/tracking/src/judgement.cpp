@@ -56,13 +56,20 @@ double conviction(const RegistrationResult& registered, const TrackerOptions& op
   return agreement.conviction();
 }
 
-bool is_believable(const RegistrationResult& registered, const TrackerOptions& options) {
+bool agrees(const RegistrationResult& registered, const TrackerOptions& options) {
   const Agreement& whole = registered.agreement;
   const auto& bodies = registered.body_agreement;
   return whole.explained >= options.least_explained && whole.consent() >= options.least_agreement &&
-         registered.outline.continued() <= options.most_continued &&
          std::none_of(bodies.begin(), bodies.end(),
                       [&](const Agreement& body) { return is_contradicted(body, options); });
+}
+
+bool rests(const RegistrationResult& registered, const TrackerOptions& options) {
+  return registered.last_move <= options.most_last_move;
+}
+
+bool is_believable(const RegistrationResult& registered, const TrackerOptions& options) {
+  return agrees(registered, options) && registered.outline.continued() <= options.most_continued;
 }
 
 TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options) {
@@ -70,10 +77,10 @@ TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions&
   if (whole.explained < 0.5 * options.least_explained || whole.consent() < options.lost_agreement) {
     return TrackingStatus::lost;
   }
-  const bool rests = registered.last_move <= options.most_last_move;
   const bool is_known = registered.sigma.head<3>().norm() <= options.most_base_sigma;
-  return rests && is_known && is_believable(registered, options) ? TrackingStatus::tracking
-                                                                 : TrackingStatus::uncertain;
+  return rests(registered, options) && is_known && is_believable(registered, options)
+             ? TrackingStatus::tracking
+             : TrackingStatus::uncertain;
 }
 
 }  // namespace lockbox

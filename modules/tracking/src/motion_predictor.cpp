@@ -45,6 +45,10 @@ void MotionPredictor::update(double stamp, const Configuration& configuration,
   const double dt = stamp - stamp_;
   if (dt > 0.0 && dt <= kLongestStep) {
     base_velocity_ = log_se3(last_.T_camera_base.inverse() * configuration.T_camera_base) / dt;
+    for (int i = 0; i < 6; ++i) {
+      const auto unknown = static_cast<std::size_t>(i);
+      if (!observable[unknown] || !last_observable_[unknown]) base_velocity_[i] = 0.0;
+    }
     for (int v = 0; v < tree_.variables(); ++v) {
       const auto unknown = static_cast<std::size_t>(6 + v);
       const bool seen_twice = observable[unknown] && last_observable_[unknown];

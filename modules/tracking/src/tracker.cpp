@@ -6,6 +6,7 @@ namespace {
 
 constexpr double kSuddenlyHidden = 0.15;  // of the visible surface, from one frame to the next
 constexpr int kFramesOfDoubt = 4;         // until the object is sought anywhere
+constexpr int kRepeatsToRest = 4;         // of an image, until what is found in it rests
 
 }  // namespace
 
@@ -24,6 +25,7 @@ Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
 
 void Tracker::start(const Configuration& configuration) {
   guess_ = configuration;
+  is_kept_ = true;
   frames_searched_ = 0;
   rival_distance_ = 0.0;
   result_.status = TrackingStatus::initializing;
@@ -34,7 +36,28 @@ bool Tracker::is_known() const {
   return result_.status == TrackingStatus::tracking || result_.status == TrackingStatus::uncertain;
 }
 
+/// Whether it is the last image again, once too often to still tell anything.
+bool Tracker::shows_nothing_new(const DepthFrame& frame) {
+  if (frame.camera == last_camera_ && frame.metres_per_unit == last_unit_ &&
+      frame.depth == last_depth_) {
+    ++repeats_;
+  } else {
+    repeats_ = 0;
+    last_depth_ = frame.depth;
+    last_camera_ = frame.camera;
+    last_unit_ = frame.metres_per_unit;
+  }
+  return repeats_ >= kRepeatsToRest && is_known() && is_kept_;
+}
+
 const TrackingResult& Tracker::process(const DepthFrame& frame) {
+  if (shows_nothing_new(frame)) {
+    result_.stamp = frame.stamp;
+    result_.cloud_time = {};
+    result_.step_time = {};
+    result_.latency_ms = 0.0;
+    return result_;
+  }
   const Stopwatch cloud_watch;
   cloud_.assign(frame, options_.cloud, executor_);
   result_.cloud_time = cloud_watch.elapsed();
@@ -65,6 +88,7 @@ void Tracker::follow(const DepthFrame& frame) {
       rival_distance_ > 0.0 ? with_rival_sought(frame, followed) : followed;
   const bool was_believed = result_.status == TrackingStatus::tracking;
   report(found);
+  is_kept_ = result_.status == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
   if (!was_believed && result_.status == TrackingStatus::tracking) {
     predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
   } else {
@@ -122,7 +146,15 @@ bool Tracker::is_hidden_at_once(const RegistrationResult& registered) const {
 
 /// What leaps farther between two frames than the gate is wide is seen through where it was.
 bool Tracker::has_leapt(const RegistrationResult& registered) const {
-  return !is_believable(registered, options_) || is_hidden_at_once(registered);
+  const bool is_explained =
+      is_kept_ ? agrees(registered, options_) : is_believable(registered, options_);
+  return !is_explained || is_hidden_at_once(registered);
+}
+
+/// Whether there is nothing to be sought.
+bool Tracker::is_settled(const RegistrationResult& registered) const {
+  return judge(registered, options_) == TrackingStatus::tracking ||
+         (is_kept_ && agrees(registered, options_) && rests(registered, options_));
 }
 
 /// It is followed until it rests; joints are sought over their ranges, then the base around where
@@ -144,7 +176,7 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
   if (is_hidden && !options_.background_search) {  // by itself, when the estimate lies behind it
     keep_better(acquisition_.find_near(frame, *guess_), options_, best_);
   }
-  if (judge(best_, options_) != TrackingStatus::tracking) {
+  if (!is_settled(best_)) {
     const bool anywhere = options_.search_anywhere && frames_searched_ >= kFramesOfDoubt;
     if (const auto found = sought(frame, anywhere ? SearchScope::near_first : SearchScope::near)) {
       keep_better(*found, options_, best_);

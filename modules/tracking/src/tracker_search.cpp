@@ -21,8 +21,8 @@ bool search_is_due(int frames_searched) {
 }  // namespace
 
 void Tracker::search(const DepthFrame& frame) {
-  const auto found =
-      sought(frame, options_.search_anywhere ? SearchScope::near_first : SearchScope::near);
+  const SearchScope near_first = is_kept_ ? SearchScope::given_first : SearchScope::near_first;
+  const auto found = sought(frame, options_.search_anywhere ? near_first : SearchScope::near);
   const bool is_first = result_.status != TrackingStatus::lost && !guess_;
   // The first estimate must be believable.
   if (!found || (is_first && judge(*found, options_) != TrackingStatus::tracking)) {
@@ -30,6 +30,8 @@ void Tracker::search(const DepthFrame& frame) {
     return;
   }
   report(*found);
+  is_kept_ =
+      result_.status == TrackingStatus::tracking || (is_kept_ && agrees(*found, options_));
   if (is_known()) {
     frames_searched_ = 0;
     if (result_.status == TrackingStatus::tracking) guess_ = found->at_rest;
@@ -75,9 +77,7 @@ std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame
   std::optional<RegistrationResult> found;
   background_->show(frame);
   if (const auto answer = background_->take()) found = brought_up_to_date(*answer);
-  const auto is_found = [&] {
-    return found && judge(*found, options_) == TrackingStatus::tracking;
-  };
+  const auto is_found = [&] { return found && is_settled(*found); };
   // Following is no remedy where two places look alike: then only a search of the whole frame is.
   if (is_due && !is_found() && scope != SearchScope::anywhere) {
     if (auto here = where_it_was()) found = std::move(here);

@@ -22,6 +22,7 @@
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/kinematic_tree.hpp"
+#include "lockbox/registration/continued_edges.hpp"
 #include "lockbox/registration/edge_selection.hpp"
 #include "lockbox/registration/normal_equations.hpp"
 #include "lockbox/registration/registration_options.hpp"
@@ -41,7 +42,9 @@ class EdgeTerm {
   /// Compares the image, which the cloud must have, with the model there. view: of the model where
   /// it is, or very near; tells which tiles show edges. tiles_per_joint: of those that are
   /// compared, for each variable those that tell most; kAllTiles, or without joints: all.
-  void linearize(const TiledCloud& cloud, const VisibleSurface& view, std::size_t tiles_per_joint,
+  /// Edges beyond which the scene goes on are left out.
+  void linearize(const TiledCloud& cloud, const VisibleSurface& view,
+                 const ContinuedEdges& continued, std::size_t tiles_per_joint,
                  const BodyPoses& T_camera_body, const std::vector<BodyJacobian>& jacobians);
 
   /// chi^2 / 2 as a function of a step (base twist, joint variables), at the configuration drawn.
@@ -81,6 +84,8 @@ class EdgeTerm {
   Executor executor_;
   float least_bend_;  ///< 1/metre: what bends less from pixel to pixel tells nothing
   EdgeSelection selection_;
+  const VisibleSurface* view_ = nullptr;       ///< of the last linearisation
+  const ContinuedEdges* continued_ = nullptr;  ///< the same
   std::unique_ptr<DepthRenderer> sample_renderer_;  ///< of EdgeTile::kSamples samples a pixel
   std::vector<std::unique_ptr<Worker>> workers_;
 

@@ -29,6 +29,7 @@ class FreeSpaceTerm {
     const VisibleSurface& surface;
     const ViewSamples& samples;     ///< of the surface
     const OutlinePoints& outlines;  ///< of the surface
+    const ContinuedEdges& continued;  ///< of the surface
     const TiledCloud& cloud;
     const RegistrationOptions& options;
     const Executor& executor;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/continued_edges.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/view_edges.hpp"
 #include "lockbox/registration/visible_surface.hpp"
@@ -33,7 +34,8 @@ class OutlinePoints {
   struct Scene {
     const ArticulatedModel& model;
     const VisibleSurface& surface;
-    const ViewEdges& edges;  ///< of the surface's view
+    const ViewEdges& edges;           ///< of the surface's view
+    const ContinuedEdges& continued;  ///< those of them that are no outlines
     int spacing;  ///< pixels of the camera from one point to the next, where the view has as many
     const RegistrationOptions& options;
   };

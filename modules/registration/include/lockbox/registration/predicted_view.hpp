@@ -9,6 +9,7 @@
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/continued_edges.hpp"
 #include "lockbox/registration/model_term.hpp"
 #include "lockbox/registration/outline_points.hpp"
 #include "lockbox/registration/pooled_points.hpp"
@@ -47,6 +48,8 @@ class PredictedView {
   bool has_own_tiles() const { return points_ == &thinned_ || points_ == &pooled_; }
   const PixelPrediction& prediction() const { return prediction_; }  ///< of the points
   const VisibleSurface& surface() const { return surface_; }
+  /// Where the scene goes on beyond the surface's edges.
+  const ContinuedEdges& continued() const { return continued_; }
   const ViewSamples& samples() const { return samples_; }      ///< of the surface
   const OutlinePoints& outlines() const { return outlines_; }  ///< of the surface
 
@@ -60,6 +63,7 @@ class PredictedView {
   Configuration configuration_;  ///< as it was drawn
   VisibleSurface surface_;
   ViewEdges view_edges_;
+  ContinuedEdges continued_;
   SamplingPlan plan_;
   ViewSamples samples_;
   OutlinePoints outlines_;

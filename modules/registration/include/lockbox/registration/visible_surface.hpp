@@ -16,6 +16,8 @@
 
 namespace lockbox {
 
+class ContinuedEdges;
+
 /// Reuses its buffers.
 class VisibleSurface {
  public:
@@ -28,9 +30,13 @@ class VisibleSurface {
     return {u * reduction_ + reduction_ / 2, v * reduction_ + reduction_ / 2};
   }
 
-  /// What the view shows in the pixels of points, as the camera of render() measured them.
-  void predict(const PointTiles& points, const Executor& executor,
+  /// What the view shows in the pixels of points, as the camera of render() measured them; far
+  /// beside all bodies where the scene goes on beyond an edge.
+  void predict(const PointTiles& points, const ContinuedEdges& continued, const Executor& executor,
                PixelPrediction& prediction) const;
+
+  /// The pixel of the view that shows what a pixel of the camera would, by index.
+  std::size_t view_pixel(std::size_t camera_pixel) const { return view_pixel_[camera_pixel]; }
 
   /// The z-buffer, and how many pixels of the camera lie along each side of one of its own.
   const RenderedDepth& view() const { return image_; }

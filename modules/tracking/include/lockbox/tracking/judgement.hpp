@@ -20,8 +20,14 @@ std::string to_string(TrackingStatus status);
 /// for the scene goes on beyond its outline, explains nothing.
 double conviction(const RegistrationResult& registered, const TrackerOptions& options);
 
-/// Whether enough of the model is explained, and nothing speaks against it: neither a contradicted
-/// body, however small it is beside the others, nor a surface that goes on beyond the outline.
+/// Whether enough of the model is explained, and nothing that is seen contradicts it, of any body,
+/// however small it is beside the others. It may still not be determined where it is.
+bool agrees(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// Whether it has come to rest: what still moves may end anywhere.
+bool rests(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// Whether it agrees, and the surface does not go on beyond the outline, as that of a wall does.
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options);
 
 /// Of a registered configuration: `tracking`, `uncertain` or `lost`. What is not believable, of

@@ -50,8 +50,10 @@ class Tracker {
   /// reports `initializing` until it was found.
   void start(const Configuration& configuration);
 
-  /// Valid until the next call. Throws InputError if the frame is not a depth image, and Stopped if
-  /// a search was asked to stop (TrackerOptions::stop_request); the frame then counts as not seen.
+  /// An image that is shown again says nothing new, for its errors are the same: once what was found
+  /// in it has come to rest, it stays. Valid until the next call. Throws InputError if the frame is
+  /// not a depth image, and Stopped if a search was asked to stop (TrackerOptions::stop_request);
+  /// the frame then counts as not seen.
   const TrackingResult& process(const DepthFrame& frame);
 
   const TiledCloud& cloud() const { return cloud_; }
@@ -60,6 +62,7 @@ class Tracker {
 
  private:
   bool is_known() const;
+  bool shows_nothing_new(const DepthFrame& frame);
   void search(const DepthFrame& frame);
   std::optional<RegistrationResult> sought(const DepthFrame& frame, SearchScope scope);
   std::optional<RegistrationResult> sought_in_background(const DepthFrame& frame, SearchScope scope,
@@ -78,6 +81,7 @@ class Tracker {
   bool is_on_its_way(const Configuration& start, const RegistrationResult& result) const;
   bool is_hidden_at_once(const RegistrationResult& registered) const;
   bool has_leapt(const RegistrationResult& registered) const;
+  bool is_settled(const RegistrationResult& registered) const;
   const RegistrationResult& with_leap_followed(const DepthFrame& frame,
                                                const Configuration& prediction,
                                                const RegistrationResult& registered);
@@ -96,6 +100,13 @@ class Tracker {
   Acquisition acquisition_;
   MotionPredictor predictor_;
   std::optional<Configuration> guess_;
+  /// The estimate was tracked, or given, and nothing has contradicted it since. Then it is followed
+  /// even where the image does not determine it, and not sought elsewhere.
+  bool is_kept_ = false;
+  std::vector<std::uint16_t> last_depth_;  ///< the image that was processed last
+  PinholeCamera last_camera_;
+  float last_unit_ = 0.0F;
+  int repeats_ = 0;  ///< of that image, in a row
   int frames_searched_ = 0;           ///< since the object was last tracked
   std::vector<int> sought_joints_;    ///< variables to be sought over their whole range
   JointMargins hidden_margins_;       ///< of those that were sought since they were hidden

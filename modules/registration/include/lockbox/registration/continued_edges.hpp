@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the scene goes on beyond an edge of the model: a carton among cartons, a drawer between
+// drawers, a board that is let into a wall.
+//
+// An edge of the model says where the model is because the scene ends there, or bends. Where the
+// measured surface goes on in the plane of the model's own for as far as gates reach, its points say
+// nothing about the edge: as many would be near to it wherever it were. Yet each of them pulls at the
+// nearest side of the model, and against the sides that the camera sees there is nothing on those
+// that it does not see: the estimate would creep along the plane, and be called sure.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/registration_options.hpp"
+#include "lockbox/registration/view_edges.hpp"
+#include "lockbox/registration/visible_surface.hpp"
+
+namespace lockbox {
+
+/// Reuses its buffers.
+class ContinuedEdges {
+ public:
+  /// Looks at the image, which the cloud must have, beyond the edges of a view of the model.
+  /// reach: how far beyond (metres) points may pull, at least as far as it looks.
+  void find(const ArticulatedModel& model, const VisibleSurface& surface, const ViewEdges& edges,
+            const TiledCloud& cloud, double reach, const RegistrationOptions& options);
+
+  /// Forgets them all: for clouds without an image.
+  void clear() { is_any_ = false; }
+
+  /// Whether there are any.
+  bool any() const { return is_any_; }
+
+  /// Whether a pixel of the view lies beyond an edge across which the scene goes on, within reach, or
+  /// before it so near that noise along the ray makes the side behind the edge the nearest: what is
+  /// measured there says nothing about where the model is.
+  bool covers(std::size_t view_pixel) const { return is_any_ && covered_[view_pixel] != 0; }
+
+ private:
+  /// What lies beyond edges that are near each other and face the same way: standard deviations of
+  /// a depth, behind the plane that goes on.
+  struct Stretch {
+    double measured = 0.0;      ///< sum over walks of the mean over each
+    double measured_far = 0.0;  ///< the same over its farther half
+    double predicted = 0.0;     ///< what the model shows instead
+    int walks = 0;
+  };
+  /// From a pixel at an edge, along one of the four ways.
+  struct Walk {
+    int u;
+    int v;
+    int way;
+    int length;  ///< pixels of the view, beyond
+    int within;  ///< the same, before
+    std::size_t stretch;
+  };
+
+  void look_across(const VisibleSurface& surface, const TiledCloud& cloud, int u, int v, int way);
+  void walk(const VisibleSurface& surface, const TiledCloud& cloud, const Walk& walk);
+  Stretch around(std::size_t stretch) const;
+  static bool goes_on(const Stretch& stretch);
+  void cover(const Walk& walk, const RenderedDepth& view);
+
+  RegistrationOptions options_;
+  double reach_ = 0.0;
+  bool is_any_ = false;
+  int columns_ = 0;  ///< of cells
+  int rows_ = 0;
+  std::vector<Stretch> stretches_;
+  std::vector<double> rounded_;  ///< by body: metres from its edges where its field is round
+  std::vector<Walk> walks_;
+  std::vector<std::uint8_t> covered_;  ///< by pixel of the view
+};
+
+}  // namespace lockbox

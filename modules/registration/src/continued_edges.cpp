@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/registration/continued_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "outline.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr int kCell = 8;  // pixels of the view along each side of what makes a stretch
+constexpr int kWays = 4;
+constexpr std::array<std::array<int, 2>, kWays> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+/// Metres beyond an edge that are looked at: what lies farther is beyond the gates of tracking.
+constexpr double kLeastReach = 0.02;
+/// Standard deviations of a depth, of means over a stretch, which err by a third of one: nearer to
+/// the plane than that, the scene goes on in it; and the model must differ from it by twice that to
+/// be contradicted.
+constexpr double kGoesOn = 1.25;
+constexpr double kDiffers = 2.0 * kGoesOn;
+/// The same, of what is level: a seam between bodies.
+constexpr double kLevel = 0.1;
+/// Tri-linear distances turn normals within so many voxels of an edge.
+constexpr double kRoundedVoxels = 2.0;
+constexpr int kLeastLength = 3;  // pixels of the view: less has no farther half
+
+bool contains(const RenderedDepth& view, int u, int v) {
+  return u >= 0 && v >= 0 && u < view.width && v < view.height;
+}
+
+/// Means over a walk of how far behind the plane something lies, and over its farther half.
+class MeanBehind {
+ public:
+  void add(double behind, bool is_far) {
+    sum_ += behind;
+    ++count_;
+    far_sum_ += is_far ? behind : 0.0;
+    far_count_ += is_far ? 1 : 0;
+  }
+  bool knows(int length) const { return 2 * count_ >= length && 4 * far_count_ >= length; }
+  double mean() const { return sum_ / count_; }
+  double far_mean() const { return far_sum_ / far_count_; }
+
+ private:
+  double sum_ = 0.0;
+  double far_sum_ = 0.0;
+  int count_ = 0;
+  int far_count_ = 0;
+};
+
+}  // namespace
+
+void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& surface,
+                          const ViewEdges& edges, const TiledCloud& cloud, double reach,
+                          const RegistrationOptions& options) {
+  const RenderedDepth& view = surface.view();
+  options_ = options;
+  reach_ = std::max(reach, kLeastReach);
+  rounded_.clear();
+  for (const auto& field : model.fields) {
+    rounded_.push_back(field ? kRoundedVoxels * field->voxel() : 0.0);
+  }
+  columns_ = view.width / kCell + 1;
+  rows_ = view.height / kCell + 1;
+  stretches_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kWays,
+                    Stretch{});
+  walks_.clear();
+  is_any_ = false;
+  for (int v = 0; v < view.height; ++v) {
+    for (const int u : edges.row(v)) {
+      if (view.id[view.index(u, v)] == kNothing) continue;
+      for (int way = 0; way < kWays; ++way) look_across(surface, cloud, u, v, way);
+    }
+  }
+  for (const Walk& walk : walks_) {
+    if (goes_on(around(walk.stretch))) cover(walk, view);
+  }
+}
+
+/// From a pixel to its neighbour, which may fall back behind its plane, or go on in it as another
+/// body.
+void ContinuedEdges::look_across(const VisibleSurface& surface, const TiledCloud& cloud, int u,
+                                 int v, int way) {
+  const RenderedDepth& view = surface.view();
+  const auto& [du, dv] = kSteps[static_cast<std::size_t>(way)];
+  if (!contains(view, u + du, v + dv)) return;
+  const std::size_t here = view.index(u, v);
+  const std::size_t next = view.index(u + du, v + dv);
+  const auto depth = static_cast<double>(view.depth[here]);
+  const double behind = static_cast<double>(view.depth[next]) -
+                        depth * TangentPlane(view, u, v).relative_depth(du, dv);
+  const double least = kLevel * options_.noise.sigma_z(depth);
+  const double pixel = depth / surface.view_camera().fx;
+  const auto pixels = [pixel](double metres) { return static_cast<int>(std::ceil(metres / pixel)); };
+  const int within = pixels(rounded_[static_cast<std::size_t>(view.id[here])]);
+  if (behind > least) {
+    const auto stretch =
+        static_cast<std::size_t>(kWays * (v / kCell * columns_ + u / kCell) + way);
+    walk(surface, cloud, {u, v, way, pixels(reach_) + 1, within, stretch});
+  } else if (view.id[here] != view.id[next] && behind > -least) {
+    cover({u, v, way, 0, within, 0}, view);
+  }
+}
+
+void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud,
+                          const Walk& walk) {
+  const RenderedDepth& view = surface.view();
+  const auto& [du, dv] = kSteps[static_cast<std::size_t>(walk.way)];
+  if (walk.length < kLeastLength ||
+      !contains(view, walk.u + walk.length * du, walk.v + walk.length * dv)) {
+    return;
+  }
+  const TangentPlane plane(view, walk.u, walk.v);
+  const auto depth = static_cast<double>(view.depth[view.index(walk.u, walk.v)]);
+  const double noise = options_.noise.sigma_z(depth);
+  const auto behind = [&](double z, double goes_on) {
+    return std::clamp((z - goes_on) / noise, -options_.cut, options_.cut);
+  };
+  MeanBehind measured;
+  double predicted = 0.0;
+  for (int k = 1; k <= walk.length; ++k) {
+    const int u = walk.u + k * du;
+    const int v = walk.v + k * dv;
+    const double goes_on = depth * plane.relative_depth(k * du, k * dv);
+    predicted += behind(static_cast<double>(view.depth[view.index(u, v)]), goes_on);
+    const Pixel seen = surface.camera_pixel(u, v);
+    const auto z = static_cast<double>(
+        cloud.depth()[static_cast<std::size_t>(seen.v) *
+                          static_cast<std::size_t>(cloud.camera().width) +
+                      static_cast<std::size_t>(seen.u)]);
+    if (z > 0.0) measured.add(behind(z, goes_on), 2 * k > walk.length);
+  }
+  if (!measured.knows(walk.length)) return;
+  Stretch& sums = stretches_[walk.stretch];
+  sums.measured += measured.mean();
+  sums.measured_far += measured.far_mean();
+  sums.predicted += predicted / walk.length;
+  ++sums.walks;
+  walks_.push_back(walk);
+}
+
+bool ContinuedEdges::goes_on(const Stretch& stretch) {
+  const double limit = kGoesOn * stretch.walks;
+  return std::abs(stretch.measured) < limit && std::abs(stretch.measured_far) < limit &&
+         stretch.predicted > kDiffers * stretch.walks;
+}
+
+/// With its neighbours: the noise of one goes together.
+ContinuedEdges::Stretch ContinuedEdges::around(std::size_t stretch) const {
+  const int way = static_cast<int>(stretch) % kWays;
+  const int cell = static_cast<int>(stretch) / kWays;
+  Stretch sum;
+  for (int row = cell / columns_ - 1; row <= cell / columns_ + 1; ++row) {
+    for (int column = cell % columns_ - 1; column <= cell % columns_ + 1; ++column) {
+      if (row < 0 || column < 0 || row >= rows_ || column >= columns_) continue;
+      const Stretch& part =
+          stretches_[static_cast<std::size_t>(kWays * (row * columns_ + column) + way)];
+      sum.measured += part.measured;
+      sum.measured_far += part.measured_far;
+      sum.predicted += part.predicted;
+      sum.walks += part.walks;
+    }
+  }
+  return sum;
+}
+
+/// What lies before and beyond the edge, and to both sides as far as beyond: past a corner, too.
+void ContinuedEdges::cover(const Walk& walk, const RenderedDepth& view) {
+  if (!is_any_) covered_.assign(view.id.size(), 0);
+  is_any_ = true;
+  const auto& [du, dv] = kSteps[static_cast<std::size_t>(walk.way)];
+  for (int k = -walk.within; k <= walk.length; ++k) {
+    for (int aside = std::min(0, -k); aside <= std::max(0, k); ++aside) {
+      const int u = walk.u + k * du + aside * dv;
+      const int v = walk.v + k * dv + aside * du;
+      if (contains(view, u, v)) covered_[view.index(u, v)] = 1;
+    }
+  }
+}
+
+}  // namespace lockbox
