@@ -57,6 +57,23 @@ std::string run_experiment(const std::string& name, const std::string& model,
 const std::vector<std::string> kFewStarts = {"--samples", "1",  "--step",   "45",
                                              "--frames",  "12", "--joints", "free"};
 
+TEST(Creep, ShowsWhatIsNotDeterminedAtRest) {
+  const TemporaryFolder folder;
+  run_experiment("creep", "carton_pair", folder / "out", {"--frames", "14"});
+  const auto rows = read_rows(folder / "out/creep_carton_pair.csv");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].at("scene"), "alone");
+  EXPECT_EQ(rows[0].at("tracking"), "14");
+  EXPECT_EQ(rows[1].at("scene"), "packed");
+  EXPECT_EQ(rows[1].at("base_is_determined"), "0");
+  EXPECT_EQ(rows[1].at("joints_determined"), "0");
+  for (const auto& row : rows) {
+    EXPECT_LT(number(row, "base_mm"), 0.1);
+    EXPECT_LT(number(row, "base_degrees"), 0.01);
+    EXPECT_LT(number(row, "joints"), 1e-4);
+  }
+}
+
 TEST(Convergence, HasARowForEachStartAndSumsThemUp) {
   const TemporaryFolder folder;
   const auto summary = run_experiment("convergence", "rigid_block", folder / "out", kFewStarts);
