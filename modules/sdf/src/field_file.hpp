@@ -12,7 +12,7 @@
 namespace lockbox {
 
 /// Raise it whenever the layout, or what build_field makes of the same input, changes.
-inline constexpr std::uint32_t kFieldFormat = 4;
+inline constexpr std::uint32_t kFieldFormat = 5;
 
 std::string to_bytes(const SignedDistanceField::Storage& storage, std::uint64_t key);
 

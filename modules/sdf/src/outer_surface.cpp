@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "lockbox/mesh/surface_sampling.hpp"
-#include "lockbox/mesh/topology.hpp"
+#include "mesh_parts.hpp"
+#include "surplus_volume.hpp"
 
 namespace lockbox {
 namespace {
@@ -15,44 +16,11 @@ namespace {
 /// How far beside the surface the winding number is asked for, as a share of the diagonal.
 constexpr double kStandOff = 2e-5;
 
-/// A part of the mesh that can bury another part, or be buried.
+/// A part of the mesh near a triangle, which it can bury.
 struct Bounded {
-  std::uint32_t part;
   Eigen::AlignedBox3d box;
   double piece;  ///< longest side of the pieces that a triangle within the box is judged by
 };
-
-/// Each closed shell is a part; all that is not closed is one together, for it bounds nothing
-/// alone.
-Shells find_parts(const TriangleMesh& mesh) {
-  Shells parts = find_shells(mesh);
-  std::vector<std::uint8_t> is_open(parts.count, 0);
-  for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> edge) {
-    if (edge.size() != 2) {
-      for (const HalfEdge& half : edge) {
-        is_open[parts.of_triangle[half.triangle]] = 1;
-      }
-    }
-  });
-  for (std::uint32_t& part : parts.of_triangle) {
-    part = is_open[part] != 0 ? parts.count : part;
-  }
-  ++parts.count;
-  return parts;
-}
-
-std::vector<Bounded> part_bounds(const TriangleMesh& mesh, const Shells& parts) {
-  std::vector<Bounded> boxes(parts.count);
-  for (std::uint32_t part = 0; part < parts.count; ++part) {
-    boxes[part] = {part, {}, 0.0};
-  }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const Eigen::Vector3d& corner : mesh.corners(t)) {
-      boxes[parts.of_triangle[t]].box.extend(corner);
-    }
-  }
-  return boxes;
-}
 
 Eigen::AlignedBox3d box_of(const Corners& corners) {
   Eigen::AlignedBox3d box(corners[0]);
@@ -65,43 +33,13 @@ Eigen::AlignedBox3d box_of(const Corners& corners) {
 struct Exposed {
   std::vector<Corners> pieces;
   std::vector<std::uint32_t> source;  ///< by piece: the triangle
-  double overlap = 0.0;               ///< m^3, see Sides::overlap_share()
-};
-
-/// The winding number a little outside of a point of the surface, and a little inside.
-struct Sides {
-  double outside;
-  double inside;
-
-  /// By how much it rises from the outside to the inside; 0 where both sides are inside the solid,
-  /// or both outside.
-  int jump() const {
-    const int rise = static_cast<int>(std::lround(inside - outside));
-    return (outside > 0.5) == (inside > 0.5) ? 0 : (rise == 0 ? 1 : rise);
-  }
-
-  /// The shells' volumes count what lies in several of them several times. That surplus is a body,
-  /// too (of a density: its winding number), and this is the share of the face that bounds it. 0 in
-  /// a flush contact: there its two faces cancel in the sum of volumes.
-  double overlap_share() const {
-    const double rise = inside - outside;
-    return std::abs(rise) < 0.5 ? 0.0 : (surplus(inside) - surplus(outside)) / rise;
-  }
-
- private:
-  static double surplus(double winding) { return winding - (winding > 0.5 ? 1.0 : 0.0); }
 };
 
 /// Cuts triangles until each piece is either exposed or buried.
 class BuriedRemover {
  public:
   BuriedRemover(const TriangleMesh& mesh, const WindingTree& winding)
-      : mesh_(mesh),
-        winding_(winding),
-        parts_(find_parts(mesh)),
-        boxes_(part_bounds(mesh, parts_)),
-        middle_(bounds(mesh).center()),
-        diagonal_(bounds(mesh).diagonal().norm()) {}
+      : mesh_(mesh), winding_(winding), parts_(mesh), diagonal_(bounds(mesh).diagonal().norm()) {}
 
   /// Of the triangles in [begin, end).
   Exposed cut(std::size_t begin, std::size_t end) const {
@@ -119,12 +57,13 @@ class BuriedRemover {
  private:
   std::vector<Bounded> others_near(const Eigen::AlignedBox3d& box, std::uint32_t triangle) const {
     std::vector<Bounded> others;
-    const std::uint32_t open_part = parts_.count - 1;
-    for (const Bounded& part : boxes_) {
-      const bool is_other = part.part != parts_.of_triangle[triangle];
-      if ((is_other || part.part == open_part) && !part.box.isEmpty() && is_near(box, part.box)) {
+    for (std::uint32_t part = 0; part < parts_.boxes.size(); ++part) {
+      const Eigen::AlignedBox3d& part_box = parts_.boxes[part];
+      const bool is_other = part != parts_.of_triangle[triangle];
+      if ((is_other || part == parts_.open_part()) && !part_box.isEmpty() &&
+          is_near(box, part_box)) {
         // What is not closed seldom buries itself: a coarser look must do.
-        others.push_back({part.part, part.box, diagonal_ / (is_other ? 64.0 : 16.0)});
+        others.push_back({part_box, diagonal_ / (is_other ? 64.0 : 16.0)});
       }
     }
     return others;
@@ -146,13 +85,12 @@ class BuriedRemover {
     std::size_t longest = 0;
     const double length = longest_side(piece, longest);
     if (length <= judged) {
-      const Probes probes = probe(piece, normal);
-      const bool is_mixed = std::any_of(probes.begin(), probes.end(), [&](const Sides& sides) {
-        return sides.jump() != probes.front().jump() ||
-               std::lround(sides.overlap_share()) != std::lround(probes.front().overlap_share());
-      });
+      const std::size_t exposed_probes = count_exposed(piece, normal);
+      const bool is_mixed = exposed_probes > 0 && exposed_probes < kProbes;
       if (!is_mixed || length <= judged / 4.0) {
-        return keep_judged(piece, probes, exposed);
+        // No piece is dropped while any of it is exposed.
+        if (exposed_probes > 0) exposed.pieces.push_back(piece);
+        return exposed_probes > 0;
       }
     }
     const std::size_t first = exposed.pieces.size();
@@ -179,29 +117,16 @@ class BuriedRemover {
     return length;
   }
 
-  /// Beside four points: the middle, then near the corners.
-  using Probes = std::array<Sides, 4>;
+  static constexpr std::size_t kProbes = 4;
 
-  Probes probe(const Corners& piece, const Eigen::Vector3d& normal) const {
+  /// Of four points, the middle and some near the corners.
+  std::size_t count_exposed(const Corners& piece, const Eigen::Vector3d& normal) const {
     const Eigen::Vector3d middle = (piece[0] + piece[1] + piece[2]) / 3.0;
-    Probes probes;
-    probes[0] = sides_at(middle, normal);
-    for (std::size_t i = 0; i < 3; ++i) {
-      probes[i + 1] = sides_at(piece[i] + 0.01 * (middle - piece[i]), normal);
+    std::size_t count = is_exposed(middle, normal) ? 1 : 0;
+    for (const Eigen::Vector3d& corner : piece) {
+      count += is_exposed(corner + 0.01 * (middle - corner), normal) ? 1 : 0;
     }
-    return probes;
-  }
-
-  /// The overlap goes by the middle of a piece, so that errors even out; but no piece is dropped
-  /// while any of it is exposed.
-  bool keep_judged(const Corners& piece, const Probes& probes, Exposed& exposed) const {
-    exposed.overlap += probes.front().overlap_share() * volume_below(piece);
-    const bool is_kept = std::any_of(probes.begin(), probes.end(),
-                                     [](const Sides& sides) { return sides.jump() != 0; });
-    if (is_kept) {
-      exposed.pieces.push_back(piece);
-    }
-    return is_kept;
+    return count;
   }
 
   static double longest_side(const Corners& piece, std::size_t& longest) {
@@ -216,21 +141,15 @@ class BuriedRemover {
     return length;
   }
 
-  Sides sides_at(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
+  /// Whether one side is inside the solid and the other outside.
+  bool is_exposed(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
     const Eigen::Vector3d offset = kStandOff * diagonal_ * normal;
-    return {winding_.counted(p + offset), winding_.counted(p - offset)};
-  }
-
-  /// The piece's term of the divergence theorem, m^3.
-  double volume_below(const Corners& piece) const {
-    return (piece[0] - middle_).dot(area_vector(piece)) / 3.0;
+    return winding_.is_inside(p + offset) != winding_.is_inside(p - offset);
   }
 
   const TriangleMesh& mesh_;
   const WindingTree& winding_;
-  Shells parts_;
-  std::vector<Bounded> boxes_;
-  Eigen::Vector3d middle_;
+  MeshParts parts_;
   double diagonal_;
 };
 
@@ -241,7 +160,6 @@ void append(const Exposed& exposed, OuterSurface& surface) {
     surface.mesh.triangles.push_back({first, first + 1, first + 2});
   }
   surface.source.insert(surface.source.end(), exposed.source.begin(), exposed.source.end());
-  surface.volume -= exposed.overlap;
 }
 
 }  // namespace
@@ -274,7 +192,7 @@ OuterSurface find_outer_surface(const TriangleMesh& mesh, const WindingTree& win
                             exposed[chunk] = remover.cut(begin, end);
                           });
   OuterSurface surface;
-  surface.volume = signed_volume(mesh);
+  surface.volume = signed_volume(mesh) - surplus_volume(mesh, winding, executor);
   for (const Exposed& some : exposed) append(some, surface);
   return surface;
 }
