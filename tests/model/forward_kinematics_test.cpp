@@ -171,14 +171,14 @@ TEST(Configuration, RestsAtTheLimitNearestToZero) {
   EXPECT_EQ(rest_configuration(tree).q[0], 0.25);
 }
 
-TEST(Configuration, LimitsOfAVariableIncludeThoseOfItsMimics) {
+TEST(Configuration, LimitsOfAVariableAreNotThoseOfItsMimics) {
   KinematicTree tree;
   add_joint(tree, 0, JointType::revolute, Eigen::Isometry3d::Identity(), Eigen::Vector3d::UnitX());
   add_joint(tree, 1, JointType::revolute, Eigen::Isometry3d::Identity(), Eigen::Vector3d::UnitX());
-  make_last_a_mimic(tree, 0, -4.0, 1.0);  // within [-2, 2] while the variable is in [-0.25, 0.75]
+  make_last_a_mimic(tree, 0, -4.0, 1.0);
   const VariableLimits limits = variable_limits(tree, 0);
-  EXPECT_DOUBLE_EQ(limits.lower, -0.25);
-  EXPECT_DOUBLE_EQ(limits.upper, 0.75);
+  EXPECT_DOUBLE_EQ(limits.lower, -2.0);
+  EXPECT_DOUBLE_EQ(limits.upper, 2.0);
   Configuration configuration = rest_configuration(tree);
   set_joint_position(tree, configuration, "joint0", 0.5);
   EXPECT_DOUBLE_EQ(joint_position(tree, configuration, 1), -1.0);

@@ -137,6 +137,40 @@ TEST_F(LoadKinematicTree, FindsMeshesInPackagesFoldersAboveAndByAddress) {
   unsetenv("ROS_PACKAGE_PATH");
 }
 
+/// Where packages of ROS 2 and of colcon's workspaces are installed.
+TEST_F(LoadKinematicTree, FindsMeshesOfInstalledPackages) {
+  write("prefix/share/shelf/meshes/part.obj", kTetrahedron);
+  const auto urdf =
+      write("model/model.urdf",
+            "<robot name=\"r\">" +
+                link("a",
+                     "<visual><geometry><mesh filename=\"package://shelf/meshes/part.obj\"/>"
+                     "</geometry></visual>") +
+                "</robot>");
+  EXPECT_THROW(load_kinematic_tree(urdf), InputError);
+  const std::string prefixes = "/opt/nowhere::" + (folder_ / "prefix").string();
+  for (const char* variable : {"AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"}) {
+    ASSERT_EQ(setenv(variable, prefixes.c_str(), 1), 0);
+    EXPECT_NO_THROW(load_kinematic_tree(urdf)) << variable;
+    unsetenv(variable);
+  }
+}
+
+/// A clone is often called otherwise than the package in it.
+TEST_F(LoadKinematicTree, FindsPackagesByTheirManifest) {
+  write("shelf-main/meshes/part.obj", kTetrahedron);
+  write("shelf-main/package.xml",
+        "<?xml version=\"1.0\"?><package format=\"3\"><name>shelf</name></package>");
+  const auto urdf =
+      write("shelf-main/urdf/model.urdf",
+            "<robot name=\"r\">" +
+                link("a",
+                     "<visual><geometry><mesh filename=\"package://shelf/meshes/part.obj\"/>"
+                     "</geometry></visual>") +
+                "</robot>");
+  EXPECT_EQ(load_kinematic_tree(urdf).bodies[0].mesh.triangles.size(), 4U);
+}
+
 TEST_F(LoadKinematicTree, ComposesChainsOfMimics) {
   // c = 2 b + 0.1, b = -3 a + 0.5, so c = -6 a + 1.1.
   const std::string wide = "<limit lower=\"-9\" upper=\"9\"/>";
@@ -154,7 +188,10 @@ TEST_F(LoadKinematicTree, ComposesChainsOfMimics) {
   EXPECT_NEAR(joint_position(tree, configuration, joint_index(tree, "b")), -0.1, 1e-15);
   EXPECT_NEAR(joint_position(tree, configuration, joint_index(tree, "c")), -0.1, 1e-15);
   EXPECT_THROW(set_joint_position(tree, configuration, "c", 0.0), InputError);
-  EXPECT_NEAR(variable_limits(tree, 0).upper, 10.1 / 6.0, 1e-12);
+  EXPECT_EQ(variable_limits(tree, 0).upper, 9.0);
+  const Joint& c = tree.joints[static_cast<std::size_t>(joint_index(tree, "c"))];
+  EXPECT_NEAR(c.lower, -6.0 * 9.0 + 1.1, 1e-12);
+  EXPECT_NEAR(c.upper, 6.0 * 9.0 + 1.1, 1e-12);
 }
 
 TEST_F(LoadKinematicTree, ReadsAChainTwoHundredJointsDeep) {
@@ -202,6 +239,39 @@ TEST_F(LoadKinematicTree, IgnoresWhatOtherProgramsNeed) {
       joint("j", "continuous", "a", "b", "<dynamics damping=\"x\"/><safety_controller/>") +
       "<transmission name=\"t\"/><gazebo reference=\"a\"><kp>1</kp></gazebo>");
   EXPECT_EQ(tree.joints.size(), 1U);
+}
+
+/// Colours are only shown: whatever is wrong with them, the model is the same, but grey.
+TEST_F(LoadKinematicTree, IsNotStoppedByColours) {
+  const auto rgba_of = [&](const std::string& material, const std::string& top = "") {
+    std::vector<std::string> warnings;
+    LoadOptions options;
+    options.on_warning = [&](const std::string& text) { warnings.push_back(text); };
+    const std::string shape = "<geometry><box size=\"1 1 1\"/></geometry>";
+    const auto visual = [&](const std::string& more) {
+      return "<visual>" + shape + more + "</visual>";
+    };
+    const KinematicTree tree =
+        load_robot(top + link("a", visual(material) + visual(material)), options);
+    EXPECT_LE(warnings.size(), 1U);
+    return std::pair{tree.bodies[0].visuals[0].rgba, warnings.empty() ? "" : warnings[0]};
+  };
+  const Eigen::Vector4f grey = ColoredMesh{}.rgba;
+  const auto undefined = rgba_of("<material name=\"steel\"/>");
+  EXPECT_EQ(undefined.first, grey);
+  EXPECT_THAT(undefined.second, HasSubstr("material 'steel' is defined nowhere"));
+  for (const std::string rgba : {"0 0 2 1", "red", "1 0 0", ""}) {
+    const auto broken = rgba_of("<material name=\"m\"><color rgba=\"" + rgba + "\"/></material>");
+    EXPECT_EQ(broken.first, grey) << rgba;
+    EXPECT_THAT(broken.second, HasSubstr("model.urdf:2: link 'a': its colour is not read")) << rgba;
+  }
+  EXPECT_EQ(rgba_of("<material/>").first, grey);
+  EXPECT_EQ(rgba_of("<material><texture filename=\"none.png\"/></material>").first, grey);
+  const std::string red = "<material name=\"m\"><color rgba=\"1 0 0 1\"/></material>";
+  const std::string blue = "<material name=\"m\"><color rgba=\"0 0 1 1\"/></material>";
+  EXPECT_EQ(rgba_of("<material name=\"m\"/>", red + blue).first.x(), 1.0F);
+  EXPECT_EQ(rgba_of("<material name=\"m\"/>", "<material/>" + blue).first.z(), 1.0F);
+  EXPECT_EQ(rgba_of(red + blue).first.x(), 1.0F);
 }
 
 TEST_F(LoadKinematicTree, TakesAMeshFileForASingleBody) {

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 /// A door with a knob fixed to it, and a bolt, on a frame; and the YAML file beside it.
 class LoadModelTest : public WithTemporaryFolder {
  protected:
-  ArticulatedModel load(const std::string& yaml) const {
+  ArticulatedModel load(const std::string& yaml, std::string* warnings = nullptr) const {
     write("door.yaml", yaml);
     const auto urdf = write(
         "door.urdf", "<robot name=\"r\">" + link("frame") + link("door", box("0.1 0.1 0.02")) +
@@ -32,6 +32,9 @@ class LoadModelTest : public WithTemporaryFolder {
                          link("tip") + "</robot>");
     LoadOptions options;
     options.cache_directory = folder_ / "cache";
+    if (warnings != nullptr) {
+      options.on_warning = [warnings](const std::string& text) { *warnings += text; };
+    }
     return load_model(urdf, options);
   }
 
@@ -166,20 +169,20 @@ TEST_F(LoadModelTest, RefusesRobotsOfWhichNothingCanBeSeen) {
               AllOf(HasSubstr("frames.urdf"), HasSubstr("<visual>")));
 }
 
-TEST_F(LoadModelTest, WarnsOfSizesThatAreProbablyInAnotherUnit) {
-  const auto warnings_of = [&](const std::string& size) {
+/// Many programs leave a YAML file with the stem of the model beside it.
+TEST_F(LoadModelTest, PassesOverYamlOfOtherPrograms) {
+  for (const std::string yaml :
+       {"model: door\nversion: 2\n", "- voxel\n", "collision:\n  voxel: [1, 2]\n", "a: [\n",
+        "%YAML:1.0\nK: !!opencv-matrix\n", "just text\n", "? {a: 1}\n: 2\n"}) {
     std::string warnings;
-    LoadOptions options;
-    options.cache_directory = folder_ / "cache";
-    options.on_warning = [&](const std::string& text) { warnings += text; };
-    load_model(write("a.urdf", "<robot name=\"r\">" + link("crate", box(size)) + "</robot>"),
-               options);
-    return warnings;
-  };
-  EXPECT_THAT(warnings_of("300 200 100"),
-              AllOf(HasSubstr("a.urdf"), HasSubstr("'crate' is 300000 mm large")));
-  EXPECT_THAT(warnings_of("0.0003 0.0002 0.0001"), HasSubstr("is 0.3 mm large"));
-  EXPECT_EQ(warnings_of("0.3 0.2 0.1"), "");
+    EXPECT_FALSE(load(yaml, &warnings).parameters.voxel) << yaml;
+    EXPECT_THAT(warnings, AllOf(HasSubstr("door.yaml: not read"), HasSubstr("link_voxel"))) << yaml;
+  }
+  for (const std::string yaml : {"", "# voxel: 4\n", "---\n"}) {
+    std::string warnings;
+    load(yaml, &warnings);
+    EXPECT_EQ(warnings, "") << yaml;
+  }
 }
 
 TEST_F(LoadModelTest, RefusesUnknownKeysAndBadValuesWithTheLine) {
@@ -192,8 +195,10 @@ TEST_F(LoadModelTest, RefusesUnknownKeysAndBadValuesWithTheLine) {
   EXPECT_THAT(refusal("link_voxel: {latch: 0.001}\n"), HasSubstr("no link 'latch'"));
   EXPECT_THAT(refusal("link_voxel: {frame: 0.001}\n"), HasSubstr("'frame' has no geometry"));
   EXPECT_THAT(refusal("link_voxel: {door: 0.002, knob: 0.001}\n"), HasSubstr("already"));
-  EXPECT_THAT(refusal("- voxel\n"), HasSubstr("door.yaml:1: a map"));
   EXPECT_THAT(refusal("voxel: [\n"), HasSubstr("not YAML"));
+  for (const std::string key : {"voxels", "Voxel", "link_voxl", "errosion", "inital_state"}) {
+    EXPECT_THAT(refusal(key + ": 1\n"), HasSubstr("unknown key '" + key + "'"));
+  }
 }
 
 TEST_F(LoadModelTest, RefusesPairsThatAreNoPairs) {

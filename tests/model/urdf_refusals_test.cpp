@@ -26,6 +26,12 @@ TEST_F(UrdfRefusals, BrokenFiles) {
               HasSubstr("none.urdf: no such file"));
 }
 
+TEST_F(UrdfRefusals, FilesTooLargeForTheMemory) {
+  const auto file = write("large.urdf", "<robot name=\"r\">");
+  std::filesystem::resize_file(file, 600'000'000);  // takes no space on the disk
+  EXPECT_THAT(message_of<InputError>([&] { load_kinematic_tree(file); }), HasSubstr("512 MB"));
+}
+
 TEST_F(UrdfRefusals, EveryTruncationOfAFile) {
   const std::string text = "<robot name=\"r\">" + link("a") + link("b") +
                            joint("j", "continuous", "a", "b") + "</robot>";
@@ -120,14 +126,6 @@ TEST_F(JointRefusals, MimicsWithoutADriver) {
               HasSubstr("'k', which is fixed"));
 }
 
-TEST_F(JointRefusals, MimicsWhoseLimitsLeaveNoPosition) {
-  EXPECT_THAT(refusal_of_robot(link("a") + link("b") + link("c") +
-                               joint("j", "revolute", "a", "b", kLimit) +
-                               joint("k", "revolute", "b", "c",
-                                     "<mimic joint=\"j\" offset=\"5\"/>" + std::string(kLimit))),
-              HasSubstr("exclude each other"));
-}
-
 TEST_F(JointRefusals, NamesThatNoColumnCanBear) {
   for (const std::string name :
        {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw", "status", "residual_rms",
@@ -175,19 +173,34 @@ TEST_F(VisualRefusals, MeshesThatCannotBeReadNamingTheLink) {
               AllOf(HasSubstr("link 'a'"), HasSubstr("bad.obj")));
 }
 
-TEST_F(VisualRefusals, ColoursThatAreUndefinedOrAmbiguous) {
-  const std::string shape = "<geometry><box size=\"1 1 1\"/></geometry>";
-  EXPECT_THAT(refusal_of(shape, "<material name=\"m\"/>"), HasSubstr("'m' is defined nowhere"));
-  EXPECT_THAT(refusal_of(shape, "<material name=\"m\"><color rgba=\"0 0 2 1\"/></material>"),
-              HasSubstr("between 0 and 1"));
-  const auto colored = [&](const std::string& material) {
-    return "<visual>" + shape + material + "</visual>";
+/// A URDF may come from anybody, a symbolic link was made on this machine.
+TEST_F(VisualRefusals, AddressesThatLeaveTheirPackage) {
+  const std::string solid =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  write("secret.obj", solid);
+  write("p/a/part.obj", solid);
+  write("p/b/part.obj", solid);
+  std::filesystem::create_directory(folder_ / "p/a/x");
+  const auto refusal_of_address = [&](const std::string& address) {
+    const auto urdf = write("p/m.urdf", "<robot name=\"r\">" +
+                                            link("a", "<visual><geometry><mesh filename=\"" +
+                                                          address + "\"/></geometry></visual>") +
+                                            "</robot>");
+    return message_of<InputError>([&] { load_kinematic_tree(urdf); });
   };
-  EXPECT_THAT(refusal_of_robot(link(
-                  "a", colored("<material name=\"m\"><color rgba=\"0 0 0 1\"/></material>") +
-                           colored("<material name=\"m\"><color rgba=\"1 0 0 1\"/></material>") +
-                           colored("<material name=\"m\"/>"))),
-              HasSubstr("with different colours"));
+  const std::string absolute = (folder_ / "secret.obj").string();
+  for (const std::string& address :
+       {std::string("package://../secret.obj"), std::string("package://a/../../secret.obj"),
+        std::string("package://./../secret.obj"), std::string("package://a/../b/part.obj"),
+        std::string("package://a/./../../secret.obj"), std::string("package://.."),
+        "package://" + absolute}) {
+    EXPECT_THAT(refusal_of_address(address), HasSubstr("leaves its package")) << address;
+  }
+  EXPECT_EQ(refusal_of_address("package://a/part.obj"), "no error");
+  EXPECT_EQ(refusal_of_address("package://a/x/../part.obj"), "no error");
+  EXPECT_EQ(refusal_of_address("../secret.obj"), "no error");
+  std::filesystem::create_symlink(folder_ / "secret.obj", folder_ / "p/a/linked.obj");
+  EXPECT_EQ(refusal_of_address("package://a/linked.obj"), "no error");
 }
 
 }  // namespace

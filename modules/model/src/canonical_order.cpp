@@ -103,6 +103,7 @@ RigidBodies in_canonical_order(RigidBodies rigid) {
   const auto children = sorted_children(rigid);
   RigidBodies ordered;
   ordered.mimics = std::move(rigid.mimics);
+  ordered.extents = std::move(rigid.extents);
   std::vector<int> new_index(rigid.bodies.size());
   std::vector<int> waiting{0};
   while (!waiting.empty()) {

@@ -64,16 +64,8 @@ void set_joint_position(const KinematicTree& tree, Configuration& configuration,
 }
 
 VariableLimits variable_limits(const KinematicTree& tree, int variable) {
-  VariableLimits limits{-std::numeric_limits<double>::infinity(),
-                        std::numeric_limits<double>::infinity()};
-  for (const Joint& joint : tree.joints) {
-    if (joint.variable != variable || joint.multiplier == 0.0) continue;
-    const double a = (joint.lower - joint.offset) / joint.multiplier;
-    const double b = (joint.upper - joint.offset) / joint.multiplier;
-    limits.lower = std::max(limits.lower, std::min(a, b));
-    limits.upper = std::min(limits.upper, std::max(a, b));
-  }
-  return limits;
+  const Joint& joint = joint_at(tree, tree.variable_joint[static_cast<std::size_t>(variable)]);
+  return {joint.lower, joint.upper};
 }
 
 }  // namespace lockbox

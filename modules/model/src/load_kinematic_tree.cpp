@@ -3,14 +3,19 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
+#include <system_error>
+#include <utility>
 
 #include "canonical_order.hpp"
+#include "joint_checks.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/mesh/load_mesh.hpp"
 #include "lockbox/mesh/mesh_audit.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "mesh_locator.hpp"
 #include "rigid_bodies.hpp"
+#include "size_checks.hpp"
 #include "text_file.hpp"
 #include "urdf_guard.hpp"
 #include "urdf_reader.hpp"
@@ -50,24 +55,41 @@ void assign_variables(KinematicTree& tree, const JointByName& by_name,
   }
 }
 
-/// The limits of a variable and its mimics must leave it a position.
-void check_limits(const KinematicTree& tree, const std::string& file, const GuardedUrdf& urdf) {
-  const auto refuse = [&](const Joint& joint, const std::string& problem) {
-    throw InputError(file, urdf.joint_lines.at(joint.name),
-                     "joint '" + joint.name + "': " + problem);
-  };
+void require_finite_mimics(const KinematicTree& tree, const std::string& file,
+                           const GuardedUrdf& urdf) {
   for (const Joint& joint : tree.joints) {
-    if (!std::isfinite(joint.multiplier) || !std::isfinite(joint.offset)) {
-      refuse(joint, "multiplier or offset of its chain of mimics is beyond all numbers");
-    }
+    if (std::isfinite(joint.multiplier) && std::isfinite(joint.offset)) continue;
+    throw InputError(file, urdf.joint_lines.at(joint.name),
+                     "joint '" + joint.name +
+                         "': multiplier or offset of its chain of mimics is beyond all numbers");
   }
-  for (int v = 0; v < tree.variables(); ++v) {
-    const VariableLimits limits = variable_limits(tree, v);
-    if (limits.lower <= limits.upper) continue;
-    const int driver = tree.variable_joint[static_cast<std::size_t>(v)];
-    refuse(tree.joints[static_cast<std::size_t>(driver)],
-           "its limits and those of its mimics exclude each other; widen them");
-  }
+}
+
+using Warn = std::function<void(const std::string&)>;
+
+/// "file:line: link 'name': "
+std::string place_of(const std::string& file, int line, const std::string& kind,
+                     const std::string& name) {
+  return file + ":" + std::to_string(line) + ": " + kind + " '" + name + "': ";
+}
+
+void check_urdf_tree(const std::string& file, const GuardedUrdf& urdf,
+                     const std::vector<VisualExtent>& visuals, double mesh_scale, const Warn& warn,
+                     KinematicTree& tree) {
+  const auto warn_of_joint = [&](const std::string& joint, const std::string& text) {
+    warn(place_of(file, urdf.joint_lines.at(joint), "joint", joint) + text);
+  };
+  const auto warn_of_link = [&](const std::string& link, const std::string& text) {
+    warn(place_of(file, urdf.link_lines.at(link), "link", link) + text);
+  };
+  const auto refuse_link = [&](const std::string& link, const std::string& problem) {
+    throw InputError(file, urdf.link_lines.at(link), "link '" + link + "': " + problem);
+  };
+  set_mimic_limits(urdf.mimic_limits, tree, warn_of_joint);
+  check_sizes(visuals, tree, mesh_scale, false, {refuse_link, warn_of_link, warn_of_joint});
+  double largest_link = 0.0;
+  for (const VisualExtent& visual : visuals) largest_link = std::max(largest_link, visual.size());
+  check_limits(tree, largest_link, warn_of_joint);
 }
 
 KinematicTree read_urdf_tree(const std::filesystem::path& path, const LoadOptions& options) {
@@ -77,8 +99,8 @@ KinematicTree read_urdf_tree(const std::filesystem::path& path, const LoadOption
   const auto refuse_link = [&](const std::string& link, const std::string& problem) {
     throw InputError(file, guarded.link_lines.at(link), "link '" + link + "': " + problem);
   };
-  RigidBodies rigid = in_canonical_order(
-      assemble_rigid_bodies(*urdf, MeshLocator(path, options.package_paths), refuse_link));
+  RigidBodies rigid = in_canonical_order(assemble_rigid_bodies(
+      *urdf, MeshLocator(path, options.package_paths), options.mesh_scale, refuse_link));
 
   KinematicTree tree;
   tree.name = urdf->getName();
@@ -89,28 +111,70 @@ KinematicTree read_urdf_tree(const std::filesystem::path& path, const LoadOption
   for (const std::string& joint : guarded.movable_joints) {
     tree.file_order.push_back(by_name.at(joint));
   }
-  check_limits(tree, file, guarded);
-  if (options.on_warning && !guarded.collision_only_links.empty()) {
+  require_finite_mimics(tree, file, guarded);
+  const Warn warn = options.on_warning ? options.on_warning : [](const std::string&) {};
+  for (const std::string& warning : guarded.warnings) warn(warning);
+  check_urdf_tree(file, guarded, rigid.extents, options.mesh_scale, warn, tree);
+  if (!guarded.collision_only_links.empty()) {
     std::string links;
     for (const std::string& link : guarded.collision_only_links) {
       links += (links.empty() ? "'" : ", '") + link + "'";
     }
-    options.on_warning(
-        file + ": links with <collision> but no <visual> count as without geometry: " + links);
+    warn(file + ": links with <collision> but no <visual> count as without geometry: " + links);
   }
   return tree;
 }
 
-KinematicTree read_mesh_tree(const std::filesystem::path& file) {
+void check_size_of_mesh(const std::filesystem::path& file, const TriangleMesh& mesh,
+                        const LoadOptions& options) {
+  VisualExtent extent;
+  extent.shape = "mesh";
+  extent.file = file.filename().string();
+  extent.box = bounds(mesh);
+  const auto refuse = [&](const std::string&, const std::string& problem) {
+    throw InputError(file.string(), problem);
+  };
+  const auto warn = [&](const std::string&, const std::string& text) {
+    if (options.on_warning) options.on_warning(file.string() + ": " + text);
+  };
+  check_sizes({extent}, KinematicTree{}, options.mesh_scale, true, {refuse, warn, warn});
+}
+
+KinematicTree read_mesh_tree(const std::filesystem::path& file, const LoadOptions& options) {
   KinematicTree tree;
   tree.name = file.stem().string();
   Body& body = tree.bodies.emplace_back();
   body.name = tree.name;
   body.links = {tree.name};
-  body.visuals.push_back({load_mesh(file), ColoredMesh{}.rgba});
+  const Eigen::Vector3d scale = Eigen::Vector3d::Constant(options.mesh_scale);
+  body.visuals.push_back({load_mesh(file, scale), ColoredMesh{}.rgba});
   body.mesh = body.visuals.front().mesh;
+  check_size_of_mesh(file, body.mesh, options);
   body.encloses_solid = encloses_solid(body.mesh);
   return tree;
+}
+
+/// Models that the folder holds, for who named the folder instead.
+std::string models_in(const std::filesystem::path& folder) {
+  constexpr std::size_t kMostNamed = 5;
+  std::set<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    if (entry.path().extension() == ".urdf") names.insert(entry.path().filename().string());
+  }
+  if (names.empty()) return "it holds no .urdf; give a URDF, or a .obj, .stl or .ply file";
+  std::string list;
+  std::size_t named = 0;
+  for (const std::string& name : names) {
+    if (named++ == kMostNamed) return "give a file in it, such as " + list;
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return "give the file in it: " + list;
+}
+
+void require_sound(const LoadOptions& options) {
+  if (std::isfinite(options.mesh_scale) && options.mesh_scale > 0.0) return;
+  throw InputError("mesh scale", "it must be a positive number: metres a unit of the mesh files");
 }
 
 std::string lower_case_extension(const std::filesystem::path& file) {
@@ -123,13 +187,18 @@ std::string lower_case_extension(const std::filesystem::path& file) {
 }  // namespace
 
 KinematicTree load_kinematic_tree(const std::filesystem::path& file, const LoadOptions& options) {
+  require_sound(options);
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw InputError(file.string(), "a folder is no model; " + models_in(file));
+  }
   const std::string extension = lower_case_extension(file);
   if (extension == ".xacro") {
     throw InputError(file.string(), "is not expanded; run: xacro " + file.filename().string() +
                                         " > " + file.stem().stem().string() + ".urdf");
   }
   const bool is_mesh = extension == ".obj" || extension == ".stl" || extension == ".ply";
-  return is_mesh ? read_mesh_tree(file) : read_urdf_tree(file, options);
+  return is_mesh ? read_mesh_tree(file, options) : read_urdf_tree(file, options);
 }
 
 }  // namespace lockbox

@@ -5,7 +5,6 @@
 
 #include "cache_folder.hpp"
 #include "lockbox/core/error.hpp"
-#include "lockbox/core/number_text.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/mesh/simplify.hpp"
 #include "lockbox/model/articulated_model.hpp"
@@ -16,6 +15,7 @@ namespace lockbox {
 namespace {
 
 constexpr std::size_t kFewTriangles = 2000;  // that take little time to draw
+constexpr double kMostFieldBytes = 2e9;      // of a model: what small computers have to spare
 constexpr double kMostVoxelsOff = 1.0;       // by which a drawing may differ from the field
 
 FieldOptions field_options(const Body& body, const ModelParameters& parameters) {
@@ -26,15 +26,20 @@ FieldOptions field_options(const Body& body, const ModelParameters& parameters) 
   return options;
 }
 
-std::optional<SignedDistanceField> body_field(const Body& body, const FieldOptions& options,
+/// left: bytes that the fields of the model may still take.
+std::optional<SignedDistanceField> body_field(const Body& body, FieldOptions options, double left,
                                               const std::filesystem::path& cache,
                                               const std::filesystem::path& model,
                                               const Executor& executor) {
   if (body.mesh.triangles.empty()) return std::nullopt;
+  const bool is_scarce = left < options.memory_limit;
+  if (is_scarce) options.memory_limit = left;
   try {
     return load_or_build_field(body.mesh, options, cache, executor);
   } catch (const InputError& error) {
-    throw InputError(model.string(), "link '" + body.name + "': " + error.what());
+    throw InputError(model.string(),
+                     "link '" + body.name + "': " + error.what() +
+                         (is_scarce ? "; all fields of a model may take 2 GB together" : ""));
   }
 }
 
@@ -69,36 +74,23 @@ void require_geometry(const ArticulatedModel& model) {
   }
 }
 
-/// Says of which bodies the geometry seems to be in another unit: depth cameras see neither what is
-/// smaller nor what is larger.
-void warn_of_units(const ArticulatedModel& model,
-                   const std::function<void(const std::string&)>& warn) {
-  for (const Body& body : model.tree.bodies) {
-    if (body.mesh.triangles.empty()) continue;
-    const double millimetres = 1000.0 * bounds(body.mesh).sizes().maxCoeff();
-    if (millimetres > 5.0 && millimetres < 10000.0) continue;
-    warn(model.file.string() + ": link '" + body.name + "' is " +
-         fixed_number_text(std::round(100.0 * millimetres) / 100.0) +
-         " mm large; lengths are in metres (a mesh in millimetres needs scale=\"0.001 0.001 "
-         "0.001\")");
-  }
-}
-
 }  // namespace
 
 ArticulatedModel load_model(const std::filesystem::path& file, const LoadOptions& options) {
   ArticulatedModel model;
   model.file = file;
   model.tree = load_kinematic_tree(file, options);
-  model.parameters =
-      read_model_parameters(std::filesystem::path(file).replace_extension(".yaml"), model.tree);
-  if (options.on_warning) warn_of_units(model, options.on_warning);
+  model.parameters = read_model_parameters(std::filesystem::path(file).replace_extension(".yaml"),
+                                           model.tree, options.on_warning);
   const auto cache = options.cache_directory.value_or(default_cache_folder());
   const Executor executor;
+  double left = kMostFieldBytes;
   for (Body& body : model.tree.bodies) {
     model.fields.push_back(
-        body_field(body, field_options(body, model.parameters), cache, file, executor));
-    if (model.fields.back()) body.mesh = drawn_mesh(body.mesh, *model.fields.back());
+        body_field(body, field_options(body, model.parameters), left, cache, file, executor));
+    if (!model.fields.back()) continue;
+    left = std::max(0.0, left - static_cast<double>(model.fields.back()->memory_bytes()));
+    body.mesh = drawn_mesh(body.mesh, *model.fields.back());
   }
   require_geometry(model);
   return model;

@@ -9,13 +9,15 @@
 namespace lockbox {
 
 /// Resolves absolute and relative names, file:// and package:// addresses. Searched in this order:
-/// the package paths given, beside the URDF, the folders above it, ROS_PACKAGE_PATH.
+/// the package paths given, beside the URDF, the folders above it, ROS_PACKAGE_PATH, and the folder
+/// `share` of each prefix that AMENT_PREFIX_PATH, COLCON_PREFIX_PATH or CMAKE_PREFIX_PATH name.
 class MeshLocator {
  public:
   MeshLocator(const std::filesystem::path& urdf,
               const std::vector<std::filesystem::path>& package_paths);
 
-  /// Throws InputError saying where was searched.
+  /// Throws InputError saying where was searched, and for a package:// address that leaves its
+  /// package.
   std::filesystem::path locate(const std::string& address) const;
 
  private:

@@ -7,8 +7,10 @@
 #include <system_error>
 
 #include "lockbox/core/error.hpp"
-#include "lockbox/core/number_text.hpp"
+#include "lockbox/core/readable_text.hpp"
+#include "model_keys.hpp"
 #include "quaternion_tolerance.hpp"
+#include "text_file.hpp"
 #include "yaml_node.hpp"
 
 namespace lockbox {
@@ -84,13 +86,15 @@ Eigen::Quaterniond rotation(const YamlNode& node) {
   const auto [x, y, z, w] = numbers<4>(node);
   const Eigen::Quaterniond q(w, x, y, z);
   if (!(std::abs(q.norm() - 1.0) <= kQuaternionTolerance)) {
-    node.refuse("the quaternion [qx, qy, qz, qw] has norm " + number_text(q.norm()) + ", not 1");
+    node.refuse("the quaternion [qx, qy, qz, qw] has norm " + readable_number(q.norm()) +
+                ", not 1");
   }
   return q.normalized();
 }
 
 void set_joint(const YamlNode& node, const std::string& joint, const KinematicTree& tree,
                Configuration& configuration) {
+  constexpr int kDigits = 6;
   const double position = node.number();
   try {
     set_joint_position(tree, configuration, joint, position);
@@ -100,8 +104,9 @@ void set_joint(const YamlNode& node, const std::string& joint, const KinematicTr
   const VariableLimits limits = variable_limits(
       tree, tree.joints[static_cast<std::size_t>(joint_index(tree, joint))].variable);
   if (position < limits.lower || position > limits.upper) {
-    node.refuse("joint " + in_quotes(joint) + " moves between " + number_text(limits.lower) +
-                " and " + number_text(limits.upper));
+    node.refuse("joint " + in_quotes(joint) + " moves between " +
+                readable_number(limits.lower, kDigits) + " and " +
+                readable_number(limits.upper, kDigits));
   }
 }
 
@@ -127,11 +132,17 @@ Configuration read_initial_state(const YamlNode& node, const KinematicTree& tree
 
 }  // namespace
 
-ModelParameters read_model_parameters(const std::filesystem::path& yaml,
-                                      const KinematicTree& tree) {
+ModelParameters read_model_parameters(const std::filesystem::path& yaml, const KinematicTree& tree,
+                                      const std::function<void(const std::string&)>& on_warning) {
   ModelParameters result;
   std::error_code error;  // e.g. a folder that may not be entered: no such file, as far as we know
-  if (!std::filesystem::exists(yaml, error)) return result;
+  if (!std::filesystem::is_regular_file(yaml, error)) return result;
+  if (!names_model_keys(read_text_file(yaml))) {
+    if (on_warning) {
+      on_warning(yaml.string() + ": not read, because it holds none of the keys " + kKeyList);
+    }
+    return result;
+  }
   const YamlNode top = YamlNode::read(yaml);
   if (top.is_empty()) return result;
   for (const auto& [key, value] : top.entries()) {
@@ -146,9 +157,7 @@ ModelParameters read_model_parameters(const std::filesystem::path& yaml,
     } else if (key == "initial_state") {
       result.initial_configuration = read_initial_state(value, tree);
     } else {
-      value.refuse("unknown key " + in_quotes(key) +
-                   "; a model has the keys voxel, link_voxel, erosion, pair_erosion, "
-                   "initial_state");
+      value.refuse("unknown key " + in_quotes(key) + "; a model has the keys " + kKeyList);
     }
   }
   return result;

@@ -40,19 +40,25 @@ Joint movable_joint(const urdf::Joint& urdf_joint) {
   return joint;
 }
 
-void add_link(const Placement& placement, const MeshLocator& locator,
+void add_link(const Placement& placement, const MeshLocator& locator, double mesh_scale,
               const std::function<void(const std::string&, const std::string&)>& refuse_link,
-              Body& body) {
+              RigidBodies& result) {
+  Body& body = result.bodies[static_cast<std::size_t>(placement.body)];
   const urdf::Link& link = *placement.link;
   body.links.push_back(link.name);
   for (const auto& visual : link.visual_array) {
     try {
-      body.visuals.push_back(visual_mesh(*visual, locator));
+      body.visuals.push_back(visual_mesh(*visual, locator, mesh_scale));
     } catch (const InputError& error) {
       refuse_link(link.name, error.what());
     }
     TriangleMesh& mesh = body.visuals.back().mesh;
     mesh = transformed(std::move(mesh), placement.T_body_link);
+    VisualExtent extent = described(*visual->geometry);
+    extent.link = link.name;
+    extent.body = placement.body;
+    extent.box = bounds(mesh);
+    result.extents.push_back(extent);
   }
 }
 
@@ -76,7 +82,7 @@ int add_body(const urdf::Joint& urdf_joint, int parent_body, const Eigen::Isomet
 }  // namespace
 
 RigidBodies assemble_rigid_bodies(
-    const urdf::ModelInterface& urdf, const MeshLocator& locator,
+    const urdf::ModelInterface& urdf, const MeshLocator& locator, double mesh_scale,
     const std::function<void(const std::string&, const std::string&)>& refuse_link) {
   RigidBodies result;
   result.bodies.emplace_back().name = urdf.getRoot()->name;
@@ -84,8 +90,7 @@ RigidBodies assemble_rigid_bodies(
   while (!waiting.empty()) {
     const Placement placement = waiting.back();
     waiting.pop_back();
-    add_link(placement, locator, refuse_link,
-             result.bodies[static_cast<std::size_t>(placement.body)]);
+    add_link(placement, locator, mesh_scale, refuse_link, result);
     for (const auto& joint : placement.link->child_joints) {
       const auto child = urdf.getLink(joint->child_link_name);
       const Eigen::Isometry3d T_body_joint =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text_file.hpp"
 
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -8,6 +9,11 @@
 #include "lockbox/core/error.hpp"
 
 namespace lockbox {
+namespace {
+
+constexpr std::uintmax_t kMostTextBytes = 512'000'000;  // eighteen hours of states, at 30 Hz
+
+}  // namespace
 
 std::string read_text_file(const std::filesystem::path& file) {
   std::error_code error;
@@ -16,6 +22,9 @@ std::string read_text_file(const std::filesystem::path& file) {
   // A device or a pipe could deliver for ever.
   if (!std::filesystem::is_regular_file(status)) {
     throw InputError(file.string(), "not a regular file");
+  }
+  if (std::filesystem::file_size(file, error) > kMostTextBytes) {
+    throw InputError(file.string(), "larger than 512 MB, too large for what is read here");
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};

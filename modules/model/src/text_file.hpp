@@ -6,7 +6,8 @@
 
 namespace lockbox {
 
-/// The bytes of a regular file. Throws InputError if there is none, or it cannot be read.
+/// The bytes of a regular file. Throws InputError if there is none, if it is larger than 512 MB, or
+/// if it cannot be read.
 std::string read_text_file(const std::filesystem::path& file);
 
 }  // namespace lockbox

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "states_columns.hpp"
+#include "urdf_origin.hpp"
 #include "urdf_topology.hpp"
 #include "urdf_visuals.hpp"
 #include "xml_element.hpp"
@@ -41,6 +43,15 @@ void copy_axis(const XmlElement& joint, tinyxml2::XMLPrinter& out) {
   out.CloseElement();
 }
 
+void write_limit(double lower, double upper, tinyxml2::XMLPrinter& out) {
+  out.OpenElement("limit");
+  write_numbers(out, "lower", {lower});
+  write_numbers(out, "upper", {upper});
+  write_numbers(out, "effort", {0.0});  // wanted by urdfdom, used by nobody
+  write_numbers(out, "velocity", {0.0});
+  out.CloseElement();
+}
+
 void copy_limit(const XmlElement& joint, tinyxml2::XMLPrinter& out) {
   const auto limit = joint.child("limit");
   const auto lower = limit ? limit->number("lower") : std::nullopt;
@@ -53,12 +64,7 @@ void copy_limit(const XmlElement& joint, tinyxml2::XMLPrinter& out) {
   if (lower.value_or(0.0) > upper.value_or(0.0)) {
     limit->refuse("the lower limit is above the upper one (a missing one counts as 0); swap them");
   }
-  out.OpenElement("limit");
-  write_numbers(out, "lower", {lower.value_or(0.0)});
-  write_numbers(out, "upper", {upper.value_or(0.0)});
-  write_numbers(out, "effort", {0.0});  // wanted by urdfdom, used by nobody
-  write_numbers(out, "velocity", {0.0});
-  out.CloseElement();
+  write_limit(lower.value_or(0.0), upper.value_or(0.0), out);
 }
 
 void copy_mimic(const XmlElement& mimic, tinyxml2::XMLPrinter& out) {
@@ -82,7 +88,18 @@ void write_link_reference(tinyxml2::XMLPrinter& out, const char* tag, const std:
   out.CloseElement();
 }
 
-UrdfJoint copy_joint(const XmlElement& element, tinyxml2::XMLPrinter& out) {
+/// Limits of a mimic joint are often copied from another one, or missing: they are read as far as
+/// they can be, and nothing about them is a reason to refuse it.
+void keep_mimic_limit(const XmlElement& joint, const std::string& name, GuardedUrdf& guarded) {
+  const auto limits = joint.children("limit");
+  if (limits.empty()) return;
+  const auto bound = [&](const char* attribute) {
+    return parse_finite_number(limits.front().plain_attribute(attribute)).value_or(0.0);
+  };
+  guarded.mimic_limits.emplace(name, std::pair{bound("lower"), bound("upper")});
+}
+
+UrdfJoint copy_joint(const XmlElement& element, GuardedUrdf& guarded, tinyxml2::XMLPrinter& out) {
   UrdfJoint result;
   result.name = element.required_attribute("name");
   result.line = element.line();
@@ -97,14 +114,17 @@ UrdfJoint copy_joint(const XmlElement& element, tinyxml2::XMLPrinter& out) {
   out.PushAttribute("type", result.type.c_str());
   write_link_reference(out, "parent", result.parent);
   write_link_reference(out, "child", result.child);
-  copy_origin(joint, out);
+  copy_origin(joint, guarded.warnings, out);
   if (result.type != "fixed") {
     check_column_name(joint, result.name);
     copy_axis(joint, out);
-    if (result.type != "continuous") copy_limit(joint, out);
     if (const auto mimic = joint.child("mimic")) {
       result.mimics = mimic->required_attribute("joint");
       copy_mimic(*mimic, out);
+      keep_mimic_limit(joint, result.name, guarded);
+      write_limit(0.0, 0.0, out);
+    } else if (result.type != "continuous") {
+      copy_limit(joint, out);
     }
   }
   out.CloseElement();
@@ -112,12 +132,14 @@ UrdfJoint copy_joint(const XmlElement& element, tinyxml2::XMLPrinter& out) {
 }
 
 UrdfLink copy_link(const XmlElement& element, const MaterialTable& materials,
-                   tinyxml2::XMLPrinter& out) {
+                   std::vector<std::string>& warnings, tinyxml2::XMLPrinter& out) {
   const std::string name = element.required_attribute("name");
   const XmlElement link = element.about("link '" + name + "'");
   out.OpenElement("link");
   out.PushAttribute("name", name.c_str());
-  for (const XmlElement& visual : link.children("visual")) copy_visual(visual, materials, out);
+  for (const XmlElement& visual : link.children("visual")) {
+    copy_visual(visual, materials, warnings, out);
+  }
   out.CloseElement();
   return {name, element.line()};
 }
@@ -162,7 +184,7 @@ GuardedUrdf guard_urdf(const std::string& file, const std::string& text) {
   std::vector<UrdfLink> links;
   const MaterialTable materials{robot};
   for (const XmlElement& element : robot.children("link")) {
-    links.push_back(copy_link(element, materials, out));
+    links.push_back(copy_link(element, materials, guarded.warnings, out));
     guarded.link_lines.emplace(links.back().name, links.back().line);
     if (element.children("visual").empty() && !element.children("collision").empty()) {
       guarded.collision_only_links.push_back(links.back().name);
@@ -170,7 +192,7 @@ GuardedUrdf guard_urdf(const std::string& file, const std::string& text) {
   }
   std::vector<UrdfJoint> joints;
   for (const XmlElement& element : robot.children("joint")) {
-    joints.push_back(copy_joint(element, out));
+    joints.push_back(copy_joint(element, guarded, out));
     guarded.joint_lines.emplace(joints.back().name, joints.back().line);
     if (joints.back().type != "fixed") guarded.movable_joints.push_back(joints.back().name);
   }

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lockbox {
@@ -16,6 +17,10 @@ struct GuardedUrdf {
   std::map<std::string, int> joint_lines;
   std::vector<std::string> movable_joints;  ///< in the order of the file
   std::vector<std::string> collision_only_links;
+  /// Lower and upper limit of mimic joints as far as they can be read.
+  std::map<std::string, std::pair<double, double>> mimic_limits;
+  /// What is strange, but no reason to refuse the file; with file and line.
+  std::vector<std::string> warnings;
 };
 
 /// text: content of the file, whose name appears in the errors. Throws InputError.

@@ -11,7 +11,8 @@ Eigen::Vector3d vector(const urdf::Vector3& v) {
   return {v.x, v.y, v.z};
 }
 
-TriangleMesh geometry_mesh(const urdf::Geometry& geometry, const MeshLocator& locator) {
+TriangleMesh geometry_mesh(const urdf::Geometry& geometry, const MeshLocator& locator,
+                           double mesh_scale) {
   switch (geometry.type) {
     case urdf::Geometry::BOX:
       return make_box(vector(static_cast<const urdf::Box&>(geometry).dim));
@@ -23,7 +24,7 @@ TriangleMesh geometry_mesh(const urdf::Geometry& geometry, const MeshLocator& lo
     }
     default: {
       const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
-      return load_mesh(locator.locate(mesh.filename), vector(mesh.scale));
+      return load_mesh(locator.locate(mesh.filename), mesh_scale * vector(mesh.scale));
     }
   }
 }
@@ -38,14 +39,37 @@ Eigen::Isometry3d isometry(const urdf::Pose& pose) {
   return T;
 }
 
-ColoredMesh visual_mesh(const urdf::Visual& visual, const MeshLocator& locator) {
+ColoredMesh visual_mesh(const urdf::Visual& visual, const MeshLocator& locator, double mesh_scale) {
   ColoredMesh result;
-  result.mesh = transformed(geometry_mesh(*visual.geometry, locator), isometry(visual.origin));
+  result.mesh =
+      transformed(geometry_mesh(*visual.geometry, locator, mesh_scale), isometry(visual.origin));
   if (visual.material) {
     const urdf::Color& color = visual.material->color;
     result.rgba = {color.r, color.g, color.b, color.a};
   }
   return result;
+}
+
+VisualExtent described(const urdf::Geometry& geometry) {
+  VisualExtent extent;
+  switch (geometry.type) {
+    case urdf::Geometry::BOX:
+      extent.shape = "box";
+      break;
+    case urdf::Geometry::SPHERE:
+      extent.shape = "sphere";
+      break;
+    case urdf::Geometry::CYLINDER:
+      extent.shape = "cylinder";
+      break;
+    default: {
+      const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
+      extent.shape = "mesh";
+      extent.file = mesh.filename;
+      extent.scale = vector(mesh.scale);
+    }
+  }
+  return extent;
 }
 
 }  // namespace lockbox

@@ -101,6 +101,19 @@ std::optional<double> XmlElement::number(const std::string& name) const {
   return found ? std::optional(found->front()) : std::nullopt;
 }
 
+std::string XmlElement::plain_attribute(const std::string& name) const {
+  const char* value = element_->Attribute(name.c_str());
+  return value != nullptr && is_printable_text(value) ? value : "";
+}
+
+std::string XmlElement::remark(const std::string& problem) const {
+  return *file_ + ":" + std::to_string(line()) + ": " + subject_ + ": " + problem;
+}
+
+std::string XmlElement::whole_file_remark(const std::string& problem) const {
+  return *file_ + ": " + problem;
+}
+
 void XmlElement::refuse(const std::string& problem) const {
   throw InputError(*file_, line(), subject_ + ": " + problem);
 }

@@ -40,7 +40,14 @@ class XmlElement {
   std::optional<std::vector<double>> numbers(const std::string& name, std::size_t count) const;
   std::optional<double> number(const std::string& name) const;
 
+  /// Of something that does not matter: as it is, empty where there is none or it is no text.
+  std::string plain_attribute(const std::string& name) const;
+
   [[noreturn]] void refuse(const std::string& problem) const;
+  /// What refuse() would say, as a warning.
+  std::string remark(const std::string& problem) const;
+  /// About no line in particular.
+  std::string whole_file_remark(const std::string& problem) const;
 
  private:
   const std::string* file_;

@@ -28,7 +28,10 @@ struct ModelParameters {
 };
 
 struct LoadOptions {
-  std::vector<std::filesystem::path> package_paths;      ///< beside ROS_PACKAGE_PATH
+  /// Beside those that ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the like name.
+  std::vector<std::filesystem::path> package_paths;
+  /// Metres a unit of the mesh files; the scale that a URDF gives a mesh is applied as well.
+  double mesh_scale = 1.0;
   std::optional<std::filesystem::path> cache_directory;  ///< default: XDG cache; empty: no cache
   std::function<void(const std::string&)> on_warning;
 };
@@ -43,12 +46,15 @@ struct ArticulatedModel {
   std::vector<std::optional<SignedDistanceField>> fields;
 };
 
-/// Reads the URDF (or a bare .obj/.stl: one body) with its meshes, without fields.
-/// Throws InputError naming file, line where known, and link or joint.
+/// Reads the URDF (or a bare .obj/.stl/.ply: one body) with its meshes, without fields.
+/// Throws InputError naming file, line where known, and link or joint; also for a body of more than
+/// 20 m, whose lengths are hardly in metres. Warns of units that seem wrong, and of joints that
+/// cannot move.
 KinematicTree load_kinematic_tree(const std::filesystem::path& file,
                                   const LoadOptions& options = {});
 
-/// Reads the model and builds its fields, or takes them from the cache.
+/// Reads the model and builds its fields, or takes them from the cache. Throws InputError, also
+/// where all fields together would take more than 2 GB.
 ArticulatedModel load_model(const std::filesystem::path& file, const LoadOptions& options = {});
 
 }  // namespace lockbox

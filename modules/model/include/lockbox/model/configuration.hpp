@@ -31,7 +31,8 @@ double joint_position(const KinematicTree& tree, const Configuration& configurat
 void set_joint_position(const KinematicTree& tree, Configuration& configuration,
                         const std::string& joint_name, double position);
 
-/// Limits of variable v, those of its mimics included.
+/// Limits of the joint that is variable v. Those of joints that mimic it do not count: elsewhere
+/// nobody enforces them, so that they are often wrong.
 struct VariableLimits {
   double lower;
   double upper;
