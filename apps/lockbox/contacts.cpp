@@ -2,6 +2,7 @@
 #include "contacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
@@ -9,9 +10,10 @@
 namespace lockbox::app {
 namespace {
 
-constexpr double kSpacing = 0.004;  // metres between samples of a surface
-constexpr double kReach = 0.001;    // metres; farther apart is no contact
-constexpr double kFacing = -0.8;    // cosine between the normals of faces that lie on each other
+constexpr double kSpacing = 0.004;    // metres between samples of a surface
+constexpr double kMostSamples = 2e6;  // of all surfaces: 100 MB; large ones are sampled coarsely
+constexpr double kReach = 0.001;      // metres; farther apart is no contact
+constexpr double kFacing = -0.8;      // cosine between the normals of faces that lie on each other
 
 /// Signed distances to the field of those samples that face its surface and lie on it or below it.
 void append_contact_distances(const std::vector<SurfaceSample>& samples,
@@ -34,17 +36,24 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
+double spacing_for(const std::vector<Body>& bodies) {
+  double area = 0.0;
+  for (const Body& body : bodies) area += surface_area(body.mesh);
+  return std::max(kSpacing, std::sqrt(area / kMostSamples));
+}
+
 }  // namespace
 
 std::vector<Contact> rest_contacts(const ArticulatedModel& model) {
   const auto& bodies = model.tree.bodies;
   std::vector<Eigen::Isometry3d> poses;
   forward_kinematics(model.tree, rest_configuration(model.tree), poses);
+  const double spacing = spacing_for(bodies);
   std::vector<std::vector<SurfaceSample>> samples;
   samples.reserve(bodies.size());
   for (const auto& body : bodies) {
     samples.push_back(body.visuals.empty() ? std::vector<SurfaceSample>()
-                                           : sample_surface(body.mesh, kSpacing));
+                                           : sample_surface(body.mesh, spacing));
   }
 
   std::vector<Contact> contacts;

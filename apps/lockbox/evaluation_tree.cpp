@@ -27,6 +27,15 @@ std::optional<fs::path> model_of_run(const fs::path& run) {
   return std::nullopt;
 }
 
+/// Metres a unit of the model's meshes, if the run says so.
+double mesh_scale_of_run(const fs::path& run) {
+  try {
+    return YAML::LoadFile(run.string())["options"]["mesh-scale"].as<double>(1.0);
+  } catch (const YAML::Exception&) {
+    return 1.0;
+  }
+}
+
 /// The columns after the pose, up to `status`.
 std::vector<std::string> joint_columns(const fs::path& states_file) {
   constexpr std::size_t kPoseColumns = 8;
@@ -47,9 +56,12 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
 }  // namespace
 
 std::optional<KinematicTree> tree_of_run(const fs::path& states_file, const LoadOptions& options) {
-  const auto model = model_of_run(states_file.parent_path() / "run.yaml");
+  const fs::path run = states_file.parent_path() / "run.yaml";
+  const auto model = model_of_run(run);
   if (!model) return std::nullopt;
-  return load_kinematic_tree(*model, options);
+  LoadOptions as_then = options;
+  if (options.mesh_scale == 1.0) as_then.mesh_scale = mesh_scale_of_run(run);
+  return load_kinematic_tree(*model, as_then);
 }
 
 KinematicTree tree_of_columns(const fs::path& states_file) {

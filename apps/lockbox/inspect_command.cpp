@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 
@@ -27,7 +28,7 @@ std::string type_name(JointType type) {
 }
 
 void print_limits(const Joint& joint) {
-  if (joint.type == JointType::continuous) return;
+  if (!std::isfinite(joint.upper - joint.lower)) return;
   const bool turns = joint.type == JointType::revolute;
   const double scale = turns ? kDegrees : kMillimetres;
   std::cout << ", " << scale * joint.lower << " to " << scale * joint.upper

@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "option_checks.hpp"
 #include "shipped_files.hpp"
 
 namespace lockbox::app {
@@ -20,13 +21,22 @@ CLI::Option* ModelOptions::add_model(CLI::App& options, const std::string& help)
   CLI::Option* const model = options.add_option("-m,--model", model_, help)->type_name("FILE");
   options
       .add_option("--package-path", package_paths_,
-                  "Folder to search for package:// meshes (repeatable), beside ROS_PACKAGE_PATH")
+                  "Folder to search for package:// meshes (repeatable), beside ROS_PACKAGE_PATH "
+                  "and AMENT_PREFIX_PATH")
       ->type_name("DIR")
       ->default_str("");
+  options
+      .add_option("--mesh-scale", mesh_scale_,
+                  "Metres a unit of the model's mesh files: 0.001 if they are in millimetres")
+      ->check(positive())
+      ->type_name("FACTOR")
+      ->default_str("1");
   return model;
 }
 
 std::filesystem::path ModelOptions::file() const {
+  const bool may_be_shipped = model_.find_first_of("/.") == std::string::npos;
+  if (std::filesystem::is_directory(model_) && !may_be_shipped) return model_;  // refused by name
   return find_model(model_);
 }
 
@@ -41,6 +51,7 @@ KinematicTree ModelOptions::load_tree() const {
 LoadOptions ModelOptions::load_options() const {
   LoadOptions options;
   options.package_paths.assign(package_paths_.begin(), package_paths_.end());
+  options.mesh_scale = mesh_scale_;
   options.on_warning = [](const std::string& text) {
     std::cerr << "lockbox: warning: " << text << '\n';
   };

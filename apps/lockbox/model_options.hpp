@@ -37,6 +37,7 @@ class ModelOptions {
 
   std::string model_;
   std::vector<std::string> package_paths_;
+  double mesh_scale_ = 1.0;
 };
 
 }  // namespace lockbox::app

@@ -76,6 +76,57 @@ TEST(Model, ThatIsBrokenIsRefusedWithFileAndLine) {
   EXPECT_THAT(result.errors, testing::ContainsRegex("broken\\.urdf:[0-9]+: "));
 }
 
+constexpr const char* kTetrahedronInMillimetres =
+    "v 0 0 0\nv 200 0 0\nv 0 200 0\nv 0 0 200\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+TEST(Model, InMillimetresIsRefusedUntilItsUnitIsNamed) {
+  const TemporaryFolder folder;
+  const std::string mesh = (folder / "tetrahedron.obj").string();
+  write_text(mesh, kTetrahedronInMillimetres);
+  const auto refused = run_tool({"inspect", "--model", mesh});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_THAT(refused.errors, HasSubstr("millimetres"));
+  EXPECT_THAT(refused.errors, HasSubstr("--mesh-scale 0.001"));
+  const auto taken = run_tool({"inspect", "--model", mesh, "--mesh-scale", "0.001"});
+  EXPECT_EQ(taken.status, 0) << taken.errors;
+  EXPECT_EQ(taken.errors, "");
+  EXPECT_EQ(run_tool({"inspect", "--model", mesh, "--mesh-scale", "0"}).status, 2);
+}
+
+/// An evaluation loads the model of the run as the run did.
+TEST(Model, InMillimetresIsKnownFromItsRun) {
+  const TemporaryFolder folder;
+  const std::string mesh = (folder / "tetrahedron.obj").string();
+  const std::string states = (folder / "states.csv").string();
+  write_text(mesh, kTetrahedronInMillimetres);
+  write_text(states, "timestamp,tx,ty,tz,qx,qy,qz,qw,status\n0,0,0,1,0,0,0,1,tracking\n");
+  const std::string run = "model: " + mesh + "\noptions:\n  mesh-scale: ";
+  const auto status_with = [&](const std::string& scale) {
+    write_text(folder / "run.yaml", run + scale + "\n");
+    return run_tool({"evaluate", "--estimate", states, "--reference", states}).status;
+  };
+  EXPECT_EQ(status_with("0.001"), 0);
+  EXPECT_EQ(status_with("1"), 3);
+}
+
+TEST(Model, OfAFolderIsAnsweredWithTheFilesInIt) {
+  const auto result = run_tool({"inspect", "--model", LOCKBOX_MODELS "/cabinet"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("cabinet.urdf"));
+}
+
+/// A surface of 15 m is sampled for its contacts, too.
+TEST(Model, AsLargeAsAHallKeepsWithinTheMemory) {
+  const TemporaryFolder folder;
+  const std::string urdf = (folder / "hall.urdf").string();
+  write_text(urdf,
+             "<robot name=\"r\"><link name=\"a\"><visual><geometry><box size=\"15 15 15\"/>"
+             "</geometry></visual></link></robot>");
+  const auto result = run_tool({"inspect", "--model", urdf});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("15 m large"));
+}
+
 TEST(Configuration, WithUnknownKeysOrMissingIsRefused) {
   const TemporaryFolder folder;
   const auto file = (folder / "options.toml").string();
