@@ -17,7 +17,7 @@ constexpr std::uint32_t kMaximumNode = 16;
 constexpr std::array<std::uint32_t, 4> kOldestVersion = {1, 0, 0, 4};
 constexpr std::array<std::uint32_t, 4> kNewestVersion = {1, 0, 1, 0};
 
-/// What every record begins with; the offset of an earlier record follows.
+/// What every record begins with; the offset of an earlier record follows, which serves seeking.
 struct RecordStart {
   std::uint32_t magic;
   std::uint32_t type;
@@ -165,11 +165,6 @@ OniRecord::OniRecord(const OniFile& file, const OniHeader& header, std::uint64_t
   payload_size_ = record.payload;
   if (!is_possible(record, header)) {
     refuse("its size is impossible");
-  }
-  std::uint64_t undo = 0;
-  file.read(offset + sizeof(record), &undo, header_size_ - sizeof(record));
-  if (undo >= offset) {
-    refuse("it refers to a later record as to an earlier one");
   }
   const bool may_have_payload =
       type() == OniRecordType::new_data || type() == OniRecordType::seek_table;
