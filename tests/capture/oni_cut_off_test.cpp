@@ -2,8 +2,11 @@
 // Recordings whose end is missing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
 
 #include "lockbox/capture/oni_validator.hpp"
 #include "oni_bytes.hpp"
@@ -98,6 +101,30 @@ TEST(OniCutOff, ARecordingThatEndsInZerosPlaysUpToThem) {
     const int result = status_of_child([&] { return replay_cut(folder / "zeros.oni", bytes, 2); });
     EXPECT_EQ(result, 0) << end;
   }
+}
+
+TEST(OniCutOff, WithoutRoomForTheCopyTheFolderIsNamedAndLeftEmpty) {
+  const TemporaryFolder folder;
+  const std::string sound = sound_recording(folder);
+  write_file(folder / "cut.oni", sound.substr(0, sound.size() - 20));
+  std::filesystem::create_directory(folder / "temporary");
+  const auto play = [&] {
+    ::setenv("TMPDIR", (folder / "temporary").c_str(), 1);
+    const rlimit limit{1000, 1000};  // bytes, as on a full disk
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, SIG_IGN);
+    try {
+      OniPlayer(folder / "cut.oni");
+    } catch (const InputError& error) {
+      return std::string(error.what()).find("set TMPDIR to a folder with more room") !=
+                     std::string::npos
+                 ? 0
+                 : 1;
+    }
+    return 2;
+  };
+  EXPECT_EQ(status_of_child(play), 0);
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "temporary"));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 /// LOCKBOX_MUTATIONS asks for more than the few that are always tried.
 int number_of_mutations() {
   const char* const asked = std::getenv("LOCKBOX_MUTATIONS");
-  return asked == nullptr ? 30 : std::atoi(asked);
+  return asked == nullptr ? 20 : std::atoi(asked);
 }
 
 /// Plays the recording with one byte changed after the other. Most are in the records before the

@@ -57,7 +57,7 @@ TEST(OniValidator, ASoundRecordingIsDescribed) {
   EXPECT_EQ(recording.width, 32);
   EXPECT_EQ(recording.height, 24);
   EXPECT_EQ(recording.frame_count, kFramesOfSound);
-  EXPECT_FALSE(recording.mirrored);
+  EXPECT_EQ(recording.mirrored, std::vector<bool>(kFramesOfSound, false));
   EXPECT_EQ(recording.end, bytes.size());
   EXPECT_EQ(recording.payloads.size(), kFramesOfSound);
   EXPECT_NO_THROW(OniPayloadChecker(recording).check_through(kFramesOfSound));

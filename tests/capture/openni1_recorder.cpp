@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// openni1-recorder FILE FRAMES finish|abort mirrored|straight NODE...
+// openni1-recorder FILE FRAMES finish|abort mirrored|straight|turned NODE...
 //
 // Records synthetic frames of nodes like depth:16zT, image:JPEG, ir:NONE, in this order, with the
 // recorder of OpenNI 1; a program of its own, as the libraries of OpenNI 1 and 2 are not made for
-// one process. With abort it ends like one that crashed, before the file is finished.
+// one process. With abort it ends like one that crashed, before the file is finished; turned is
+// straight, and mirrored from the third frame on.
 #include <XnCppWrapper.h>
 #include <XnPropNames.h>
 
@@ -168,6 +169,9 @@ void record(const std::vector<std::string>& arguments) {
   for (int number = 0; number < frames; ++number) {
     const DepthFrame frame = synthetic_frame(static_cast<std::uint64_t>(number), camera());
     for (const auto& node : nodes) {
+      if (arguments[3] == "turned" && number == 2) {
+        require(node->generator().SetIntProperty(XN_PROP_MIRROR, 1));
+      }
       node->set_data(static_cast<XnUInt32>(number) + 1, frame);
     }
     require(context.WaitNoneUpdateAll());

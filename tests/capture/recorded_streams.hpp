@@ -72,7 +72,6 @@ class StreamsOfDevice {
 
   /// Waits until every stream has delivered this frame, which it reads.
   void read_through(int frame) {
-    std::vector<int> last(streams_.size(), 0);
     std::vector<openni::VideoStream*> waiting;
     for (openni::VideoStream& stream : streams_) {
       waiting.push_back(&stream);

@@ -66,6 +66,7 @@ class CopyWriter {
         fields.add_name(name).add_data(value.data(), value.size()));
   }
 
+  bool has_room() const { return bool{out_}; }
   bool is_complete() { return bool{out_.flush()}; }
 
  private:
@@ -105,7 +106,7 @@ void add_frames(const OniRecording& recording, CopyWriter& writer) {
   std::vector<char> image;
   std::uint32_t number = 0;
   for (const OniPayload& payload : recording.payloads) {
-    if (payload.depth) {
+    if (payload.depth && writer.has_room()) {
       image.resize(payload.size);
       in.seekg(static_cast<std::streamoff>(payload.offset));
       in.read(image.data(), static_cast<std::streamsize>(image.size()));

@@ -124,7 +124,7 @@ void OniNode::set_property(OniRecord& record) {
   const std::string name = record.take_name();
   const std::vector<std::uint8_t> value = take_value(record);
   check_property(record, name, value);
-  if (!ready_) {
+  if (!ready_ || name == "xnMirror") {
     properties_[name] = value;
   } else if (decides_interpretation(name) && properties_[name] != value) {
     record.refuse(name + " changes in the middle of the recording, which is not supported");

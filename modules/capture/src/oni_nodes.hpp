@@ -31,6 +31,7 @@ class OniNode {
   std::uint32_t frame_count() const { return static_cast<std::uint32_t>(frames_.size()); }
   int width() const { return width_; }
   int height() const { return height_; }
+  /// At this place of the file.
   bool is_mirrored() const { return integer("xnMirror", 0) != 0; }
 
   /// Those that say what the images mean.

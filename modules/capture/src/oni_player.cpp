@@ -170,7 +170,7 @@ bool OniPlayer::next(DepthFrame& frame) {
     return false;
   }
   frame.camera = impl_->camera;
-  copy_frame(read, impl_->recording.mirrored, frame);
+  copy_frame(read, impl_->recording.mirrored[impl_->delivered], frame);
   frame.index = impl_->delivered++;
   impl_->rectification.apply(frame);
   return true;
@@ -182,7 +182,7 @@ std::optional<std::size_t> OniPlayer::frame_count() const {
 
 std::string OniPlayer::description() const {
   return "OpenNI2 recording " + impl_->recording.file.string() +
-         (impl_->recording.mirrored ? ", recorded mirrored" : "");
+         (impl_->recording.mirrored.front() ? ", recorded mirrored" : "");
 }
 
 }  // namespace lockbox

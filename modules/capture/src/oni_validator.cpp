@@ -155,6 +155,9 @@ class Validation {
                     [](const auto& other) { return !other.second.is_ready(); })) {
       recording_.is_plain = false;
     }
+    if (&node == depth_) {
+      recording_.mirrored.push_back(node.is_mirrored());
+    }
     recording_.payloads.push_back({.offset = record.payload_offset(),
                                    .size = record.payload_size(),
                                    .frame = node.frame_count(),
@@ -180,7 +183,7 @@ class Validation {
     require_depth();
     recording_.width = depth_->width();
     recording_.height = depth_->height();
-    recording_.mirrored = depth_->is_mirrored();
+    recording_.mirrored.resize(recording_.frame_count);
     recording_.depth_properties = depth_->deciding_properties();
     return std::move(recording_);
   }

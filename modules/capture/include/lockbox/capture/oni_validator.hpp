@@ -30,7 +30,7 @@ struct OniRecording {
   int width = 0;  ///< pixels of the depth stream
   int height = 0;
   std::size_t frame_count = 0;       ///< of the depth stream
-  bool mirrored = false;             ///< columns run from right to left
+  std::vector<bool> mirrored;        ///< of each depth image: columns run from right to left
   std::uint64_t end = 0;             ///< bytes up to the end of the last record
   std::vector<OniPayload> payloads;  ///< in file order; if it is not plain, of depth only
 
