@@ -21,9 +21,10 @@ pcl::PointCloud<pcl::PointXYZ> to_pcl(const lockbox::OrganizedCloud& cloud) {
 
 extern "C" {
 
-__attribute__((visibility("default"))) bool lockbox_decompress_lzf(const std::vector<char>& packed,
+__attribute__((visibility("default"))) bool lockbox_decompress_lzf(const char* packed,
+                                                                   std::size_t size,
                                                                    std::vector<char>& data) {
-  return pcl::lzfDecompress(packed.data(), static_cast<unsigned int>(packed.size()), data.data(),
+  return pcl::lzfDecompress(packed, static_cast<unsigned int>(size), data.data(),
                             static_cast<unsigned int>(data.size())) == data.size();
 }
 

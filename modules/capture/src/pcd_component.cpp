@@ -18,7 +18,8 @@ Function* find_function(const char* name) {
 }  // namespace
 
 bool decompress_lzf(const std::vector<char>& packed, std::vector<char>& data) {
-  return find_function<DecompressLzf>(kDecompressLzf)(packed, data);
+  return find_function<DecompressLzf>(kDecompressLzf)(packed.data(), packed.size() - kLzfPadding,
+                                                      data);
 }
 
 void save_pcd(const std::filesystem::path& file, const OrganizedCloud& cloud) {

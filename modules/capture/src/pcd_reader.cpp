@@ -89,9 +89,9 @@ void read_compressed(std::istream& in, const PcdHeader& header, const std::strin
       header.bytes < sizeof(sizes) + sizes[0]) {
     refuse_damaged(name);
   }
-  std::vector<char> packed(sizes[0]);
+  std::vector<char> packed(sizes[0] + kLzfPadding);
   std::vector<char> fields(expected);
-  if (!in.read(packed.data(), static_cast<std::streamsize>(packed.size())) ||
+  if (!in.read(packed.data(), static_cast<std::streamsize>(sizes[0])) ||
       !decompress_lzf(packed, fields)) {
     refuse_damaged(name);
   }
