@@ -12,11 +12,19 @@
 #include "shipped_files.hpp"
 
 namespace lockbox::app {
+namespace {
+
+ArticulatedModel loaded(const std::string& name, bool quiet) {
+  const Activity activity("loading " + name, quiet);
+  return load_model(find_model(name));
+}
+
+}  // namespace
 
 bool Experiment::run(const ExperimentSettings& settings) {
   const auto models = settings.models.empty() ? default_models() : settings.models;
   return std::all_of(models.begin(), models.end(), [&](const std::string& name) {
-    return run_model(load_model(find_model(name)), settings);
+    return run_model(loaded(name, settings.quiet), settings);
   });
 }
 

@@ -51,6 +51,13 @@ Progress::Progress(std::string activity, std::optional<std::size_t> total, bool 
   if (!quiet) ticker_.emplace(kTick, [this] { tick(); });
 }
 
+/// What an error says next does not mix with a line that was not finished.
+Progress::~Progress() {
+  if (!ticker_) return;
+  ticker_.reset();
+  shown_.erase();
+}
+
 void Progress::begin(std::string_view phase) {
   const std::lock_guard lock(mutex_);
   phase_ = phase;

@@ -21,6 +21,9 @@ class Progress {
   /// total: number of units, if known. quiet: says nothing at all.
   Progress(std::string activity, std::optional<std::size_t> total, bool quiet,
            std::string unit = "frames");
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
   /// What is done until the next update; shown with its seconds if it takes long.
   void begin(std::string_view phase);

@@ -69,6 +69,7 @@ void print_summary(const RunTotals& totals, const RunSettings& settings) {
   std::cout << std::fixed << std::setprecision(1) << "; latency " << totals.latency_percentile(0.5)
             << " ms (median), " << totals.latency_percentile(0.95) << " ms (95 %)\n";
   if (!settings.output.empty()) std::cout << "results: " << settings.output.string() << '\n';
+  std::cout.flush();  // while a closed pipe is still noted
 }
 
 ExitStatus status_of(const RunTotals& totals) {

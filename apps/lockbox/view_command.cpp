@@ -12,6 +12,7 @@
 #include "model_options.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
+#include "progress.hpp"
 #include "run_viewer.hpp"
 #include "source_options.hpp"
 
@@ -61,7 +62,7 @@ class ViewCommand : public Command {
   }
 
   ExitStatus run() override {
-    const ArticulatedModel model = model_.load();
+    const ArticulatedModel model = load();
     std::optional<RecordedFrames> frames;
     if (source_.is_given()) {
       auto source = source_.open();
@@ -75,6 +76,11 @@ class ViewCommand : public Command {
   }
 
  private:
+  ArticulatedModel load() const {
+    const Activity activity("loading the model");
+    return model_.load();
+  }
+
   std::vector<State> read_rows(const KinematicTree& tree) const {
     if (states_.empty()) return {};
     auto states = read_states(states_, tree).states;

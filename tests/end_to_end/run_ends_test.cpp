@@ -103,7 +103,7 @@ TEST_F(RunEnds, WithTheStatusOfTheSignalAndCompleteFiles) {
 TEST_F(RunEnds, WithTheStatusOfAPipeThatWasClosed) {
   const auto pipe = path("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   Tool tool(following("piped"), {}, pipe);
   close(reader);
   EXPECT_EQ(tool.wait().status, 128 + SIGPIPE);
@@ -149,7 +149,10 @@ TEST_F(RunEnds, WithADoubtAboutADepthScaleThatPutsEverythingOutOfRange) {
 }
 
 TEST_F(RunEnds, BeforeItBeginsWhereAnotherWritesIntoTheFolder) {
-  Tool first(following("shared", {"--realtime"}));
+  std::filesystem::copy(path("block"), path("paused"), std::filesystem::copy_options::recursive);
+  write_text(path("paused/depth.txt"),
+             "0 depth/000000.png\n0.1 depth/000001.png\n3600 depth/000002.png\n");
+  Tool first(tracking("paused", "shared", {"--realtime", "--initial-state", start_}));
   wait_for_rows("shared", 2);
   for (const bool overwrites : {false, true}) {
     auto arguments = following("shared");
@@ -158,8 +161,11 @@ TEST_F(RunEnds, BeforeItBeginsWhereAnotherWritesIntoTheFolder) {
     EXPECT_EQ(second.status, 3);
     EXPECT_THAT(second.errors, HasSubstr(path("shared") + ": another run"));
   }
-  EXPECT_EQ(first.wait().status, 0);
-  EXPECT_THAT(read_lines(path("shared/states.csv")), SizeIs(kFrames + 1));
+  EXPECT_THAT(read_lines(path("shared/states.csv")), SizeIs(3));
+  first.send_signal(SIGKILL);
+  EXPECT_EQ(first.wait().status, -SIGKILL);
+  const auto after_crash = run_tool(following("shared", {"--overwrite"}));
+  EXPECT_EQ(after_crash.status, 0) << after_crash.errors;
 }
 
 TEST_F(RunEnds, BeforeItBeginsWhereAnEarlierOneWouldBeOverwrittenUnasked) {

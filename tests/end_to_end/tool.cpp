@@ -50,9 +50,13 @@ Tool::Tool(const std::vector<std::string>& arguments, const std::vector<std::str
   const auto output_file = output.empty() ? folder_ / "output" : output;
   posix_spawn_file_actions_addopen(&files, 1, output_file.c_str(), writing, 0600);
   posix_spawn_file_actions_addopen(&files, 2, (folder_ / "errors").c_str(), writing, 0600);
-  posix_spawnattr_t own_group;
+  posix_spawnattr_t own_group;  // and signals that do what they usually do
   posix_spawnattr_init(&own_group);
-  posix_spawnattr_setflags(&own_group, POSIX_SPAWN_SETPGROUP);
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGHUP, SIGINT, SIGPIPE, SIGTERM}) sigaddset(&signals, signal);
+  posix_spawnattr_setsigdefault(&own_group, &signals);
+  posix_spawnattr_setflags(&own_group, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
   const int failure = posix_spawn(&process_, LOCKBOX_TOOL, &files, &own_group,
                                   pointers(command).data(), pointers(variables).data());
   posix_spawnattr_destroy(&own_group);
