@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_validator.hpp"
@@ -87,6 +88,27 @@ TEST_P(RecordedStreams, DepthComesBackFromARecordingOfTheRecording) {
   EXPECT_EQ(recording.mirrored.front(), GetParam().mirrored);
   ASSERT_GE(recording.frame_count, frames);  // the player begins anew before it is stopped
   expect_synthetic_frames(folder_ / "b.oni", kFrames - frames);
+}
+
+TEST(DamagedColour, DoesNotStopDepth) {
+  const TemporaryFolder folder;
+  const Streams streams{{openni::SENSOR_COLOR, openni::SENSOR_DEPTH}, true, false};
+  record_streams(folder / "a.oni", streams, kFrames, tiny_camera());
+  const OniRecording recording = validate_oni(folder / "a.oni");
+  for (const OniPayload& payload : recording.payloads) {
+    if (payload.depth) {
+      continue;
+    }
+    std::filesystem::copy_file(folder / "a.oni", folder / "damaged.oni",
+                               std::filesystem::copy_options::overwrite_existing);
+    std::fstream file(folder / "damaged.oni", std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(static_cast<std::streamoff>(payload.offset) + 4);
+    file.write("\xff\xff\xff\xff\xff", 5);
+    file.close();
+    OniPayloadChecker checker(validate_oni(folder / "damaged.oni"));
+    EXPECT_FALSE(checker.check_through(kFrames)) << payload.frame;
+    expect_synthetic_frames(folder / "damaged.oni", kFrames - recording.frame_count);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RecordedStreams, ::testing::ValuesIn(all_streams()), name_of);

@@ -73,6 +73,7 @@ struct OniPlayer::Impl {
         stop(options.stop) {
     rectification.check_size(recording.width, recording.height, path.string());
     require_openni();
+    check_ahead();
     open();
     warn_if_cut_off(recording, options);
     const std::optional<PinholeCamera> own = camera_of(depth);
@@ -85,17 +86,18 @@ struct OniPlayer::Impl {
     start();
   }
 
-  ~Impl() {
-    // Measured: this order and the pause keep OpenNI2's player thread from using a stream that is
-    // being destroyed.
+  ~Impl() { close(); }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  /// Measured: this order and the pause keep OpenNI2's player thread from using a stream that is
+  /// being destroyed.
+  void close() {
     depth.stop();
     std::this_thread::sleep_for(30ms);
     depth.destroy();
     device.close();
   }
-
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
 
   [[noreturn]] void fail(const std::string& problem) const {
     throw DeviceError(recording.file.string() + ": OpenNI2 " + problem);
@@ -118,29 +120,54 @@ struct OniPlayer::Impl {
   /// Repeating stays on, although nothing is played twice: switching it off makes the player spin
   /// and crash at the end of the file. Manual speed (-1) waits for the consumer at every frame.
   void start() {
-    payloads.check_through(1);  // the player decodes one frame ahead
     if (device.getPlaybackControl()->setSpeed(-1.0F) != openni::STATUS_OK ||
         depth.start() != openni::STATUS_OK) {
       fail("cannot play this recording: " + openni_error());
     }
   }
 
+  /// Checks what the player decodes next, one frame ahead. When an image of another stream is
+  /// damaged, it plays on with a copy of the depth. Returns false if it was told to stop.
+  bool check_ahead() {
+    const bool is_open = device.isValid();
+    const std::size_t frame = delivered + (is_open ? 2 : 1);
+    if (payloads.check_through(frame)) {
+      return true;
+    }
+    leave_out_other_streams(recording);
+    payloads = OniPayloadChecker(recording);
+    payloads.check_through(frame);
+    return !is_open || begin_again();
+  }
+
+  bool begin_again() {
+    close();
+    open();
+    start();
+    openni::VideoFrameRef passed;
+    std::size_t number = 1;
+    while (number <= delivered && read(number, passed)) {
+      ++number;
+    }
+    return number > delivered;
+  }
+
   /// Returns false if it was told to stop.
-  bool read(openni::VideoFrameRef& frame) {
+  bool read(std::size_t number, openni::VideoFrameRef& frame) {
     for (int slice = 0; !wait_for_frame(depth, kSliceMilliseconds); ++slice) {
       if (stop && stop()) {
         return false;
       }
       if (slice == kSlices) {
-        fail("stopped delivering after frame " + std::to_string(delivered));
+        fail("does not deliver frame " + std::to_string(number));
       }
     }
     if (depth.readFrame(&frame) != openni::STATUS_OK) {
-      fail("cannot read frame " + std::to_string(delivered + 1) + ": " + openni_error());
+      fail("cannot read frame " + std::to_string(number) + ": " + openni_error());
     }
-    if (frame.getFrameIndex() != static_cast<int>(delivered + 1)) {
-      fail("delivered frame " + std::to_string(frame.getFrameIndex()) + " after frame " +
-           std::to_string(delivered));
+    if (frame.getFrameIndex() != static_cast<int>(number)) {
+      fail("delivered frame " + std::to_string(frame.getFrameIndex()) + " instead of frame " +
+           std::to_string(number));
     }
     return true;
   }
@@ -164,9 +191,8 @@ bool OniPlayer::next(DepthFrame& frame) {
   if (impl_->delivered == impl_->recording.frame_count) {
     return false;
   }
-  impl_->payloads.check_through(impl_->delivered + 2);
   openni::VideoFrameRef read;
-  if (!impl_->read(read)) {
+  if (!impl_->check_ahead() || !impl_->read(impl_->delivered + 1, read)) {
     return false;
   }
   frame.camera = impl_->camera;

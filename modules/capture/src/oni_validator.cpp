@@ -175,7 +175,7 @@ class Validation {
       check_complete();
     }
     if (!recording_.is_plain) {
-      std::erase_if(recording_.payloads, [](const OniPayload& payload) { return !payload.depth; });
+      leave_out_other_streams(recording_);
     }
     recording_.frame_count = static_cast<std::size_t>(
         std::count_if(recording_.payloads.begin(), recording_.payloads.end(),
@@ -253,27 +253,32 @@ OniRecording validate_oni(const std::filesystem::path& file) {
   return Validation(file).run();
 }
 
+void leave_out_other_streams(OniRecording& recording) {
+  recording.is_plain = false;
+  std::erase_if(recording.payloads, [](const OniPayload& payload) { return !payload.depth; });
+}
+
 OniPayloadChecker::OniPayloadChecker(const OniRecording& recording)
     : recording_(recording), stream_(recording.file, std::ios::binary) {}
 
-void OniPayloadChecker::check_through(std::size_t frame) {
-  while (next_ < recording_.payloads.size()) {
+bool OniPayloadChecker::check_through(std::size_t frame) {
+  for (; next_ < recording_.payloads.size(); ++next_) {
     const OniPayload& payload = recording_.payloads[next_];
     if (payload.depth && payload.frame > frame) {
-      return;
+      return true;
     }
-    check(payload);
-    ++next_;
+    const std::optional<std::string> damage = find_damage(stream_, payload, buffer_);
+    if (damage && payload.depth) {
+      throw InputError(recording_.file.string(), "frame " + std::to_string(payload.frame) +
+                                                     " is damaged, at byte " +
+                                                     std::to_string(payload.offset) + ": " +
+                                                     *damage + "; copy or record it again");
+    }
+    if (damage) {
+      return false;
+    }
   }
-}
-
-void OniPayloadChecker::check(const OniPayload& payload) {
-  if (const std::optional<std::string> damage = find_damage(stream_, payload, buffer_)) {
-    throw InputError(recording_.file.string(), "frame " + std::to_string(payload.frame) +
-                                                   " is damaged, at byte " +
-                                                   std::to_string(payload.offset) + ": " + *damage +
-                                                   "; copy or record it again");
-  }
+  return true;
 }
 
 }  // namespace lockbox

@@ -49,6 +49,9 @@ struct OniRecording {
 /// recordings. Throws InputError that says what is wrong, where, and what to do.
 OniRecording validate_oni(const std::filesystem::path& file);
 
+/// What remains is not plain.
+void leave_out_other_streams(OniRecording& recording);
+
 /// Writes the depth of a recording as a file that OpenNI2 plays: complete, finished, of the newest
 /// version, with nothing but what was checked. Throws InputError if there is no room for it.
 void copy_depth(const OniRecording& recording, const std::filesystem::path& copy);
@@ -59,12 +62,11 @@ class OniPayloadChecker {
   explicit OniPayloadChecker(const OniRecording& recording);
 
   /// Checks all payloads up to and including depth frame number `frame` (from 1), or the whole file
-  /// if there are fewer, unless done before. Throws InputError at the first damaged one.
-  void check_through(std::size_t frame);
+  /// if there are fewer, unless done before. Throws InputError at the first damaged depth image;
+  /// returns false, and goes no further, at a damaged image of another stream.
+  bool check_through(std::size_t frame);
 
  private:
-  void check(const OniPayload& payload);
-
   OniRecording recording_;
   std::ifstream stream_;
   std::vector<std::uint8_t> buffer_;
