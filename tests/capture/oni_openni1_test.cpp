@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ostream>
 
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_validator.hpp"
@@ -23,6 +24,10 @@ struct Recorded {
   bool aborted = false;
   bool plain = true;
 };
+
+void PrintTo(const Recorded& recorded, std::ostream* out) {
+  *out << recorded.nodes;
+}
 
 std::string name_of(const ::testing::TestParamInfo<Recorded>& info) {
   return info.param.name;

@@ -10,6 +10,7 @@
 #include <deque>
 #include <filesystem>
 #include <future>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -27,6 +28,10 @@ struct Streams {
   bool lossy = false;
   bool mirrored = false;
 };
+
+inline void PrintTo(const Streams& streams, std::ostream* out) {
+  *out << streams.order.size() << " streams";
+}
 
 /// What is attached to one recorder.
 class StreamsOfDevice {
