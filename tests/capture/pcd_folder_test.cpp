@@ -116,6 +116,8 @@ TEST(PcdFolder, StampsComeFromTheNamesThatHoldThem) {
       stamps({"cloud_1305031102175304", "cloud_1305031103175304"}),
       ElementsAre(DoubleNear(1305031102.175304, 1e-6), DoubleNear(1305031103.175304, 1e-6)));
   EXPECT_THAT(stamps({"0001", "0002"}), ElementsAre(0.0, DoubleNear(1.0 / 30.0, 1e-12)));
+  EXPECT_THAT(stamps({"0000000001", "0000000002"}),
+              ElementsAre(0.0, DoubleNear(1.0 / 30.0, 1e-12)));
 }
 
 /// The depth of pixel 0 of each frame, in millimetres; 0 in frames without any depth.

@@ -135,7 +135,9 @@ void read_png16(const std::filesystem::path& file, Image16& image) {
     throw InputError(file.string(),
                      "depth images must be 16-bit grey, this one has " +
                          std::to_string(header.bit_depth) + " bits a channel" +
-                         (header.color_type == PNG_COLOR_TYPE_GRAY ? "" : ", colour"));
+                         (header.color_type == PNG_COLOR_TYPE_GRAY ? "" : ", colour") +
+                         "; pictures made for the eye do not tell depth: save it as it was "
+                         "measured, in millimetres");
   }
   if (!is_image_size(header.width, header.height)) {
     throw InputError(file.string(), "has " + size_text(header.width, header.height) +

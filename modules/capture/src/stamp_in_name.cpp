@@ -36,6 +36,9 @@ std::optional<double> stamp_in_name(const std::string& stem) {
   if (!value || number.find('.') != std::string::npos) {
     return value;
   }
+  if (number.front() == '0') {
+    return std::nullopt;  // a count with zeros in front, as KITTI's, or the year 1970
+  }
   switch (number.size()) {
     case 10:
       return *value;
