@@ -10,7 +10,7 @@ const std::vector<CommandEntry>& commands() {
       {"simulate", "Renders what a depth camera would record of a moving model",
        "lockbox simulate --model lockbox --trajectory states.csv --output recording.oni",
        make_simulate_command},
-      {"record", "Records a live device into an .oni file",
+      {"record", "Records a live device, or a recording of any kind, into an .oni file",
        "lockbox record --source openni2: --output recording.oni", make_record_command},
       {"evaluate", "Compares estimated states with a reference",
        "lockbox evaluate --estimate out/run/states.csv --reference groundtruth.csv "

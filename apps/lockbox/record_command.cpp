@@ -15,7 +15,8 @@ namespace {
 class RecordCommand : public Command {
  public:
   void add_options(CLI::App& options) override {
-    options.add_option("-s,--source", source_, "openni2: or openni2:<uri>")
+    options.add_option("-s,--source", source_,
+                       "openni2:, openni2:<uri>, or a recording of any kind")
         ->required()
         ->type_name("SOURCE");
     options.add_option("-o,--output", output_, "The recording to write")
@@ -39,7 +40,10 @@ class RecordCommand : public Command {
       return interruption.requested() || (seconds_ > 0.0 && elapsed.count() >= seconds_);
     };
     if (!quiet_) std::cerr << "recording " << source_ << "; Ctrl-C ends\n";
-    const std::size_t frames = record(source_, output_, is_over);
+    const auto warn = [](const std::string& text) {
+      std::cerr << "lockbox: warning: " << text << '\n';
+    };
+    const std::size_t frames = record(source_, output_, is_over, warn);
     if (!quiet_) std::cout << counted(frames, "frame") << " in " << output_ << '\n';
     return ExitStatus::done;
   }

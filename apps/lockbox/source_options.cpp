@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source_options.hpp"
-#include "option_checks.hpp"
 
 #include <iostream>
+
+#include "interruption.hpp"
+#include "option_checks.hpp"
 
 namespace lockbox::app {
 
@@ -41,6 +43,7 @@ std::unique_ptr<FrameSource> SourceArguments::open() const {
   if (!camera_info_.empty()) options.camera_info = camera_info_;
   options.depth_scale = depth_scale_;
   options.realtime = realtime_;
+  options.stop = interruption::requested;
   options.warn = [](const std::string& text) { std::cerr << "lockbox: warning: " << text << '\n'; };
   return open_source(source_, options);
 }
