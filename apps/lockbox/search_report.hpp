@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
-#include "depth_survey.hpp"
-#include "lockbox/model/kinematic_tree.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "run_description.hpp"
 
@@ -14,20 +10,16 @@ namespace lockbox::app {
 /// first search has failed, and at the end of a run that never was `tracking`.
 class SearchReport {
  public:
-  /// max_depth: metres; the tracker drops what is measured farther. quiet: says it only at the end.
-  SearchReport(const KinematicTree& tree, double max_depth, bool quiet);
+  /// quiet: says it only at the end.
+  explicit SearchReport(bool quiet) : is_said_(quiet) {}
 
-  void add(const DepthFrame& frame, const TrackingResult& result);
+  /// After each frame.
+  void look_at(const Tracker& tracker, const DepthFrame& frame);
 
-  void print_summary(const RunTotals& totals) const;
+  static void print_summary(const Tracker& tracker, const RunTotals& totals);
 
  private:
-  std::string reasons() const;
-
-  std::string model_size_;  ///< a sentence without a full stop
-  DepthSurvey survey_;      ///< of the frames before the object was tracked
-  bool is_quiet_;
-  bool was_tracked_ = false;
+  bool is_said_;
 };
 
 }  // namespace lockbox::app

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "interruption.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
 #include "locked_folder.hpp"
@@ -53,6 +54,8 @@ class TrackCommand : public Command {
     const auto source = open();
     TrackerOptions tracker_options = make_tracker_options(model.tree);
     tracker_options.background_search = source->is_realtime();
+    tracker_options.try_other_readings = !settings_.quiet;
+    tracker_options.stop_request = interruption::requested;
     Tracker tracker(model, tracker_options);
     if (initial_state_ != "auto") tracker.start(first_state(initial_state_, model.tree));
     if (!settings_.quiet) {

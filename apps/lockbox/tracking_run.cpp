@@ -47,7 +47,7 @@ std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& 
     const TrackingResult& result = tracker.process(frame);
     status = result.status;
     outputs.add(frame, result);
-    report.add(frame, result);
+    report.look_at(tracker, frame);
     progress.update(outputs.totals().frames(), to_string(status));
     if (outputs.totals().frames() == settings.max_frames) {
       end = "frame limit reached";
@@ -82,7 +82,7 @@ ExitStatus status_of(const RunTotals& totals) {
 ExitStatus track_source(FrameSource& source, Tracker& tracker, const ArticulatedModel& model,
                         RunDescription description, const RunSettings& settings) {
   RunOutputs outputs(model, std::move(description), settings);
-  SearchReport report(model.tree, tracker.options().cloud.max_depth, settings.quiet);
+  SearchReport report(settings.quiet);
   const Interruption interruption;
   std::string end;
   try {
@@ -104,7 +104,7 @@ ExitStatus track_source(FrameSource& source, Tracker& tracker, const Articulated
   }
   if (!settings.quiet) print_summary(totals, settings);
   const ExitStatus status = status_of(totals);
-  if (status == ExitStatus::never_tracked) report.print_summary(totals);
+  if (status == ExitStatus::never_tracked) SearchReport::print_summary(tracker, totals);
   return status;
 }
 

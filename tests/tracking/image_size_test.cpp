@@ -21,12 +21,8 @@ struct ImageSize {
 /// The same view in other pixels, as narrow as the image is.
 DepthFrame frame_of(const Configuration& configuration, const ImageSize& size, double stamp) {
   const double focal = 0.9 * std::max(size.width, size.height);
-  const PinholeCamera camera{size.width,
-                             size.height,
-                             focal,
-                             focal,
-                             0.5 * (size.width - 1),
-                             0.5 * (size.height - 1)};
+  const PinholeCamera camera{
+      size.width, size.height, focal, focal, 0.5 * (size.width - 1), 0.5 * (size.height - 1)};
   State state;
   state.stamp = stamp;
   state.configuration = configuration;
@@ -62,21 +58,25 @@ TEST_P(ImageSizeTest, IsFollowed) {
   }
 }
 
-TEST_P(ImageSizeTest, IsSearched) {
-  const ImageSize& size = GetParam();
-  if (size.width > 32 && size.height > 32) GTEST_SKIP() << "takes seconds";
+/// Of larger images a search takes seconds.
+class SmallImageTest : public ImageSizeTest {};
+
+TEST_P(SmallImageTest, IsSearched) {
   Tracker tracker(model, options());
-  EXPECT_EQ(tracker.process(frame_of(truth, size, 0.0)).searches, 1);
+  EXPECT_EQ(tracker.process(frame_of(truth, GetParam(), 0.0)).searches, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Odd, ImageSizeTest,
-                         ::testing::Values(ImageSize{1, 1}, ImageSize{17, 13}, ImageSize{31, 29},
-                                           ImageSize{161, 121}, ImageSize{639, 5},
-                                           ImageSize{3, 480}),
-                         [](const auto& size) {
-                           return std::to_string(size.param.width) + "x" +
-                                  std::to_string(size.param.height);
-                         });
+std::string name_of(const ::testing::TestParamInfo<ImageSize>& size) {
+  return std::to_string(size.param.width) + "x" + std::to_string(size.param.height);
+}
+
+const auto kSmall = ::testing::Values(ImageSize{1, 1}, ImageSize{17, 13}, ImageSize{31, 29},
+                                      ImageSize{639, 5}, ImageSize{3, 480});
+
+INSTANTIATE_TEST_SUITE_P(Odd, SmallImageTest, kSmall, name_of);
+INSTANTIATE_TEST_SUITE_P(Odd, ImageSizeTest, kSmall, name_of);
+INSTANTIATE_TEST_SUITE_P(Larger, ImageSizeTest,
+                         ::testing::Values(ImageSize{161, 121}, ImageSize{512, 424}), name_of);
 
 }  // namespace
 }  // namespace lockbox

@@ -43,6 +43,18 @@ Initializer& Initializer::operator=(Initializer&&) noexcept = default;
 
 std::vector<Candidate> Initializer::find(const TiledCloud& cloud,
                                          const std::optional<Configuration>& held) {
+  constexpr bool kIsThorough = true;
+  return look(cloud, held, kIsThorough);
+}
+
+std::vector<Candidate> Initializer::glance(const TiledCloud& cloud) {
+  constexpr bool kIsThorough = false;
+  return look(cloud, std::nullopt, kIsThorough);
+}
+
+std::vector<Candidate> Initializer::look(const TiledCloud& cloud,
+                                         const std::optional<Configuration>& held,
+                                         bool is_thorough) {
   check(cloud);
   Workspace& w = *workspace_;
   w.held = held.value_or(rest_configuration(w.model.tree));
@@ -57,7 +69,7 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud,
 
   const PlanarScene scene = planes(view, w.view_noise());
   w.surroundings.set_scene(scene);
-  std::vector<Candidate> candidates = w.seek_until_convinced(cloud, scene, fine_view);
+  std::vector<Candidate> candidates = w.seek_until_convinced(cloud, scene, fine_view, is_thorough);
   if (!candidates.empty()) {
     w.settle(cloud, fine_view, candidates.front());
   }
@@ -66,7 +78,8 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud,
 
 std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledCloud& cloud,
                                                                     const PlanarScene& scene,
-                                                                    const CoarseView& fine_view) {
+                                                                    const CoarseView& fine_view,
+                                                                    bool is_thorough) {
   std::vector<Hypothesis> hypotheses;
   std::vector<Candidate> candidates;
   const auto best_score_in = [&](const PlanarScene& from, const Breadth& breadth) {
@@ -75,7 +88,7 @@ std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledC
     candidates = rank(cloud, hypotheses);
     return candidates.empty() ? 0.0 : candidates.front().score;
   };
-  if (best_score_in(scene, kUsual) >= kConvincing) return candidates;
+  if (best_score_in(scene, kUsual) >= kConvincing || !is_thorough) return candidates;
   const PlanarScene closer = planes(fine_view, fine_view_noise());
   if (best_score_in(closer, kUsual) >= kPossible) return candidates;
   if (best_score_in(scene, kWide) < kPossible) best_score_in(closer, kWide);

@@ -98,9 +98,8 @@ std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
   executor.for_each(pairs, [&](std::size_t pair) {
     const ModelRelief& relief = (*reliefs)[pair % reliefs->size()];
     const PlanarRegion& region = regions[pair / reliefs->size()];
-    for (const auto& match :
-         match_relief(scene.view, region, relief, scene.noise, breadth.matches_each,
-                      options.stop_request)) {
+    for (const auto& match : match_relief(scene.view, region, relief, scene.noise,
+                                          breadth.matches_each, options.stop_request)) {
       add_matched(relief, match, found[pair]);
     }
     for (Hypothesis& hypothesis : found[pair]) hypothesis.score = judge(hypothesis, 0.02, 1.0);

@@ -57,9 +57,10 @@ struct Initializer::Workspace {
   double fine_view_noise() const { return kHalfNoise * depth_noise(); }
 
   /// All stages but the last. While no answer is convincing, they are gone through again with the
-  /// planes of the finer view, then keeping more, and all answers are ranked together.
+  /// planes of the finer view, then keeping more, and all answers are ranked together, if that is
+  /// asked for.
   std::vector<Candidate> seek_until_convinced(const TiledCloud& cloud, const PlanarScene& scene,
-                                              const CoarseView& fine_view);
+                                              const CoarseView& fine_view, bool is_thorough);
   /// What was found made exact, all joints sought once more.
   void settle(const TiledCloud& cloud, const CoarseView& fine_view, Candidate& candidate);
   /// Parts within others would push away what is seen when it is registered: of these variables,

@@ -43,15 +43,34 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
   }
   if (scope != SearchScope::near) {
     ++searches_;
-    for (const Candidate& candidate : initializer().find(cloud_, guess)) {
-      if (candidate.score < options_.least_score) break;
-      if (ends_search(candidate)) {
-        doubt_base(candidate.rival_distance, *best_);
-        break;
-      }
-    }
+    look_anywhere(guess);
+    failure_ = is_found() ? std::nullopt : std::optional(explain(frame));
   }
   return best_;
+}
+
+void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
+  for (const Candidate& candidate : initializer().find(cloud_, guess)) {
+    if (candidate.score < options_.least_score) return;
+    if (ends_search(candidate)) {
+      doubt_base(candidate.rival_distance, *best_);
+      return;
+    }
+  }
+}
+
+bool Acquisition::is_found() const {
+  return best_ && judge(*best_, options_) == TrackingStatus::tracking;
+}
+
+SearchFailure Acquisition::explain(const DepthFrame& frame) {
+  SearchFailure failure = search_failure(frame, model_.tree, options_, best_ ? &*best_ : nullptr);
+  const bool is_worth_while = options_.try_other_readings && !options_.background_search &&
+                              searches_ == 1 && !is_explained(failure);
+  if (is_worth_while) {
+    try_other_readings(frame, model_, options_, executor_, failure);
+  }
+  return failure;
 }
 
 /// Wrong answers drift off when gates open. Right ones may, too, along the table they stand on;

@@ -104,7 +104,10 @@ std::optional<RegistrationResult> BackgroundSearch::take() {
   } catch (const Stopped&) {
     answer.reset();
   }
-  if (seeker_) searches_ = seeker_->acquisition.searches();
+  if (seeker_) {
+    searches_ = seeker_->acquisition.searches();
+    failure_ = seeker_->acquisition.failure();
+  }
   return is_cancelled_ ? std::nullopt : std::move(answer);
 }
 

@@ -128,6 +128,10 @@ std::optional<RegistrationResult> Tracker::where_it_was() {
   return here;
 }
 
+const std::optional<SearchFailure>& Tracker::search_failure() const {
+  return background_ ? background_->failure() : acquisition_.failure();
+}
+
 void Tracker::stop_searching() {
   if (background_) background_->cancel();
   answers_passed_ = 0;

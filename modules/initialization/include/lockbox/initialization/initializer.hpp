@@ -20,7 +20,8 @@ namespace lockbox {
 struct InitializerOptions {
   RegistrationOptions registration;
   std::size_t most_candidates = 3;  ///< to be returned
-  /// A search that it stops throws Stopped within some tenths of a second. The next one begins anew.
+  /// A search that it stops throws Stopped within some tenths of a second. The next one begins
+  /// anew.
   StopRequest stop_request = nullptr;
 };
 
@@ -60,6 +61,10 @@ class Initializer {
   std::vector<Candidate> find(const TiledCloud& cloud,
                               const std::optional<Configuration>& held = std::nullopt);
 
+  /// The same, but ends after the first round (docs/initialization.md), whatever it has found: a
+  /// quarter of the time or less where the object is not in view. All joints are sought.
+  std::vector<Candidate> glance(const TiledCloud& cloud);
+
   /// The joints alone, each over its whole range, the base known within a centimetre. Variables
   /// that are not listed, that are locked, or that the view says nothing about, keep their
   /// positions.
@@ -67,6 +72,9 @@ class Initializer {
                            const std::vector<int>& variables);
 
  private:
+  std::vector<Candidate> look(const TiledCloud& cloud, const std::optional<Configuration>& held,
+                              bool is_thorough);
+
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
 };

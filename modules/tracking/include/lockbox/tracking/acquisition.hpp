@@ -7,6 +7,7 @@
 #include "lockbox/core/depth_frame.hpp"
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/tracking/judgement.hpp"
+#include "lockbox/tracking/search_failure.hpp"
 
 namespace lockbox {
 
@@ -49,6 +50,10 @@ class Acquisition {
   /// How often find() has looked anywhere.
   int searches() const { return searches_; }
 
+  /// Why the last time that find() looked anywhere gave no answer that is judged `tracking`; none
+  /// if it did, or has not looked anywhere yet.
+  const std::optional<SearchFailure>& failure() const { return failure_; }
+
   /// Seeks joints over their whole range and registers everything from there; those of which it is
   /// doubtful where they are count as not observable.
   RegistrationResult with_joints_sought(const Configuration& start,
@@ -58,6 +63,9 @@ class Acquisition {
   SoughtJoints find_joints(const Configuration& start, const std::vector<int>& variables);
 
  private:
+  void look_anywhere(const std::optional<Configuration>& guess);
+  bool is_found() const;
+  SearchFailure explain(const DepthFrame& frame);
   bool ends_search(const Candidate& candidate);
   void doubt_joints(const JointMargins& margins, RegistrationResult& registered) const;
   bool find_from(const DepthFrame& frame, const Configuration& guess, SearchScope scope);
@@ -74,6 +82,7 @@ class Acquisition {
   TiledCloud& cloud_;
   std::optional<Initializer> initializer_;  ///< made when it is first needed: it draws the model
   std::optional<RegistrationResult> best_;
+  std::optional<SearchFailure> failure_;
   int searches_ = 0;
 };
 

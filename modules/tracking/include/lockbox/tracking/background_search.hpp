@@ -49,6 +49,9 @@ class BackgroundSearch {
   /// How often the object was sought in the whole frame, in searches that ended.
   int searches() const { return searches_; }
 
+  /// See Acquisition::failure(), of the last search that has ended.
+  const std::optional<SearchFailure>& failure() const { return failure_; }
+
  private:
   struct Seeker;
   using Answer = std::optional<RegistrationResult>;
@@ -70,6 +73,7 @@ class BackgroundSearch {
   bool has_newer_ = false;  ///< than frame_
   std::atomic<bool> is_cancelled_{false};
   int searches_ = 0;
+  std::optional<SearchFailure> failure_;
   std::future<Answer> running_;  ///< last: it goes first, and waits for the search
 };
 

@@ -56,6 +56,10 @@ class Tracker {
   /// the frame then counts as not seen.
   const TrackingResult& process(const DepthFrame& frame);
 
+  /// Why the last search of the whole frame found nothing to believe in; none if it did, or none
+  /// was made yet.
+  const std::optional<SearchFailure>& search_failure() const;
+
   const TiledCloud& cloud() const { return cloud_; }
   const TrackerOptions& options() const { return options_; }
   const CollisionTerm& collision() const { return registration_.collision(); }

@@ -24,6 +24,9 @@ struct TrackerOptions {
   /// Frames do not wait for searches, which then go on in a thread of their own: for live sources.
   /// What a recording gives depends on the clock with it, and not without.
   bool background_search = false;
+  /// Where the first search finds nothing and the frame does not tell why, other readings of it are
+  /// tried (search_failure.hpp), which takes some seconds. Not in the background.
+  bool try_other_readings = false;
   /// Ends searches, which may take a minute: process() then throws Stopped within some tenths of a
   /// second. Frames that need no search are not stopped.
   StopRequest stop_request = nullptr;

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is said where the object is not found: each reason on a simulated frame that has it.
+#include "lockbox/tracking/search_failure.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "lockbox/tracking/tracker.hpp"
+#include "mechanism.hpp"
+
+namespace lockbox {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string said(const SearchFailure& failure) {
+  std::string all;
+  for (const std::string& reason : reasons(failure)) all += reason + '\n';
+  return all;
+}
+
+class SearchFailureTest : public ::testing::Test {
+ protected:
+  static TrackerOptions options() {
+    TrackerOptions options;
+    options.threads = 1;
+    return options;
+  }
+
+  SearchFailure failure(const RegistrationResult* best = nullptr) const {
+    return search_failure(frame, model.tree, options(), best);
+  }
+
+  /// Sees nothing but a wall.
+  void look_at_wall(std::uint16_t millimetres) {
+    std::fill(frame.depth.begin(), frame.depth.end(), millimetres);
+  }
+
+  /// What the same camera sees in a mirror.
+  void mirror() {
+    frame.camera.cx = frame.camera.width - 1 - frame.camera.cx;
+    for (auto row = frame.depth.begin(); row != frame.depth.end(); row += frame.camera.width) {
+      std::reverse(row, row + frame.camera.width);
+    }
+  }
+
+  void try_readings(SearchFailure& failure) const {
+    try_other_readings(frame, model, options(), Executor(1), failure);
+  }
+
+  const ArticulatedModel& model = mechanism();
+  const Configuration truth = mechanism_start(model);
+  DepthFrame frame = measured(model, truth, "primesense");
+};
+
+TEST_F(SearchFailureTest, AFrameThatIsSoundExplainsNothing) {
+  EXPECT_FALSE(is_explained(failure()));
+  EXPECT_THAT(said(failure()), HasSubstr("Nothing in view resembles the model"));
+  EXPECT_GT(failure().measured, 0.8);
+  EXPECT_EQ(failure().too_far, 0.0);
+  EXPECT_NEAR(failure().field_of_view, 58.1, 0.1);
+}
+
+TEST_F(SearchFailureTest, NoPixelHasADepth) {
+  look_at_wall(0);
+  EXPECT_TRUE(is_explained(failure()));
+  EXPECT_THAT(said(failure()), HasSubstr("No pixel has a depth"));
+}
+
+TEST_F(SearchFailureTest, FewPixelsHaveADepth) {
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    if (i % 20 != 0) frame.depth[i] = 0;
+  }
+  EXPECT_TRUE(is_explained(failure()));
+  EXPECT_THAT(said(failure()), HasSubstr("Only"));
+  EXPECT_THAT(said(failure()), HasSubstr("of the pixels have a depth"));
+}
+
+TEST_F(SearchFailureTest, EverythingIsBeyondTheRange) {
+  frame.metres_per_unit = 0.01F;
+  EXPECT_GT(failure().too_far, 0.9);
+  EXPECT_THAT(said(failure()), HasSubstr("farther than 5 m"));
+  EXPECT_THAT(said(failure()), HasSubstr("--depth-scale 1000."));
+  frame.metres_per_unit = 1.0F;
+  EXPECT_THAT(said(failure()), HasSubstr("--depth-scale 1000."));
+}
+
+TEST_F(SearchFailureTest, EverythingIsNearerThanTheRange) {
+  frame.metres_per_unit = 1e-4F;
+  EXPECT_GT(failure().too_near, 0.9);
+  EXPECT_THAT(said(failure()), HasSubstr("nearer than 0.2 m"));
+  EXPECT_THAT(said(failure()), HasSubstr("--depth-scale 1000."));
+}
+
+TEST_F(SearchFailureTest, AFarSceneMayBeOne) {
+  look_at_wall(30000);
+  EXPECT_THAT(said(failure()), HasSubstr("if that is wrong, try --depth-scale 10000."));
+}
+
+TEST_F(SearchFailureTest, NoCameraHasSuchAFocalLength) {
+  frame.camera.fx *= 10.0;
+  EXPECT_THAT(said(failure()), HasSubstr("--camera-info"));
+  frame.camera.fx /= 200.0;
+  EXPECT_THAT(said(failure()), HasSubstr("--camera-info"));
+}
+
+TEST_F(SearchFailureTest, TheModelIsLargerThanTheView) {
+  look_at_wall(220);
+  EXPECT_THAT(said(failure()), HasSubstr("m across, but the view no more than 0.24 m"));
+  EXPECT_THAT(said(failure()), HasSubstr("--mesh-scale"));
+}
+
+TEST_F(SearchFailureTest, TheModelIsTooSmallToBeSeen) {
+  look_at_wall(4900);
+  frame.camera = {40, 30, 36.0, 36.0, 19.5, 14.5};
+  frame.depth.resize(40 * 30);
+  EXPECT_THAT(said(failure()), HasSubstr("pixels even where the view is nearest"));
+}
+
+TEST_F(SearchFailureTest, TheFrameIsMirrored) {
+  mirror();
+  SearchFailure found = failure();
+  EXPECT_FALSE(is_explained(found));
+  try_readings(found);
+  EXPECT_TRUE(found.is_mirrored);
+  EXPECT_THAT(said(found), HasSubstr("mirror"));
+}
+
+TEST_F(SearchFailureTest, DepthsAreInAnotherUnit) {
+  frame.metres_per_unit *= 5.0F;
+  SearchFailure found = failure();
+  try_readings(found);
+  EXPECT_FALSE(found.is_mirrored);
+  EXPECT_DOUBLE_EQ(found.depth_factor, 0.2);
+  EXPECT_THAT(said(found), HasSubstr("try --depth-scale 1000."));
+}
+
+TEST_F(SearchFailureTest, TheLikeliestPlaceIsSaid) {
+  RegistrationResult best;
+  best.configuration = truth;
+  best.agreement.explained = 0.34;
+  best.agreement.contradicted = 0.22;
+  best.agreement.occluded = 0.1;
+  best.body_agreement.resize(model.tree.bodies.size());
+  Agreement& body = best.body_agreement[1];
+  body.contradicted = 0.9;
+  body.pixels = 1000.0;
+  const std::string text = said(failure(&best));
+  EXPECT_THAT(text, HasSubstr("0.7 m away"));
+  EXPECT_THAT(text, HasSubstr("34 % of the model's visible surface"));
+  EXPECT_THAT(text, HasSubstr("22 % are seen through"));
+  EXPECT_THAT(text, HasSubstr("'" + model.tree.bodies[1].name + "'"));
+}
+
+TEST_F(SearchFailureTest, TheTrackerTellsUntilItHasFoundTheObject) {
+  Tracker tracker(model, options());
+  EXPECT_FALSE(tracker.search_failure());
+  DepthFrame dark = frame;
+  std::fill(dark.depth.begin(), dark.depth.end(), std::uint16_t{0});
+  tracker.process(dark);
+  ASSERT_TRUE(tracker.search_failure());
+  EXPECT_EQ(tracker.search_failure()->measured, 0.0);
+  EXPECT_EQ(tracker.process(frame).status, TrackingStatus::tracking);
+  EXPECT_FALSE(tracker.search_failure());
+}
+
+TEST_F(SearchFailureTest, ATrackerWhoseSearchIsStoppedGoesOnAsIfTheFrameHadNotCome) {
+  bool is_stopped = true;
+  TrackerOptions stoppable = options();
+  stoppable.stop_request = [&is_stopped] { return is_stopped; };
+  Tracker tracker(model, stoppable);
+  EXPECT_THROW(tracker.process(frame), Stopped);
+  is_stopped = false;
+  const TrackingResult& found = tracker.process(frame);
+  EXPECT_EQ(found.status, TrackingStatus::tracking);
+  Tracker other(model, options());
+  EXPECT_EQ(found.configuration.q, other.process(frame).configuration.q);
+}
+
+}  // namespace
+}  // namespace lockbox
