@@ -17,6 +17,9 @@ TEST(ReadableText, HasNoExponentAndFewDigits) {
   EXPECT_EQ(readable_number(1.23456e7), "12300000");
   EXPECT_EQ(readable_number(2.5e-8), "0.000000025");
   EXPECT_EQ(readable_number(std::numeric_limits<double>::infinity()), "inf");
+  EXPECT_EQ(readable_number(std::numeric_limits<double>::quiet_NaN()), "nan");
+  EXPECT_EQ(readable_number(1e-300), "0");
+  EXPECT_EQ(readable_number(1e300), "1e+300");
 }
 
 TEST(ReadableText, TellsLengthsInTheUnitThatSuitsThem) {

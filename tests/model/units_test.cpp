@@ -2,6 +2,9 @@
 // Lengths and angles that are in another unit than metres and radians.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "urdf_test.hpp"
 
 namespace lockbox {
@@ -115,6 +118,17 @@ TEST_F(Units, OfAMeshScaledThoughItIsInMetresAreToldTheOpposite) {
   mesh_of(0.00006);
   EXPECT_THAT(warnings_of(hinged(mesh_link("part"))),
               AllOf(HasSubstr("60 um large"), HasSubstr("scale=\"1000 1000 1000\"")));
+}
+
+TEST_F(Units, OfManyLinksAreNamedOnce) {
+  mesh_of(12.0);
+  const std::string warnings =
+      warnings_of(link("base", box("0.5 0.4 0.6")) + mesh_link("x") + mesh_link("y") +
+                  mesh_link("z") + joint("j", "continuous", "base", "x") +
+                  joint("k", "continuous", "base", "y") + joint("l", "continuous", "base", "z"));
+  EXPECT_THAT(warnings, HasSubstr("its mesh part.obj is 12 m large"));
+  EXPECT_THAT(warnings, HasSubstr("(and 2 more like it)"));
+  EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), 1) << warnings;
 }
 
 TEST_F(Units, OfPrimitivesAreMendedByHand) {

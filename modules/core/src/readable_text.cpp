@@ -10,7 +10,10 @@
 namespace lockbox {
 
 std::string readable_number(double value, int digits) {
-  if (!std::isfinite(value) || value == 0.0) return value == 0.0 ? "0" : number_text(value);
+  constexpr double kLeast = 1e-12;
+  constexpr double kMost = 1e18;
+  if (std::abs(value) < kLeast) return "0";
+  if (!(std::abs(value) < kMost)) return number_text(value);
   std::array<char, 64> text{};
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
                                     std::chars_format::scientific, digits - 1);

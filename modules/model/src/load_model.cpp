@@ -35,7 +35,11 @@ std::optional<SignedDistanceField> body_field(const Body& body, FieldOptions opt
   const bool is_scarce = left < options.memory_limit;
   if (is_scarce) options.memory_limit = left;
   try {
-    return load_or_build_field(body.mesh, options, cache, executor);
+    auto field = load_or_build_field(body.mesh, options, cache, executor);
+    if (is_scarce && static_cast<double>(field.memory_bytes()) > left) {
+      throw InputError("geometry", "its field, from the cache, takes more than what is left");
+    }
+    return field;
   } catch (const InputError& error) {
     throw InputError(model.string(),
                      "link '" + body.name + "': " + error.what() +

@@ -16,11 +16,10 @@ namespace {
 using Named = std::vector<std::pair<std::string, std::string>>;
 
 /// Warns of the first, and says how many are like it.
-void warn_of_first(const Named& found, const std::string& others, const Complaint& warn) {
+void warn_of_first(const Named& found, const Complaint& warn) {
   if (found.empty()) return;
   const std::size_t more = found.size() - 1;
-  const std::string tail =
-      more == 0 ? "" : " (and so do " + std::to_string(more) + " " + others + ")";
+  const std::string tail = more == 0 ? "" : " (and " + std::to_string(more) + " more like it)";
   warn(found.front().first, found.front().second + tail);
 }
 
@@ -70,7 +69,7 @@ void check_large(const std::vector<VisualExtent>& visuals, const std::vector<dou
     if (visual.size() > kLargestLink) complaints.refuse_link(visual.link, advice);
     found.emplace_back(visual.link, advice);
   }
-  warn_of_first(found, "others", complaints.warn_of_link);
+  warn_of_first(found, complaints.warn_of_link);
 }
 
 /// A screw upon a door may be small: bodies count, by their largest visual.
@@ -86,7 +85,7 @@ void check_small(const std::vector<VisualExtent>& visuals, const SizeContext& co
     if (visual->size() >= kSmallestSeen) continue;
     found.emplace_back(visual->link, advice_on_small(*visual, context));
   }
-  warn_of_first(found, "others", complaints.warn_of_link);
+  warn_of_first(found, complaints.warn_of_link);
 }
 
 /// Metres beyond which a place is hardly in metres, in a model whose largest visual is that large.
@@ -116,6 +115,7 @@ bool is_beyond_all_links(const std::vector<VisualExtent>& visuals, int body) {
 void check_places(const std::vector<VisualExtent>& visuals, const KinematicTree& tree, double usual,
                   const SizeComplaints& complaints) {
   std::vector<double> sizes;
+  sizes.reserve(visuals.size());
   for (const VisualExtent& visual : visuals) sizes.push_back(visual.size());
   const double farthest = farthest_place(largest_seen(sizes));
   Named links;
@@ -127,7 +127,7 @@ void check_places(const std::vector<VisualExtent>& visuals, const KinematicTree&
     if (is_apart) complaints.refuse_link(visual.link, advice);
     links.emplace_back(visual.link, advice);
   }
-  warn_of_first(links, "others", complaints.warn_of_link);
+  warn_of_first(links, complaints.warn_of_link);
   Named joints;
   for (const Joint& joint : tree.joints) {
     const double distance = joint.T_parent_joint.translation().norm();
@@ -135,7 +135,7 @@ void check_places(const std::vector<VisualExtent>& visuals, const KinematicTree&
     if (parent.visuals.empty() || distance <= farthest) continue;  // a frame may be anywhere
     joints.emplace_back(joint.name, place_advice("its <origin> puts it", distance, usual));
   }
-  warn_of_first(joints, "others", complaints.warn_of_joint);
+  warn_of_first(joints, complaints.warn_of_joint);
 }
 
 }  // namespace

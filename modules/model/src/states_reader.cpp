@@ -7,6 +7,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/core/readable_text.hpp"
 #include "lockbox/model/states_file.hpp"
 #include "quaternion_tolerance.hpp"
 #include "states_columns.hpp"
@@ -116,7 +117,7 @@ void read_pose(const Row& row, State& state) {
   Eigen::Quaterniond rotation(pose[7], pose[4], pose[5], pose[6]);
   if (!(std::abs(rotation.norm() - 1.0) <= kQuaternionTolerance)) {
     row.refuse(row.columns.pose[4], "the quaternion (qx, qy, qz, qw) has norm " +
-                                        number_text(rotation.norm()) + ", not 1");
+                                        readable_number(rotation.norm()) + ", not 1");
   }
   state.configuration.T_camera_base =
       Eigen::Translation3d(pose[1], pose[2], pose[3]) * rotation.normalized();
