@@ -18,6 +18,14 @@ namespace {
 
 const Eigen::Vector3d kCarton(0.3, 0.2, 0.25);  // metres, share/models/carton
 
+/// Behind all models.
+Scene far_wall() {
+  Scene scene;
+  scene.planes.push_back(
+      {SceneFrame::world, {0.0, 0.0, 2.5}, -Eigen::Vector3d::UnitZ(), {8.0, 8.0}});
+  return scene;
+}
+
 /// Cartons around those that the model consists of, whose centres lie at these multiples of the
 /// width.
 Scene among_cartons(const std::vector<double>& own, int columns) {
@@ -31,14 +39,6 @@ Scene among_cartons(const std::vector<double>& own, int columns) {
       scene.boxes.push_back({SceneFrame::base, kCarton, Eigen::Isometry3d(place)});
     }
   }
-  return scene;
-}
-
-/// Behind all models.
-Scene far_wall() {
-  Scene scene;
-  scene.planes.push_back(
-      {SceneFrame::world, {0.0, 0.0, 2.5}, -Eigen::Vector3d::UnitZ(), {8.0, 8.0}});
   return scene;
 }
 
