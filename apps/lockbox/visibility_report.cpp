@@ -19,8 +19,8 @@ void VisibilityReport::Part::add(std::size_t frame, double share) {
 void VisibilityReport::Part::print(const std::string& what) const {
   if (most == 0.0) return;
   std::cerr << "lockbox: warning: " << what << " up to " << std::lround(100.0 * most)
-            << " % of the object (frame " << frame_of_most << ", from frame " << first << " to "
-            << last << ")\n";
+            << " % of the object (frame " << frame_of_most << "; frames " << first << " to " << last
+            << " are concerned)\n";
 }
 
 void VisibilityReport::add(std::size_t frame, const State& state) {
