@@ -16,14 +16,15 @@ namespace lockbox::app {
 namespace {
 
 constexpr int kFramesToRest = 10;
-constexpr double kStartOff = 0.01;              // metres, to the right and upwards
+constexpr double kStartOff = 0.01;               // metres, to the right and upwards
 constexpr double kStartTurned = 3.0 * kRadians;  // about the camera's vertical axis
-constexpr double kWall = 0.8;                   // metres behind the base's origin
+constexpr double kWall = 0.8;                    // metres behind the base's origin
 
 /// A wall behind, as the camera sees the base.
 Scene alone(const Configuration& view) {
   Scene scene;
-  const Eigen::Vector3d behind = view.T_camera_base.translation() + kWall * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d behind =
+      view.T_camera_base.translation() + kWall * Eigen::Vector3d::UnitZ();
   scene.planes.push_back({SceneFrame::world, behind, -Eigen::Vector3d::UnitZ(), {8.0, 6.0}});
   return scene;
 }
@@ -88,7 +89,8 @@ Creep creep_of(const std::vector<TrackingResult>& results) {
     }
   }
   const std::vector<bool>& observable = results.back().observable;
-  creep.knows_base = std::all_of(observable.begin(), observable.begin() + 6, [](bool b) { return b; });
+  creep.knows_base =
+      std::all_of(observable.begin(), observable.begin() + 6, [](bool b) { return b; });
   creep.known_joints = static_cast<int>(std::count(observable.begin() + 6, observable.end(), true));
   return creep;
 }
@@ -102,8 +104,8 @@ class CreepExperiment : public Experiment {
 
  private:
   std::vector<std::string> default_models() const override {
-    return {"carton", "carton_pair", "rigid_block", "cabinet", "board_door_block", "lockbox",
-            "lockbox_overlapping"};
+    return {"carton",           "carton_pair", "rigid_block",        "cabinet",
+            "board_door_block", "lockbox",     "lockbox_overlapping"};
   }
 
   bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
@@ -146,9 +148,9 @@ class CreepExperiment : public Experiment {
               << std::right << std::setw(4) << creep.tracking << " of " << frames_ << " tracking; "
               << std::fixed << std::setprecision(4) << 1000.0 * creep.base << " mm, "
               << kDegrees * creep.turn << " degrees, joints " << std::setprecision(6)
-              << creep.joints << " (m, rad); determined: "
-              << (creep.knows_base ? "base" : "not the base") << ", " << creep.known_joints
-              << " of " << model.tree.variables() << " joints\n";
+              << creep.joints
+              << " (m, rad); determined: " << (creep.knows_base ? "base" : "not the base") << ", "
+              << creep.known_joints << " of " << model.tree.variables() << " joints\n";
   }
 
   int frames_ = 40;

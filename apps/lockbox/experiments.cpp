@@ -16,8 +16,7 @@ const std::vector<ExperimentEntry>& experiments() {
       {"speed", "Faster and faster motion, and sudden steps", make_speed_experiment},
       {"accuracy", "Single frames, against what the sensor's noise allows",
        make_accuracy_experiment},
-      {"creep", "One image again and again: what is not determined rests",
-       make_creep_experiment},
+      {"creep", "One image again and again: what is not determined rests", make_creep_experiment},
       {"peers", "The scene on which M3T was measured, beside its figures", make_peers_experiment},
   };
   return entries;

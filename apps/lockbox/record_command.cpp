@@ -15,8 +15,8 @@ namespace {
 class RecordCommand : public Command {
  public:
   void add_options(CLI::App& options) override {
-    options.add_option("-s,--source", source_,
-                       "openni2:, openni2:<uri>, or a recording of any kind")
+    options
+        .add_option("-s,--source", source_, "openni2:, openni2:<uri>, or a recording of any kind")
         ->required()
         ->type_name("SOURCE");
     options.add_option("-o,--output", output_, "The recording to write")

@@ -146,9 +146,9 @@ TEST(ARepeatedImage, ThatChangesAgainIsFollowed) {
   moved.stamp = 12 / 30.0;
   const TrackingResult& result = tracker.process(moved);
   EXPECT_EQ(result.status, TrackingStatus::tracking);
-  EXPECT_LT((result.configuration.T_camera_base.translation() - truth.T_camera_base.translation())
-                .norm(),
-            0.003);
+  EXPECT_LT(
+      (result.configuration.T_camera_base.translation() - truth.T_camera_base.translation()).norm(),
+      0.003);
 }
 
 }  // namespace

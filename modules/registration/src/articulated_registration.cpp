@@ -232,10 +232,9 @@ void ArticulatedRegistration::select_free_space(const TiledCloud& cloud, double 
       moves_.between(selected_, result_.configuration) < kStaleSelection) {
     return;
   }
-  free_term_.select(
-      {model_, view_->surface(), view_->samples(), view_->outlines(), view_->continued(), cloud,
-       options_, executor_},
-      poses_, spread);
+  free_term_.select({model_, view_->surface(), view_->samples(), view_->outlines(),
+                     view_->continued(), cloud, options_, executor_},
+                    poses_, spread);
   selected_ = result_.configuration;
   selected_spread_ = spread;
 }

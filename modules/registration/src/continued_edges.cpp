@@ -92,11 +92,12 @@ void ContinuedEdges::look_across(const VisibleSurface& surface, const TiledCloud
                         depth * TangentPlane(view, u, v).relative_depth(du, dv);
   const double least = kLevel * options_.noise.sigma_z(depth);
   const double pixel = depth / surface.view_camera().fx;
-  const auto pixels = [pixel](double metres) { return static_cast<int>(std::ceil(metres / pixel)); };
+  const auto pixels = [pixel](double metres) {
+    return static_cast<int>(std::ceil(metres / pixel));
+  };
   const int within = pixels(rounded_[static_cast<std::size_t>(view.id[here])]);
   if (behind > least) {
-    const auto stretch =
-        static_cast<std::size_t>(kWays * (v / kCell * columns_ + u / kCell) + way);
+    const auto stretch = static_cast<std::size_t>(kWays * (v / kCell * columns_ + u / kCell) + way);
     walk(surface, cloud, {u, v, way, pixels(reach_) + 1, within, stretch});
   } else if (view.id[here] != view.id[next] && behind > -least) {
     cover({u, v, way, 0, within, 0}, view);
@@ -125,10 +126,10 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
     const double goes_on = depth * plane.relative_depth(k * du, k * dv);
     predicted += behind(static_cast<double>(view.depth[view.index(u, v)]), goes_on);
     const Pixel seen = surface.camera_pixel(u, v);
-    const auto z = static_cast<double>(
-        cloud.depth()[static_cast<std::size_t>(seen.v) *
-                          static_cast<std::size_t>(cloud.camera().width) +
-                      static_cast<std::size_t>(seen.u)]);
+    const auto z =
+        static_cast<double>(cloud.depth()[static_cast<std::size_t>(seen.v) *
+                                              static_cast<std::size_t>(cloud.camera().width) +
+                                          static_cast<std::size_t>(seen.u)]);
     if (z > 0.0) measured.add(behind(z, goes_on), 2 * k > walk.length);
   }
   if (!measured.knows(walk.length)) return;

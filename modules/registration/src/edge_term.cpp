@@ -52,7 +52,8 @@ EdgeTerm::~EdgeTerm() = default;
 EdgeTerm::EdgeTerm(EdgeTerm&&) noexcept = default;
 
 void EdgeTerm::linearize(const TiledCloud& cloud, const VisibleSurface& view,
-                         const ContinuedEdges& continued, std::size_t tiles_per_joint, const BodyPoses& T_camera_body,
+                         const ContinuedEdges& continued, std::size_t tiles_per_joint,
+                         const BodyPoses& T_camera_body,
                          const std::vector<BodyJacobian>& jacobians) {
   view_ = &view;
   continued_ = &continued;

@@ -18,8 +18,7 @@ class OutlineFinder {
  public:
   /// All of these must outlive the object. spacing: see OutlinePoints::Scene.
   OutlineFinder(const VisibleSurface& surface, const ViewEdges& edges,
-                const ContinuedEdges& continued, int spacing,
-                const RegistrationOptions& options);
+                const ContinuedEdges& continued, int spacing, const RegistrationOptions& options);
 
   /// The pixels of row v to look beside: they have a neighbour which lies farther away by more than
   /// noise.

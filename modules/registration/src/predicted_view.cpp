@@ -58,8 +58,8 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
 void PredictedView::gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_pooled,
                            const RegistrationOptions& options, const Executor& executor) {
   samples_.choose(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
-  const OutlinePoints::Scene outlined{model,      surface_, view_edges_,
-                                      continued_, detail_.outline_spacing, options};
+  const OutlinePoints::Scene outlined{
+      model, surface_, view_edges_, continued_, detail_.outline_spacing, options};
   const PooledPoints::Scene pooled{cloud, surface_, plan_.density(),
                                    point_budget_ > 0 ? kLeastSpacing : 1, options};
   outlines_.begin(surface_.view());

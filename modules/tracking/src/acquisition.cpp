@@ -104,8 +104,7 @@ bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess,
                             SearchScope scope) {
   if (is_enough(registration_.align(cloud_, guess, narrow()), scope)) return true;
   const bool is_on_its_way = best_->last_move > options_.most_last_move;
-  if (is_on_its_way &&
-      is_enough(registration_.align(cloud_, best_->at_rest, narrow()), scope)) {
+  if (is_on_its_way && is_enough(registration_.align(cloud_, best_->at_rest, narrow()), scope)) {
     return true;
   }
   const auto contradicted = contradicted_variables(*best_, model_.tree, options_);

@@ -30,8 +30,7 @@ void Tracker::search(const DepthFrame& frame) {
     return;
   }
   report(*found);
-  is_kept_ =
-      result_.status == TrackingStatus::tracking || (is_kept_ && agrees(*found, options_));
+  is_kept_ = result_.status == TrackingStatus::tracking || (is_kept_ && agrees(*found, options_));
   if (is_known()) {
     frames_searched_ = 0;
     if (result_.status == TrackingStatus::tracking) guess_ = found->at_rest;

@@ -3,10 +3,10 @@
 // drawers, a board that is let into a wall.
 //
 // An edge of the model says where the model is because the scene ends there, or bends. Where the
-// measured surface goes on in the plane of the model's own for as far as gates reach, its points say
-// nothing about the edge: as many would be near to it wherever it were. Yet each of them pulls at the
-// nearest side of the model, and against the sides that the camera sees there is nothing on those
-// that it does not see: the estimate would creep along the plane, and be called sure.
+// measured surface goes on in the plane of the model's own for as far as gates reach, its points
+// say nothing about the edge: as many would be near to it wherever it were. Yet each of them pulls
+// at the nearest side of the model, and against the sides that the camera sees there is nothing on
+// those that it does not see: the estimate would creep along the plane, and be called sure.
 #pragma once
 
 #include <array>
@@ -36,9 +36,9 @@ class ContinuedEdges {
   /// Whether there are any.
   bool any() const { return is_any_; }
 
-  /// Whether a pixel of the view lies beyond an edge across which the scene goes on, within reach, or
-  /// before it so near that noise along the ray makes the side behind the edge the nearest: what is
-  /// measured there says nothing about where the model is.
+  /// Whether a pixel of the view lies beyond an edge across which the scene goes on, within reach,
+  /// or before it so near that noise along the ray makes the side behind the edge the nearest: what
+  /// is measured there says nothing about where the model is.
   bool covers(std::size_t view_pixel) const { return is_any_ && covered_[view_pixel] != 0; }
 
  private:

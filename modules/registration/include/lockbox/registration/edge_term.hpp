@@ -84,8 +84,8 @@ class EdgeTerm {
   Executor executor_;
   float least_bend_;  ///< 1/metre: what bends less from pixel to pixel tells nothing
   EdgeSelection selection_;
-  const VisibleSurface* view_ = nullptr;       ///< of the last linearisation
-  const ContinuedEdges* continued_ = nullptr;  ///< the same
+  const VisibleSurface* view_ = nullptr;            ///< of the last linearisation
+  const ContinuedEdges* continued_ = nullptr;       ///< the same
   std::unique_ptr<DepthRenderer> sample_renderer_;  ///< of EdgeTile::kSamples samples a pixel
   std::vector<std::unique_ptr<Worker>> workers_;
 

@@ -27,8 +27,8 @@ class FreeSpaceTerm {
   struct Scene {
     const ArticulatedModel& model;
     const VisibleSurface& surface;
-    const ViewSamples& samples;     ///< of the surface
-    const OutlinePoints& outlines;  ///< of the surface
+    const ViewSamples& samples;       ///< of the surface
+    const OutlinePoints& outlines;    ///< of the surface
     const ContinuedEdges& continued;  ///< of the surface
     const TiledCloud& cloud;
     const RegistrationOptions& options;

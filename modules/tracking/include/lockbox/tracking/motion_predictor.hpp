@@ -10,8 +10,8 @@
 namespace lockbox {
 
 /// Constant velocity of every unknown that was observed twice in a row; an unobserved one stands
-/// still at once, or a joint would drift into its limit, and a base along a wall. The gate adapts to the
-/// prediction's own recent errors (after Vizzo et al., KISS-ICP, 2023).
+/// still at once, or a joint would drift into its limit, and a base along a wall. The gate adapts
+/// to the prediction's own recent errors (after Vizzo et al., KISS-ICP, 2023).
 class MotionPredictor {
  public:
   explicit MotionPredictor(const KinematicTree& tree);

@@ -50,10 +50,10 @@ class Tracker {
   /// reports `initializing` until it was found.
   void start(const Configuration& configuration);
 
-  /// An image that is shown again says nothing new, for its errors are the same: once what was found
-  /// in it has come to rest, it stays. Valid until the next call. Throws InputError if the frame is
-  /// not a depth image, and Stopped if a search was asked to stop (TrackerOptions::stop_request);
-  /// the frame then counts as not seen.
+  /// An image that is shown again says nothing new, for its errors are the same: once what was
+  /// found in it has come to rest, it stays. Valid until the next call. Throws InputError if the
+  /// frame is not a depth image, and Stopped if a search was asked to stop
+  /// (TrackerOptions::stop_request); the frame then counts as not seen.
   const TrackingResult& process(const DepthFrame& frame);
 
   /// Why the last search of the whole frame found nothing to believe in; none if it did, or none
@@ -110,7 +110,7 @@ class Tracker {
   std::vector<std::uint16_t> last_depth_;  ///< the image that was processed last
   PinholeCamera last_camera_;
   float last_unit_ = 0.0F;
-  int repeats_ = 0;  ///< of that image, in a row
+  int repeats_ = 0;                   ///< of that image, in a row
   int frames_searched_ = 0;           ///< since the object was last tracked
   std::vector<int> sought_joints_;    ///< variables to be sought over their whole range
   JointMargins hidden_margins_;       ///< of those that were sought since they were hidden
