@@ -26,7 +26,7 @@ void linearize(EdgeTerm& term, const ArticulatedModel& model, const TiledCloud& 
   body_jacobians(model.tree, poses, jacobians);
   VisibleSurface view;
   view.render(model, poses, cloud.camera(), cloud.camera().width / reduction, Executor());
-  term.linearize(cloud, view, tiles_per_joint, poses, jacobians);
+  term.linearize(cloud, view, ContinuedEdges(), tiles_per_joint, poses, jacobians);
 }
 
 class LockboxEdges : public ::testing::Test {

@@ -67,6 +67,7 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
                     Stretch{});
   walks_.clear();
   is_any_ = false;
+  goes_on_beyond_.assign(model.fields.size(), false);
   for (int v = 0; v < view.height; ++v) {
     for (const int u : edges.row(v)) {
       if (view.id[view.index(u, v)] == kNothing) continue;
@@ -74,7 +75,9 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
     }
   }
   for (const Walk& walk : walks_) {
-    if (goes_on(around(walk.stretch))) cover(walk, view);
+    if (!goes_on(around(walk.stretch))) continue;
+    cover(walk, view);
+    goes_on_beyond_[static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)])] = true;
   }
 }
 

@@ -20,6 +20,7 @@ Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
   result_.configuration = unknown_configuration(model.tree);
   options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
   frames_in_sight_.resize(options_.registration.locked.size(), 0);
+  is_flush_.resize(frames_in_sight_.size(), false);
   if (options_.background_search) acquisition_.prepare();  // no frame waits for it then
 }
 
@@ -213,7 +214,8 @@ void Tracker::seek_contradicted_joints(RegistrationResult& best) {
 Configuration Tracker::with_hidden_joints_sought(const Configuration& prediction) {
   sought_joints_.clear();
   for (int v = 0; v < model_.tree.variables(); ++v) {
-    if (frames_in_sight_[static_cast<std::size_t>(v)] < kFramesToKnowMotion) {
+    const auto variable = static_cast<std::size_t>(v);
+    if (frames_in_sight_[variable] < kFramesToKnowMotion && !is_flush_[variable]) {
       sought_joints_.push_back(v);
     }
   }
@@ -224,7 +226,20 @@ Configuration Tracker::with_hidden_joints_sought(const Configuration& prediction
   return sought.configuration;
 }
 
+/// In view, and still not determined, because what is around it goes on in its surface.
+bool Tracker::is_flush(const RegistrationResult& found, int variable) const {
+  const int joint = model_.tree.variable_joint[static_cast<std::size_t>(variable)];
+  const auto body = static_cast<std::size_t>(
+      model_.tree.joints[static_cast<std::size_t>(joint)].child_body);
+  return !found.observable[static_cast<std::size_t>(6 + variable)] &&
+         body < found.goes_on_beyond.size() && found.goes_on_beyond[body] &&
+         found.body_agreement[body].explained >= options_.least_of_sought_body;
+}
+
 void Tracker::report(const RegistrationResult& registered) {
+  for (int v = 0; v < model_.tree.variables(); ++v) {
+    is_flush_[static_cast<std::size_t>(v)] = is_flush(registered, v);
+  }
   result_.configuration = registered.configuration;
   result_.covariance = registered.covariance;
   result_.sigma = registered.sigma;

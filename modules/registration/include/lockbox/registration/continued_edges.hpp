@@ -31,10 +31,16 @@ class ContinuedEdges {
             const TiledCloud& cloud, double reach, const RegistrationOptions& options);
 
   /// Forgets them all: for clouds without an image.
-  void clear() { is_any_ = false; }
+  void clear() {
+    is_any_ = false;
+    goes_on_beyond_.clear();
+  }
 
   /// Whether there are any.
   bool any() const { return is_any_; }
+
+  /// By body: whether the scene goes on beyond an edge of it. Empty if none was looked at.
+  const std::vector<bool>& goes_on_beyond() const { return goes_on_beyond_; }
 
   /// Whether a pixel of the view lies beyond an edge across which the scene goes on, within reach,
   /// or before it so near that noise along the ray makes the side behind the edge the nearest: what
@@ -74,6 +80,7 @@ class ContinuedEdges {
   std::vector<Stretch> stretches_;
   std::vector<double> rounded_;  ///< by body: metres from its edges where its field is round
   std::vector<Walk> walks_;
+  std::vector<bool> goes_on_beyond_;
   std::vector<std::uint8_t> covered_;  ///< by pixel of the view
 };
 

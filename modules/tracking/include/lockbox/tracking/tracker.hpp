@@ -86,6 +86,7 @@ class Tracker {
   bool is_hidden_at_once(const RegistrationResult& registered) const;
   bool has_leapt(const RegistrationResult& registered) const;
   bool is_settled(const RegistrationResult& registered) const;
+  bool is_flush(const RegistrationResult& found, int variable) const;
   const RegistrationResult& with_leap_followed(const DepthFrame& frame,
                                                const Configuration& prediction,
                                                const RegistrationResult& registered);
@@ -117,6 +118,8 @@ class Tracker {
   double rival_distance_ = 0.0;       ///< of what was last reported: until a search tells
   RegistrationResult best_;           ///< of several tries at the same frame
   std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
+  /// By variable: in view, but flush with what is around it, so that seeking would find nothing.
+  std::vector<bool> is_flush_;
   TrackingResult result_;
   std::unique_ptr<BackgroundSearch> background_;  ///< made when it is first needed
   int answers_passed_ = 0;  ///< of it, in a row: right in their frames, not in the newest
