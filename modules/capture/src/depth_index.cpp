@@ -60,6 +60,7 @@ std::vector<DepthIndexEntry> read_entries(const std::filesystem::path& file) {
 void convert_stamps(std::vector<DepthIndexEntry>& entries, const std::string& file,
                     const std::function<void(const std::string&)>& warn) {
   std::vector<double> stamps;
+  stamps.reserve(entries.size());
   for (const DepthIndexEntry& entry : entries) {
     stamps.push_back(entry.stamp);
   }
