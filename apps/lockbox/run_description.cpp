@@ -51,6 +51,8 @@ void emit_totals(YAML::Emitter& out, const RunTotals& totals, const std::string&
   for (const auto status : kAllStatuses) {
     out << YAML::Key << to_string(status) << YAML::Value << totals.frames_with(status);
   }
+  out << YAML::Key << "unreadable" << YAML::Value << totals.faults().unreadable;
+  out << YAML::Key << "restamped" << YAML::Value << totals.faults().restamped;
   out << YAML::EndMap;
   out << YAML::Key << "latency_ms" << YAML::Value << YAML::Flow << YAML::BeginMap;
   for (const int percent : {50, 95, 99, 100}) {
@@ -62,7 +64,8 @@ void emit_totals(YAML::Emitter& out, const RunTotals& totals, const std::string&
 
 }  // namespace
 
-void RunTotals::add(const TrackingResult& result) {
+void RunTotals::add(const TrackingResult& result, const SourceFaults& faults) {
+  faults_ = faults;
   latencies_.push_back(result.latency_ms);
   statuses_.push_back(result.status);
 }

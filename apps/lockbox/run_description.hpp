@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lockbox/capture/frame_source.hpp"
 #include "lockbox/core/pinhole_camera.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "run_origin.hpp"
@@ -25,10 +26,12 @@ struct RunDescription {
 /// What came of it.
 class RunTotals {
  public:
-  void add(const TrackingResult& result);
+  /// faults: of the source, up to this frame.
+  void add(const TrackingResult& result, const SourceFaults& faults);
 
   std::size_t frames() const { return latencies_.size(); }
   std::size_t frames_with(TrackingStatus status) const;
+  const SourceFaults& faults() const { return faults_; }
   bool ended_lost() const { return !statuses_.empty() && statuses_.back() == TrackingStatus::lost; }
 
   /// Milliseconds that this share of the frames does not exceed; 0 without frames.
@@ -37,6 +40,7 @@ class RunTotals {
  private:
   std::vector<double> latencies_;
   std::vector<TrackingStatus> statuses_;
+  SourceFaults faults_;
 };
 
 /// Writes run.yaml anew: first when the run starts, then when it has ended. end: why it has.

@@ -27,9 +27,10 @@ RunOutputs::RunOutputs(const ArticulatedModel& model, RunDescription description
   }
 }
 
-void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result) {
+void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result,
+                     const SourceFaults& faults) {
   if (totals_.frames() == 0) begin(frame);
-  totals_.add(result);
+  totals_.add(result, faults);
   if (states_) states_->write(result);
   if (recording_) recording_->write(frame);
   if (snapshots_) snapshots_->add(frame, result.configuration);

@@ -22,7 +22,8 @@ class RunOutputs {
   RunOutputs(const ArticulatedModel& model, RunDescription description,
              const RunSettings& settings);
 
-  void add(const DepthFrame& frame, const TrackingResult& result);
+  /// faults: of the source, up to this frame.
+  void add(const DepthFrame& frame, const TrackingResult& result, const SourceFaults& faults);
 
   /// end: why the run has ended.
   void finish(const std::string& end);

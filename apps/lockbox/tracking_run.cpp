@@ -46,7 +46,7 @@ std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& 
     progress.begin(phase_after(status));
     const TrackingResult& result = tracker.process(frame);
     status = result.status;
-    outputs.add(frame, result);
+    outputs.add(frame, result, source.faults());
     report.look_at(tracker, frame);
     progress.update(outputs.totals().frames(), to_string(status));
     if (outputs.totals().frames() == settings.max_frames) {
@@ -68,6 +68,12 @@ void print_summary(const RunTotals& totals, const RunSettings& settings) {
   }
   std::cout << std::fixed << std::setprecision(1) << "; latency " << totals.latency_percentile(0.5)
             << " ms (median), " << totals.latency_percentile(0.95) << " ms (95 %)\n";
+  if (totals.faults().unreadable > 0) {
+    std::cout << counted(totals.faults().unreadable, "frame") << " could not be read\n";
+  }
+  if (totals.faults().restamped > 0) {
+    std::cout << counted(totals.faults().restamped, "time stamp") << " advanced\n";
+  }
   if (!settings.output.empty()) std::cout << "results: " << settings.output.string() << '\n';
   std::cout.flush();  // while a closed pipe is still noted
 }

@@ -21,7 +21,8 @@ void edge_term(benchmark::State& state) {
   VisibleSurface surface;
   surface.render(scene.model, poses, view.cloud.camera(), kViewColumns, Executor(1));
   EdgeTerm term(scene.model.tree, {}, Executor(static_cast<int>(state.range(0))));
-  for (auto _ : state) term.linearize(view.cloud, surface, kAllTiles, poses, jacobians);
+  const ContinuedEdges none;
+  for (auto _ : state) term.linearize(view.cloud, surface, none, kAllTiles, poses, jacobians);
   state.counters["pixels"] = term.pixels();
 }
 

@@ -229,8 +229,8 @@ Configuration Tracker::with_hidden_joints_sought(const Configuration& prediction
 /// In view, and still not determined, because what is around it goes on in its surface.
 bool Tracker::is_flush(const RegistrationResult& found, int variable) const {
   const int joint = model_.tree.variable_joint[static_cast<std::size_t>(variable)];
-  const auto body = static_cast<std::size_t>(
-      model_.tree.joints[static_cast<std::size_t>(joint)].child_body);
+  const auto body =
+      static_cast<std::size_t>(model_.tree.joints[static_cast<std::size_t>(joint)].child_body);
   return !found.observable[static_cast<std::size_t>(6 + variable)] &&
          body < found.goes_on_beyond.size() && found.goes_on_beyond[body] &&
          found.body_agreement[body].explained >= options_.least_of_sought_body;
