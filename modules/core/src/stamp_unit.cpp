@@ -25,7 +25,8 @@ StampUnit nanoseconds() {
   return {1e9, "nanoseconds", true};
 }
 
-/// Of those that are greater than the one before; 0 if there are none.
+/// Of those that are greater than the one before; 0 if there are fewer than two: one alone may be a
+/// pause.
 double median_step(const std::vector<double>& stamps) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < stamps.size(); ++i) {
@@ -33,10 +34,10 @@ double median_step(const std::vector<double>& stamps) {
       steps.push_back(stamps[i] - stamps[i - 1]);
     }
   }
-  if (steps.empty()) {
+  if (steps.size() < 2) {
     return 0.0;
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>((steps.size() - 1) / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle;
 }

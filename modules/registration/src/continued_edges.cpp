@@ -19,7 +19,9 @@ constexpr double kLeastReach = 0.02;
 /// be contradicted.
 constexpr double kGoesOn = 1.25;
 constexpr double kDiffers = 2.0 * kGoesOn;
-/// The same, of what is level: a seam between bodies.
+/// The share of a surface's pixels that noise leaves within the cut: all but outliers.
+constexpr double kLeastNear = 0.9;
+/// Standard deviations of what is level: a seam between bodies.
 constexpr double kLevel = 0.1;
 /// Tri-linear distances turn normals within so many voxels of an edge.
 constexpr double kRoundedVoxels = 2.0;
@@ -29,23 +31,31 @@ bool contains(const RenderedDepth& view, int u, int v) {
   return u >= 0 && v >= 0 && u < view.width && v < view.height;
 }
 
-/// Means over a walk of how far behind the plane something lies, and over its farther half.
-class MeanBehind {
+/// How far behind the plane something lies, in the mean over a walk, and over its farther half.
+/// What lies on both sides of the plane is not one surface that goes on in it, whatever its mean.
+class Behind {
  public:
+  explicit Behind(double cut) : cut_(cut) {}
+
   void add(double behind, bool is_far) {
     sum_ += behind;
     ++count_;
+    near_ += std::abs(behind) < cut_ ? 1 : 0;
     far_sum_ += is_far ? behind : 0.0;
     far_count_ += is_far ? 1 : 0;
   }
   bool knows(int length) const { return 2 * count_ >= length && 4 * far_count_ >= length; }
-  double mean() const { return sum_ / count_; }
-  double far_mean() const { return far_sum_ / far_count_; }
+  double mean() const { return is_one_surface() ? sum_ / count_ : cut_; }
+  double far_mean() const { return is_one_surface() ? far_sum_ / far_count_ : cut_; }
 
  private:
+  bool is_one_surface() const { return near_ >= kLeastNear * count_; }
+
+  double cut_;
   double sum_ = 0.0;
   double far_sum_ = 0.0;
   int count_ = 0;
+  int near_ = 0;
   int far_count_ = 0;
 };
 
@@ -66,6 +76,7 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
   stretches_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kWays,
                     Stretch{});
   walks_.clear();
+  seams_.clear();
   is_any_ = false;
   goes_on_beyond_.assign(model.fields.size(), false);
   for (int v = 0; v < view.height; ++v) {
@@ -79,6 +90,10 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
     cover(walk, view);
     goes_on_beyond_[static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)])] = true;
   }
+  // What pulls at one body at a seam pulls at its neighbour the other way: it matters only where
+  // nothing else says where the two of them are.
+  if (!is_any_) return;
+  for (const Walk& seam : seams_) cover(seam, view);
 }
 
 /// From a pixel to its neighbour, which may fall back behind its plane, or go on in it as another
@@ -103,7 +118,7 @@ void ContinuedEdges::look_across(const VisibleSurface& surface, const TiledCloud
     const auto stretch = static_cast<std::size_t>(kWays * (v / kCell * columns_ + u / kCell) + way);
     walk(surface, cloud, {u, v, way, pixels(reach_) + 1, within, stretch});
   } else if (view.id[here] != view.id[next] && behind > -least) {
-    cover({u, v, way, 0, within, 0}, view);
+    seams_.push_back({u, v, way, 0, within, 0});
   }
 }
 
@@ -121,7 +136,7 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
   const auto behind = [&](double z, double goes_on) {
     return std::clamp((z - goes_on) / noise, -options_.cut, options_.cut);
   };
-  MeanBehind measured;
+  Behind measured(options_.cut);
   double predicted = 0.0;
   for (int k = 1; k <= walk.length; ++k) {
     const int u = walk.u + k * du;

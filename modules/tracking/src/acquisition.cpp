@@ -102,16 +102,17 @@ void Acquisition::doubt_joints(const JointMargins& margins, RegistrationResult& 
 
 bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess,
                             SearchScope scope) {
-  if (is_enough(registration_.align(cloud_, guess, narrow()), scope)) return true;
+  if (is_enough(registration_.align(cloud_, guess, narrow()), guess, scope)) return true;
   const bool is_on_its_way = best_->last_move > options_.most_last_move;
-  if (is_on_its_way && is_enough(registration_.align(cloud_, best_->at_rest, narrow()), scope)) {
+  if (is_on_its_way &&
+      is_enough(registration_.align(cloud_, best_->at_rest, narrow()), guess, scope)) {
     return true;
   }
   const auto contradicted = contradicted_variables(*best_, model_.tree, options_);
   if (!contradicted.empty() && consider(with_joints_sought(best_->at_rest, contradicted))) {
     return true;
   }
-  if (is_enough(find_near(frame, guess), scope)) return true;
+  if (is_enough(find_near(frame, guess), guess, scope)) return true;
   // Frames that did not wait for a search went by, and joints may have moved anywhere in them.
   return options_.background_search &&
          consider(with_joints_sought(
@@ -131,11 +132,13 @@ Annealing Acquisition::narrow() const {
 }
 
 /// Keeps it if it is the best so far; true if nothing else is to be sought.
-bool Acquisition::is_enough(const RegistrationResult& found, SearchScope scope) {
+bool Acquisition::is_enough(const RegistrationResult& found, const Configuration& guess,
+                            SearchScope scope) {
   if (consider(found)) return true;
-  if (scope != SearchScope::given_first || !agrees(found, options_) || !rests(found, options_)) {
-    return false;
-  }
+  const bool is_where_given =
+      scope == SearchScope::given_first &&
+      registration_.moves().between(guess, found.at_rest) <= options_.start_spread;
+  if (!is_where_given || !agrees(found, options_) || !rests(found, options_)) return false;
   best_ = found;
   return true;
 }

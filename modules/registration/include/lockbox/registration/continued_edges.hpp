@@ -80,6 +80,7 @@ class ContinuedEdges {
   std::vector<Stretch> stretches_;
   std::vector<double> rounded_;  ///< by body: metres from its edges where its field is round
   std::vector<Walk> walks_;
+  std::vector<Walk> seams_;
   std::vector<bool> goes_on_beyond_;
   std::vector<std::uint8_t> covered_;  ///< by pixel of the view
 };

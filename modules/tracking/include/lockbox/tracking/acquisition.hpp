@@ -12,8 +12,9 @@
 namespace lockbox {
 
 /// Where to look: around a guess, if there is one, anywhere, or there first and then anywhere. A
-/// guess that somebody gave is kept where the image agrees with it, though it may not determine it:
-/// one carton among others of its kind is the one that was meant.
+/// guess that somebody gave is kept where the image agrees with it, within
+/// TrackerOptions::start_spread of it, though it may not determine it: one carton among others of
+/// its kind is the one that was meant.
 enum class SearchScope { near, anywhere, near_first, given_first };
 
 /// Of two answers in one frame the one with more conviction (judgement.hpp), the earlier one of
@@ -70,7 +71,7 @@ class Acquisition {
   void doubt_joints(const JointMargins& margins, RegistrationResult& registered) const;
   bool find_from(const DepthFrame& frame, const Configuration& guess, SearchScope scope);
   bool consider(const RegistrationResult& found);
-  bool is_enough(const RegistrationResult& found, SearchScope scope);
+  bool is_enough(const RegistrationResult& found, const Configuration& guess, SearchScope scope);
   Annealing narrow() const;
   void keep_object(const Configuration& start);
   Initializer& initializer();
