@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One image again and again, of a model that stands alone and of one that is packed among boxes
-// flush with it: what the image does not determine must not move, what it does comes to rest.
+// A still scene, of a model that stands alone and of one that is packed among boxes flush with it,
+// as one image again and again, and with noise anew in each: what images do not determine must not
+// move, what they do comes to rest.
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -110,29 +111,40 @@ class CreepExperiment : public Experiment {
 
   bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     const Configuration view = usual_view(model);
-    Table table({"scene", "frames", "tracking", "base_mm", "base_degrees", "joints",
+    Table table({"scene", "noise", "frames", "tracking", "base_mm", "base_degrees", "joints",
                  "base_is_determined", "joints_determined", "joints_of_model"});
     for (const bool is_packed : {false, true}) {
       const Scene scene = is_packed ? packed(model, view) : alone(view);
-      Recording recording = simulate(model, still_states(view, 1), scene, settings);
-      Tracker tracker(model, TrackerOptions{});
-      tracker.start(displaced(view));
-      std::vector<TrackingResult> results;
-      for (int i = 0; i < frames_; ++i) {
-        DepthFrame& frame = recording.frames.front();
-        frame.stamp = i / 30.0;
-        frame.index = static_cast<std::uint64_t>(i);
-        results.push_back(tracker.process(frame));
+      for (const bool is_repeated : {true, false}) {
+        const int images = is_repeated ? 1 : frames_;
+        const Recording recording = simulate(model, still_states(view, images), scene, settings);
+        const Creep creep = creep_of(track_still(model, recording, displaced(view)));
+        const std::string name = is_packed ? "packed" : "alone";
+        const std::string noise = is_repeated ? "repeated" : "anew";
+        table.add({name, noise, frames_, creep.tracking, 1000.0 * creep.base, kDegrees * creep.turn,
+                   creep.joints, creep.knows_base ? 1 : 0, creep.known_joints,
+                   model.tree.variables()});
+        print(model, name + ", " + noise, creep);
       }
-      const Creep creep = creep_of(results);
-      const char* const name = is_packed ? "packed" : "alone";
-      table.add({name, frames_, creep.tracking, 1000.0 * creep.base, kDegrees * creep.turn,
-                 creep.joints, creep.knows_base ? 1 : 0, creep.known_joints,
-                 model.tree.variables()});
-      print(model, name, creep);
     }
     write_table(settings.output / ("creep_" + model.tree.name + ".csv"), table);
     return true;
+  }
+
+  /// As many frames as asked for, of one image or of one each.
+  std::vector<TrackingResult> track_still(const ArticulatedModel& model, const Recording& recording,
+                                          const Configuration& start) const {
+    Tracker tracker(model, TrackerOptions{});
+    tracker.start(start);
+    std::vector<TrackingResult> results;
+    for (int i = 0; i < frames_; ++i) {
+      const auto image = std::min(static_cast<std::size_t>(i), recording.frames.size() - 1);
+      DepthFrame frame = recording.frames[image];
+      frame.stamp = i / 30.0;
+      frame.index = static_cast<std::uint64_t>(i);
+      results.push_back(tracker.process(frame));
+    }
+    return results;
   }
 
   static Configuration displaced(const Configuration& view) {
@@ -144,7 +156,7 @@ class CreepExperiment : public Experiment {
   }
 
   void print(const ArticulatedModel& model, const std::string& scene, const Creep& creep) const {
-    std::cout << std::left << std::setw(22) << model.tree.name << std::setw(8) << scene
+    std::cout << std::left << std::setw(22) << model.tree.name << std::setw(17) << scene
               << std::right << std::setw(4) << creep.tracking << " of " << frames_ << " tracking; "
               << std::fixed << std::setprecision(4) << 1000.0 * creep.base << " mm, "
               << kDegrees * creep.turn << " degrees, joints " << std::setprecision(6)
