@@ -25,6 +25,9 @@ constexpr double kLeastNear = 0.9;
 constexpr double kLevel = 0.1;
 /// Tri-linear distances turn normals within so many voxels of an edge.
 constexpr double kRoundedVoxels = 2.0;
+/// The share of a body's outline that goes on where the body is flush with something: one side of
+/// four. A body that moves has gone beyond half of it at most.
+constexpr double kLeastFlush = 0.25;
 constexpr int kLeastLength = 3;  // pixels of the view: less has no farther half
 
 bool contains(const RenderedDepth& view, int u, int v) {
@@ -85,15 +88,39 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
       for (int way = 0; way < kWays; ++way) look_across(surface, cloud, u, v, way);
     }
   }
+  find_flush_bodies(view);
   for (const Walk& walk : walks_) {
-    if (!goes_on(around(walk.stretch))) continue;
-    cover(walk, view);
-    goes_on_beyond_[static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)])] = true;
+    if (is_flush(walk, view) && goes_on(around(walk.stretch))) cover(walk, view);
   }
   // What pulls at one body at a seam pulls at its neighbour the other way: it matters only where
   // nothing else says where the two of them are.
-  if (!is_any_) return;
-  for (const Walk& seam : seams_) cover(seam, view);
+  for (const Walk& seam : seams_) {
+    if (is_flush(seam, view)) cover(seam, view);
+  }
+}
+
+/// Where little of a body's outline goes on, the body may have moved on from where it was
+/// predicted, and what goes on is its own surface, which it must follow.
+void ContinuedEdges::find_flush_bodies(const RenderedDepth& view) {
+  going_on_.assign(goes_on_beyond_.size(), 0);
+  looked_at_.assign(goes_on_beyond_.size(), 0);
+  for (const Walk& walk : walks_) {
+    const std::size_t body = body_of(walk, view);
+    ++looked_at_[body];
+    going_on_[body] += goes_on(around(walk.stretch)) ? 1 : 0;
+  }
+  for (std::size_t body = 0; body < going_on_.size(); ++body) {
+    goes_on_beyond_[body] =
+        looked_at_[body] > 0 && going_on_[body] >= kLeastFlush * looked_at_[body];
+  }
+}
+
+std::size_t ContinuedEdges::body_of(const Walk& walk, const RenderedDepth& view) {
+  return static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)]);
+}
+
+bool ContinuedEdges::is_flush(const Walk& walk, const RenderedDepth& view) const {
+  return goes_on_beyond_[body_of(walk, view)];
 }
 
 /// From a pixel to its neighbour, which may fall back behind its plane, or go on in it as another
@@ -122,6 +149,8 @@ void ContinuedEdges::look_across(const VisibleSurface& surface, const TiledCloud
   }
 }
 
+/// What lies before another body of the model is known to end there: a slider that has moved on
+/// from where it was predicted goes on beyond its edge, and must be followed.
 void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud,
                           const Walk& walk) {
   const RenderedDepth& view = surface.view();
@@ -132,6 +161,7 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
   }
   const TangentPlane plane(view, walk.u, walk.v);
   const auto depth = static_cast<double>(view.depth[view.index(walk.u, walk.v)]);
+  const std::int16_t body = view.id[view.index(walk.u, walk.v)];
   const double noise = options_.noise.sigma_z(depth);
   const auto behind = [&](double z, double goes_on) {
     return std::clamp((z - goes_on) / noise, -options_.cut, options_.cut);
@@ -141,6 +171,8 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
   for (int k = 1; k <= walk.length; ++k) {
     const int u = walk.u + k * du;
     const int v = walk.v + k * dv;
+    const std::int16_t shown = view.id[view.index(u, v)];
+    if (shown != body && shown != kNothing) return;
     const double goes_on = depth * plane.relative_depth(k * du, k * dv);
     predicted += behind(static_cast<double>(view.depth[view.index(u, v)]), goes_on);
     const Pixel seen = surface.camera_pixel(u, v);

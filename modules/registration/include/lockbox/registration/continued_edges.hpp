@@ -70,6 +70,9 @@ class ContinuedEdges {
   void walk(const VisibleSurface& surface, const TiledCloud& cloud, const Walk& walk);
   Stretch around(std::size_t stretch) const;
   static bool goes_on(const Stretch& stretch);
+  void find_flush_bodies(const RenderedDepth& view);
+  static std::size_t body_of(const Walk& walk, const RenderedDepth& view);
+  bool is_flush(const Walk& walk, const RenderedDepth& view) const;
   void cover(const Walk& walk, const RenderedDepth& view);
 
   RegistrationOptions options_;
@@ -82,6 +85,8 @@ class ContinuedEdges {
   std::vector<Walk> walks_;
   std::vector<Walk> seams_;
   std::vector<bool> goes_on_beyond_;
+  std::vector<int> going_on_;          ///< walks, by body
+  std::vector<int> looked_at_;         ///< the same
   std::vector<std::uint8_t> covered_;  ///< by pixel of the view
 };
 
