@@ -10,9 +10,9 @@ namespace lockbox {
 namespace {
 
 /// The first of the axes that points farthest along the direction.
-template <std::size_t kCount>
+template <std::size_t Count>
 Eigen::Vector3d best_along(const Eigen::Vector3d& direction,
-                           const std::array<Eigen::Vector3d, kCount>& axes) {
+                           const std::array<Eigen::Vector3d, Count>& axes) {
   return *std::max_element(axes.begin(), axes.end(), [&](const auto& a, const auto& b) {
     return a.dot(direction) < b.dot(direction);
   });
