@@ -93,6 +93,39 @@ TEST_F(Flush, ACartonRestsAlongItsFace) {
   EXPECT_NEAR(z, model.parameters.initial_configuration->T_camera_base.translation().z(), 0.005);
 }
 
+/// The end of a row: its free side tells where it is across, nothing tells how high.
+TEST_F(Flush, ACartonIsHeldByItsOneFreeSide) {
+  const ArticulatedModel& model = shipped("carton");
+  const Configuration truth = *model.parameters.initial_configuration;
+  Scene scene = far_wall();
+  for (int row = -1; row <= 1; ++row) {
+    for (int column = -1; column <= 0; ++column) {
+      if (row == 0 && column == 0) continue;
+      const Eigen::Translation3d place(column * kCarton.x(), row * kCarton.y(), 0.0);
+      scene.boxes.push_back({SceneFrame::base, kCarton, Eigen::Isometry3d(place)});
+    }
+  }
+  Tracker tracker(model, {});
+  track(tracker, model, scene, 8);
+  const Eigen::Isometry3d off =
+      truth.T_camera_base.inverse() * results_.back().configuration.T_camera_base;
+  EXPECT_LT(std::abs(off.translation().x()), 0.004);
+  const InPlane moved(results_[2].configuration, results_.back().configuration);
+  EXPECT_LT(moved.distance, 2e-3);
+}
+
+TEST_F(Flush, ACartonIsKeptWhileLiveFramesDoNotWaitForSearches) {
+  const ArticulatedModel& model = shipped("carton");
+  TrackerOptions options;
+  options.background_search = true;
+  Tracker tracker(model, options);
+  track(tracker, model, among_cartons({0.0}, 3), 30);
+  EXPECT_EQ(results_.back().status, TrackingStatus::uncertain);
+  const InPlane moved(displaced(*model.parameters.initial_configuration),
+                      results_.back().configuration);
+  EXPECT_LT(moved.distance, 0.03);
+}
+
 TEST_F(Flush, AJointBetweenCartonsRests) {
   const ArticulatedModel& model = shipped("carton_pair");
   Tracker tracker(model, {});

@@ -52,6 +52,16 @@ TEST_F(MotionPredictorTest, AMissedFrameIsBridgedInProportion) {
   EXPECT_NEAR(predictor.predict(3 * kFrame).q[0], 0.056, 1e-12);
 }
 
+TEST_F(MotionPredictorTest, ABaseThatIsNotDeterminedStandsStillAlongThatDirection) {
+  std::vector<bool> flush = seen;
+  flush[0] = false;
+  predictor.reset(0.0, at(0.05, 0.0));
+  predictor.update(kFrame, at(0.052, 0.003), flush, 0.003);
+  predictor.update(2 * kFrame, at(0.054, 0.006), flush, 0.003);
+  EXPECT_EQ(predictor.predict(3 * kFrame).T_camera_base.translation().x(), 0.006);
+  EXPECT_NEAR(predictor.predict(3 * kFrame).q[0], 0.056, 1e-12);
+}
+
 TEST_F(MotionPredictorTest, AHiddenJointStandsStillAtOnce) {
   predictor.reset(0.0, at(0.05, 0.0));
   predictor.update(kFrame, at(0.06, 0.0), seen, 0.01);

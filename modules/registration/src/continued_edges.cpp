@@ -12,26 +12,47 @@ namespace {
 constexpr int kCell = 8;  // pixels of the view along each side of what makes a stretch
 constexpr int kWays = 4;
 constexpr std::array<std::array<int, 2>, kWays> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-/// Metres beyond an edge that are looked at: what lies farther is beyond the gates of tracking.
+/// Metres beyond an edge that are looked at: as far as the widest gate of tracking reaches, four
+/// standard deviations of 5 mm. Twice as far, neighbours narrower than that are taken for none.
 constexpr double kLeastReach = 0.02;
 /// Standard deviations of a depth, of means over a stretch, which err by a third of one: nearer to
-/// the plane than that, the scene goes on in it; and the model must differ from it by twice that to
-/// be contradicted.
+/// the plane than four of these, the scene goes on in it; and the model must differ from it by
+/// twice that to be contradicted. Doubled, a board that stands so far before a wall is flush with
+/// it.
 constexpr double kGoesOn = 1.25;
 constexpr double kDiffers = 2.0 * kGoesOn;
-/// The share of a surface's pixels that noise leaves within the cut: all but outliers.
+/// The share of a surface's pixels that noise leaves within the cut: all but a tenth of outliers.
 constexpr double kLeastNear = 0.9;
 /// Standard deviations of what is level: a seam between bodies.
 constexpr double kLevel = 0.1;
 /// Tri-linear distances turn normals within so many voxels of an edge.
 constexpr double kRoundedVoxels = 2.0;
-/// The share of a body's outline that goes on where the body is flush with something: one side of
-/// four. A body that moves has gone beyond half of it at most.
+/// The share of its outline that goes on beyond a body which is flush with something: one side of
+/// four. Beyond the edge of one that has moved on, its own surface goes on.
 constexpr double kLeastFlush = 0.25;
 constexpr int kLeastLength = 3;  // pixels of the view: less has no farther half
 
 bool contains(const RenderedDepth& view, int u, int v) {
   return u >= 0 && v >= 0 && u < view.width && v < view.height;
+}
+
+/// Whether a surface comes to the pixel in its tangent plane, to so many metres: the pixel lies
+/// before a bend, not in it.
+bool comes_level(const RenderedDepth& view, const TangentPlane& plane, const Pixel& pixel, int way,
+                 double level) {
+  const auto& [du, dv] = kSteps[static_cast<std::size_t>(way)];
+  const std::size_t here = view.index(pixel.u, pixel.v);
+  for (const int k : {-1, -2}) {
+    if (!contains(view, pixel.u + k * du, pixel.v + k * dv)) return false;
+    const std::size_t before = view.index(pixel.u + k * du, pixel.v + k * dv);
+    const double expected =
+        static_cast<double>(view.depth[here]) * plane.relative_depth(k * du, k * dv);
+    if (view.id[before] != view.id[here] ||
+        !(std::abs(static_cast<double>(view.depth[before]) - expected) < level)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// How far behind the plane something lies, in the mean over a walk, and over its farther half.
@@ -81,46 +102,43 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
   walks_.clear();
   seams_.clear();
   is_any_ = false;
-  goes_on_beyond_.assign(model.fields.size(), false);
   for (int v = 0; v < view.height; ++v) {
     for (const int u : edges.row(v)) {
       if (view.id[view.index(u, v)] == kNothing) continue;
       for (int way = 0; way < kWays; ++way) look_across(surface, cloud, u, v, way);
     }
   }
+  is_flush_.assign(model.fields.size(), false);
   find_flush_bodies(view);
   for (const Walk& walk : walks_) {
-    if (is_flush(walk, view) && goes_on(around(walk.stretch))) cover(walk, view);
+    if (walk.goes_on && is_of_flush_body(walk, view)) cover(walk, view);
   }
   // What pulls at one body at a seam pulls at its neighbour the other way: it matters only where
   // nothing else says where the two of them are.
   for (const Walk& seam : seams_) {
-    if (is_flush(seam, view)) cover(seam, view);
+    if (is_of_flush_body(seam, view)) cover(seam, view);
   }
 }
 
 /// Where little of a body's outline goes on, the body may have moved on from where it was
 /// predicted, and what goes on is its own surface, which it must follow.
 void ContinuedEdges::find_flush_bodies(const RenderedDepth& view) {
-  going_on_.assign(goes_on_beyond_.size(), 0);
-  looked_at_.assign(goes_on_beyond_.size(), 0);
-  for (const Walk& walk : walks_) {
-    const std::size_t body = body_of(walk, view);
+  going_on_.assign(is_flush_.size(), 0);
+  looked_at_.assign(is_flush_.size(), 0);
+  for (Walk& walk : walks_) {
+    const auto body = static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)]);
+    const Stretch stretch = around(walk.stretch);
     ++looked_at_[body];
-    going_on_[body] += goes_on(around(walk.stretch)) ? 1 : 0;
+    going_on_[body] += lies_within(stretch, kGoesOn * stretch.walks) ? 1 : 0;
+    walk.goes_on = lies_within(stretch, 0.5 * stretch.predicted);
   }
-  for (std::size_t body = 0; body < going_on_.size(); ++body) {
-    goes_on_beyond_[body] =
-        looked_at_[body] > 0 && going_on_[body] >= kLeastFlush * looked_at_[body];
+  for (std::size_t body = 0; body < is_flush_.size(); ++body) {
+    is_flush_[body] = going_on_[body] > 0 && going_on_[body] >= kLeastFlush * looked_at_[body];
   }
 }
 
-std::size_t ContinuedEdges::body_of(const Walk& walk, const RenderedDepth& view) {
-  return static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)]);
-}
-
-bool ContinuedEdges::is_flush(const Walk& walk, const RenderedDepth& view) const {
-  return goes_on_beyond_[body_of(walk, view)];
+bool ContinuedEdges::is_of_flush_body(const Walk& walk, const RenderedDepth& view) const {
+  return is_flush_[static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)])];
 }
 
 /// From a pixel to its neighbour, which may fall back behind its plane, or go on in it as another
@@ -133,19 +151,24 @@ void ContinuedEdges::look_across(const VisibleSurface& surface, const TiledCloud
   const std::size_t here = view.index(u, v);
   const std::size_t next = view.index(u + du, v + dv);
   const auto depth = static_cast<double>(view.depth[here]);
-  const double behind = static_cast<double>(view.depth[next]) -
-                        depth * TangentPlane(view, u, v).relative_depth(du, dv);
+  const TangentPlane plane(view, u, v);
   const double least = kLevel * options_.noise.sigma_z(depth);
+  if (!comes_level(view, plane, {u, v}, way, least)) return;
+  const double behind =
+      static_cast<double>(view.depth[next]) - depth * plane.relative_depth(du, dv);
   const double pixel = depth / surface.view_camera().fx;
   const auto pixels = [pixel](double metres) {
     return static_cast<int>(std::ceil(metres / pixel));
   };
-  const int within = pixels(rounded_[static_cast<std::size_t>(view.id[here])]);
+  const double rounded = rounded_[static_cast<std::size_t>(view.id[here])];
   if (behind > least) {
     const auto stretch = static_cast<std::size_t>(kWays * (v / kCell * columns_ + u / kCell) + way);
-    walk(surface, cloud, {u, v, way, pixels(reach_) + 1, within, stretch});
+    // Noise along the ray takes points of the face so far behind it that its side is nearer.
+    const double noisy = options_.cut * options_.noise.sigma_z(depth);
+    walk(surface, cloud,
+         {u, v, way, pixels(reach_) + 1, pixels(std::max(rounded, noisy)), stretch});
   } else if (view.id[here] != view.id[next] && behind > -least) {
-    seams_.push_back({u, v, way, 0, within, 0});
+    seams_.push_back({u, v, way, 0, pixels(rounded), 0});
   }
 }
 
@@ -166,6 +189,15 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
   const auto behind = [&](double z, double goes_on) {
     return std::clamp((z - goes_on) / noise, -options_.cut, options_.cut);
   };
+  const auto measured_at = [&](int u, int v) {
+    const Pixel seen = surface.camera_pixel(u, v);
+    const auto width = static_cast<std::size_t>(cloud.camera().width);
+    return static_cast<double>(
+        cloud.depth()[static_cast<std::size_t>(seen.v) * width + static_cast<std::size_t>(seen.u)]);
+  };
+  // An edge that something else hides tells nothing.
+  const double here = measured_at(walk.u, walk.v);
+  if (here > 0.0 && !(std::abs(behind(here, depth)) < options_.cut)) return;
   Behind measured(options_.cut);
   double predicted = 0.0;
   for (int k = 1; k <= walk.length; ++k) {
@@ -175,11 +207,7 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
     if (shown != body && shown != kNothing) return;
     const double goes_on = depth * plane.relative_depth(k * du, k * dv);
     predicted += behind(static_cast<double>(view.depth[view.index(u, v)]), goes_on);
-    const Pixel seen = surface.camera_pixel(u, v);
-    const auto z =
-        static_cast<double>(cloud.depth()[static_cast<std::size_t>(seen.v) *
-                                              static_cast<std::size_t>(cloud.camera().width) +
-                                          static_cast<std::size_t>(seen.u)]);
+    const double z = measured_at(u, v);
     if (z > 0.0) measured.add(behind(z, goes_on), 2 * k > walk.length);
   }
   if (!measured.knows(walk.length)) return;
@@ -191,8 +219,8 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
   walks_.push_back(walk);
 }
 
-bool ContinuedEdges::goes_on(const Stretch& stretch) {
-  const double limit = kGoesOn * stretch.walks;
+/// Whether the scene lies so near to the plane, while the model is clearly behind it.
+bool ContinuedEdges::lies_within(const Stretch& stretch, double limit) {
   return std::abs(stretch.measured) < limit && std::abs(stretch.measured_far) < limit &&
          stretch.predicted > kDiffers * stretch.walks;
 }

@@ -37,18 +37,19 @@ bool Tracker::is_known() const {
   return result_.status == TrackingStatus::tracking || result_.status == TrackingStatus::uncertain;
 }
 
-/// Whether it is the last image again, once too often to still tell anything.
+/// Whether it is the last image again, once too often since the object was found in it to still
+/// tell anything.
 bool Tracker::shows_nothing_new(const DepthFrame& frame) {
   if (frame.camera == last_camera_ && frame.metres_per_unit == last_unit_ &&
       frame.depth == last_depth_) {
-    ++repeats_;
+    repeats_ = is_known() && is_kept_ ? repeats_ + 1 : 0;
   } else {
     repeats_ = 0;
     last_depth_ = frame.depth;
     last_camera_ = frame.camera;
     last_unit_ = frame.metres_per_unit;
   }
-  return repeats_ >= kRepeatsToRest && is_known() && is_kept_;
+  return repeats_ >= kRepeatsToRest;
 }
 
 const TrackingResult& Tracker::process(const DepthFrame& frame) {
@@ -232,7 +233,7 @@ bool Tracker::is_flush(const RegistrationResult& found, int variable) const {
   const auto body =
       static_cast<std::size_t>(model_.tree.joints[static_cast<std::size_t>(joint)].child_body);
   return !found.observable[static_cast<std::size_t>(6 + variable)] &&
-         body < found.goes_on_beyond.size() && found.goes_on_beyond[body] &&
+         body < found.flush_bodies.size() && found.flush_bodies[body] &&
          found.body_agreement[body].explained >= options_.least_of_sought_body;
 }
 

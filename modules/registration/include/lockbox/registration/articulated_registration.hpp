@@ -59,9 +59,9 @@ struct RegistrationResult {
   Agreement agreement;
   std::vector<Agreement> body_agreement;  ///< by body
   OutlineAgreement outline;
-  /// By body: whether the scene goes on beyond an edge of it, which then tells nothing. Empty for
-  /// clouds without an image.
-  std::vector<bool> goes_on_beyond;
+  /// By body: whether it is flush with what is around it, so that its edges tell little or nothing
+  /// (continued_edges.hpp). Empty for clouds without an image.
+  std::vector<bool> flush_bodies;
   double residual_rms = 0.0;      ///< whitened: 1 where the sensor errs as assumed
   double explained_points = 0.0;  ///< pixels, where points are means of such
   double model_cost = 0.0;        ///< relative to explaining nothing

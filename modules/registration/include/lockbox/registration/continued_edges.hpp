@@ -7,6 +7,9 @@
 // say nothing about the edge: as many would be near to it wherever it were. Yet each of them pulls
 // at the nearest side of the model, and against the sides that the camera sees there is nothing on
 // those that it does not see: the estimate would creep along the plane, and be called sure.
+//
+// That is so of bodies that are flush with something: of whose outline at least a quarter goes on
+// (docs/mathematics.md). Takes time in proportion to the edges of the view times the reach.
 #pragma once
 
 #include <array>
@@ -33,18 +36,19 @@ class ContinuedEdges {
   /// Forgets them all: for clouds without an image.
   void clear() {
     is_any_ = false;
-    goes_on_beyond_.clear();
+    is_flush_.clear();
   }
 
-  /// Whether there are any.
+  /// Whether any pixel is covered.
   bool any() const { return is_any_; }
 
-  /// By body: whether the scene goes on beyond an edge of it. Empty if none was looked at.
-  const std::vector<bool>& goes_on_beyond() const { return goes_on_beyond_; }
+  /// By body: whether it is flush with something. Empty if no image was looked at.
+  const std::vector<bool>& flush_bodies() const { return is_flush_; }
 
-  /// Whether a pixel of the view lies beyond an edge across which the scene goes on, within reach,
-  /// or before it so near that noise along the ray makes the side behind the edge the nearest: what
-  /// is measured there says nothing about where the model is.
+  /// Whether a pixel of the view lies beyond an edge of a flush body across which the scene goes
+  /// on, within reach, or so near before it that the body's field is rounded there, or that noise
+  /// along the ray may have brought a point of its face nearer to its side: what is measured there
+  /// says nothing about where the model is.
   bool covers(std::size_t view_pixel) const { return is_any_ && covered_[view_pixel] != 0; }
 
  private:
@@ -64,15 +68,16 @@ class ContinuedEdges {
     int length;  ///< pixels of the view, beyond
     int within;  ///< the same, before
     std::size_t stretch;
+    /// If the body is flush: whether the scene beyond is nearer to the plane than to the model.
+    bool goes_on = false;
   };
 
   void look_across(const VisibleSurface& surface, const TiledCloud& cloud, int u, int v, int way);
   void walk(const VisibleSurface& surface, const TiledCloud& cloud, const Walk& walk);
   Stretch around(std::size_t stretch) const;
-  static bool goes_on(const Stretch& stretch);
+  static bool lies_within(const Stretch& stretch, double limit);
   void find_flush_bodies(const RenderedDepth& view);
-  static std::size_t body_of(const Walk& walk, const RenderedDepth& view);
-  bool is_flush(const Walk& walk, const RenderedDepth& view) const;
+  bool is_of_flush_body(const Walk& walk, const RenderedDepth& view) const;
   void cover(const Walk& walk, const RenderedDepth& view);
 
   RegistrationOptions options_;
@@ -84,7 +89,7 @@ class ContinuedEdges {
   std::vector<double> rounded_;  ///< by body: metres from its edges where its field is round
   std::vector<Walk> walks_;
   std::vector<Walk> seams_;
-  std::vector<bool> goes_on_beyond_;
+  std::vector<bool> is_flush_;         ///< by body
   std::vector<int> going_on_;          ///< walks, by body
   std::vector<int> looked_at_;         ///< the same
   std::vector<std::uint8_t> covered_;  ///< by pixel of the view

@@ -111,7 +111,7 @@ class Tracker {
   std::vector<std::uint16_t> last_depth_;  ///< the image that was processed last
   PinholeCamera last_camera_;
   float last_unit_ = 0.0F;
-  int repeats_ = 0;                   ///< of that image, in a row
+  int repeats_ = 0;                   ///< of that image, in a row, since the object was found in it
   int frames_searched_ = 0;           ///< since the object was last tracked
   std::vector<int> sought_joints_;    ///< variables to be sought over their whole range
   JointMargins hidden_margins_;       ///< of those that were sought since they were hidden
