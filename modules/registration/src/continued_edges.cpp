@@ -110,9 +110,15 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
   }
   is_flush_.assign(model.fields.size(), false);
   find_flush_bodies(view);
+  double noise = 0.0;
+  int going_on = 0;
   for (const Walk& walk : walks_) {
-    if (walk.goes_on && is_of_flush_body(walk, view)) cover(walk, view);
+    if (!walk.goes_on || !is_of_flush_body(walk, view)) continue;
+    cover(walk, view);
+    noise += options_.noise.sigma_z(view.depth[view.index(walk.u, walk.v)]);
+    ++going_on;
   }
+  noise_ = noise / std::max(going_on, 1);
   // What pulls at one body at a seam pulls at its neighbour the other way: it matters only where
   // nothing else says where the two of them are.
   for (const Walk& seam : seams_) {

@@ -45,6 +45,9 @@ class ContinuedEdges {
   /// By body: whether it is flush with something. Empty if no image was looked at.
   const std::vector<bool>& flush_bodies() const { return is_flush_; }
 
+  /// The standard deviation of a depth at the edges of flush bodies, in the mean, metres.
+  double noise() const { return noise_; }
+
   /// Whether a pixel of the view lies beyond an edge of a flush body across which the scene goes
   /// on, within reach, or so near before it that the body's field is rounded there, or that noise
   /// along the ray may have brought a point of its face nearer to its side: what is measured there
@@ -83,6 +86,7 @@ class ContinuedEdges {
   RegistrationOptions options_;
   double reach_ = 0.0;
   bool is_any_ = false;
+  double noise_ = 0.0;
   int columns_ = 0;  ///< of cells
   int rows_ = 0;
   std::vector<Stretch> stretches_;
