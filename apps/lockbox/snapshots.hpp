@@ -27,7 +27,8 @@ class Snapshots {
   std::size_t interval_;
   std::size_t count_ = 0;
   Executor executor_;
-  std::optional<ModelPainter> painter_;  ///< made for the camera of the first frame
+  PinholeCamera camera_;                 ///< of the last frame that was painted
+  std::optional<ModelPainter> painter_;  ///< made for that camera
 };
 
 }  // namespace lockbox::app

@@ -51,10 +51,6 @@ inline int status_of_child(const std::function<int()>& work) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-inline PinholeCamera tiny_camera() {
-  return {32, 24, 30.0, 30.0, 15.5, 11.5};
-}
-
 /// The bytes of a small sound recording.
 inline std::string sound_recording(const TemporaryFolder& folder) {
   const std::filesystem::path file = folder / "sound.oni";

@@ -103,6 +103,30 @@ TEST(OniCutOff, ARecordingThatEndsInZerosPlaysUpToThem) {
   }
 }
 
+TEST(OniCutOff, ACutRecordingKeepsItsUnitOfDepth) {
+  const TemporaryFolder folder;
+  constexpr float kTenthOfMillimetre = 0.0001F;
+  const auto record = [&folder] {
+    OniWriter writer(folder / "fine.oni", tiny_camera(), 30, kTenthOfMillimetre);
+    for (std::uint64_t number = 0; number < 2; ++number) {
+      DepthFrame frame = synthetic_frame(number, tiny_camera());
+      frame.metres_per_unit = kTenthOfMillimetre;
+      writer.write(frame);
+    }
+    writer.finish();
+    return 0;
+  };
+  ASSERT_EQ(status_of_child(record), 0);
+  std::filesystem::resize_file(folder / "fine.oni",
+                               std::filesystem::file_size(folder / "fine.oni") - 20);
+  const auto play = [&folder] {
+    OniPlayer player(folder / "fine.oni");
+    DepthFrame frame;
+    return player.next(frame) && frame.metres_per_unit == kTenthOfMillimetre ? 0 : 1;
+  };
+  EXPECT_EQ(status_of_child(play), 0);
+}
+
 TEST(OniCutOff, WithoutRoomForTheCopyTheFolderIsNamedAndLeftEmpty) {
   const TemporaryFolder folder;
   const std::string sound = sound_recording(folder);

@@ -49,19 +49,27 @@ TEST(OniMutations, AnyByteOfADepthRecordingMayBeWrong) {
   expect_mutations_to_be_harmless(folder / "sound.oni");
 }
 
-TEST(OniMutations, AnyByteOfARecordingOfThreeStreamsMayBeWrong) {
+void expect_mutations_of_streams_to_be_harmless(const Streams& streams) {
   const TemporaryFolder folder;
-  const auto record = [&folder] {
+  const auto record = [&] {
     constexpr int kFrames = 4;
-    record_streams(folder / "streams.oni",
-                   {{openni::SENSOR_COLOR, openni::SENSOR_DEPTH, openni::SENSOR_IR}, true, true},
-                   kFrames, tiny_camera());
+    record_streams(folder / "streams.oni", streams, kFrames, tiny_camera());
     return 0;
   };
   ASSERT_EQ(status_of_child(record), 0);
   std::filesystem::resize_file(folder / "streams.oni",
                                validate_oni(folder / "streams.oni").end);  // zeros follow
   expect_mutations_to_be_harmless(folder / "streams.oni");
+}
+
+TEST(OniMutations, AnyByteOfARecordingOfThreeStreamsMayBeWrong) {
+  expect_mutations_of_streams_to_be_harmless(
+      {{openni::SENSOR_COLOR, openni::SENSOR_DEPTH, openni::SENSOR_IR}, true, true});
+}
+
+TEST(OniMutations, AnyByteOfACroppedRecordingMayBeWrong) {
+  expect_mutations_of_streams_to_be_harmless(
+      {{openni::SENSOR_DEPTH}, false, false, Region{5, 3, 20, 17}});
 }
 
 }  // namespace

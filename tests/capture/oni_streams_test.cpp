@@ -15,10 +15,6 @@ namespace {
 
 constexpr int kFrames = 6;
 
-PinholeCamera tiny_camera() {
-  return {32, 24, 30.0, 30.0, 15.5, 11.5};
-}
-
 /// Those from `first` on, one after the other; a recording may begin late.
 void expect_synthetic_frames(const std::filesystem::path& file, std::uint64_t first) {
   OniPlayer player(file);
@@ -72,7 +68,7 @@ TEST_P(RecordedStreams, DepthComesBackBitForBit) {
   record_streams(folder_ / "a.oni", GetParam(), kFrames, tiny_camera());
   const OniRecording recording = validate_oni(folder_ / "a.oni");
   EXPECT_TRUE(recording.is_plain);
-  EXPECT_EQ(recording.mirrored.front(), GetParam().mirrored);
+  EXPECT_EQ(recording.images.front().mirrored, GetParam().mirrored);
   ASSERT_GE(recording.frame_count, kFrames / 2U);
   ASSERT_LE(recording.frame_count, std::size_t{kFrames});
   expect_synthetic_frames(folder_ / "a.oni", kFrames - recording.frame_count);
@@ -85,7 +81,7 @@ TEST_P(RecordedStreams, DepthComesBackFromARecordingOfTheRecording) {
   std::reverse(reversed.order.begin(), reversed.order.end());
   record_again(folder_ / "a.oni", folder_ / "b.oni", reversed, static_cast<int>(frames));
   const OniRecording recording = validate_oni(folder_ / "b.oni");
-  EXPECT_EQ(recording.mirrored.front(), GetParam().mirrored);
+  EXPECT_EQ(recording.images.front().mirrored, GetParam().mirrored);
   ASSERT_GE(recording.frame_count, frames);  // the player begins anew before it is stopped
   expect_synthetic_frames(folder_ / "b.oni", kFrames - frames);
 }

@@ -54,10 +54,9 @@ TEST(OniValidator, ASoundRecordingIsDescribed) {
   const TemporaryFolder folder;
   const std::string bytes = sound_recording(folder);
   const OniRecording recording = validate_oni(folder / "sound.oni");
-  EXPECT_EQ(recording.width, 32);
-  EXPECT_EQ(recording.height, 24);
   EXPECT_EQ(recording.frame_count, kFramesOfSound);
-  EXPECT_EQ(recording.mirrored, std::vector<bool>(kFramesOfSound, false));
+  const OniImage whole{.width = 32, .height = 24, .recorded_width = 32, .recorded_height = 24};
+  EXPECT_EQ(recording.images, std::vector<OniImage>(kFramesOfSound, whole));
   EXPECT_EQ(recording.end, bytes.size());
   EXPECT_EQ(recording.payloads.size(), kFramesOfSound);
   EXPECT_NO_THROW(OniPayloadChecker(recording).check_through(kFramesOfSound));

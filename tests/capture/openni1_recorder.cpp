@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// openni1-recorder FILE FRAMES finish|abort mirrored|straight|turned NODE...
+// openni1-recorder FILE FRAMES finish|abort mirrored|straight|turned|cropped|halved|doubled NODE...
 //
 // Records synthetic frames of nodes like depth:16zT, image:JPEG, ir:NONE, in this order, with the
 // recorder of OpenNI 1; a program of its own, as the libraries of OpenNI 1 and 2 are not made for
 // one process. With abort it ends like one that crashed, before the file is finished; turned is
-// straight, and mirrored from the third frame on.
+// straight, and mirrored from the third frame on; cropped is cropped from there on, in halved and
+// doubled the images are half and twice as large from there on.
 #include <XnCppWrapper.h>
 #include <XnPropNames.h>
 
@@ -21,8 +22,29 @@
 namespace lockbox {
 namespace {
 
-PinholeCamera camera() {
-  return {32, 24, 30.0, 30.0, 15.5, 11.5};
+PinholeCamera large_images() {
+  return {64, 48, 60.0, 60.0, 31.5, 23.5};
+}
+
+constexpr int kFirstChanged = 2;
+
+PinholeCamera camera_at(int number, const std::string& manner) {
+  return manner == (number < kFirstChanged ? "halved" : "doubled") ? large_images() : tiny_camera();
+}
+
+XnCropping cropped_region() {
+  return {.bEnabled = 1, .nXOffset = 5, .nYOffset = 3, .nXSize = 20, .nYSize = 17};
+}
+
+DepthFrame part_of(const DepthFrame& whole, const XnCropping& region) {
+  DepthFrame part = whole;
+  part.depth.clear();
+  for (int v = 0; v < region.nYSize; ++v) {
+    const auto row = whole.depth.begin() + (region.nYOffset + v) * whole.camera.width;
+    part.depth.insert(part.depth.end(), row + region.nXOffset,
+                      row + region.nXOffset + region.nXSize);
+  }
+  return part;
 }
 
 void require(XnStatus status) {
@@ -46,19 +68,38 @@ class Node {
   virtual xn::MapGenerator& generator() = 0;
   virtual void set_data(XnUInt32 frame, const DepthFrame& depth) = 0;
 
-  void prepare(bool mirrored) {
+  void set_mode(const PinholeCamera& camera) {
+    const XnMapOutputMode mode{static_cast<XnUInt32>(camera.width),
+                               static_cast<XnUInt32>(camera.height), 30};
+    require(generator().SetGeneralProperty(XN_PROP_MAP_OUTPUT_MODE, sizeof(mode), &mode));
+  }
+
+  void set_cropping(const XnCropping& cropping) {
+    require(generator().SetGeneralProperty(XN_PROP_CROPPING, sizeof(cropping), &cropping));
+  }
+
+  void change(const std::string& manner) {
+    if (manner == "turned") {
+      require(generator().SetIntProperty(XN_PROP_MIRROR, 1));
+    } else if (manner == "cropped") {
+      set_cropping(cropped_region());
+    } else if (manner == "halved" || manner == "doubled") {
+      set_mode(camera_at(kFirstChanged, manner));
+    }
+  }
+
+  void prepare(const std::string& manner) {
     xn::MapGenerator& node = generator();
     for (const char* const capability :
          {XN_CAPABILITY_MIRROR, XN_CAPABILITY_CROPPING, XN_CAPABILITY_EXTENDED_SERIALIZATION}) {
       require(node.SetIntProperty(capability, 1));
     }
     const XnMapOutputMode mode{32, 24, 30};
-    const XnCropping cropping{};
     require(node.SetIntProperty(XN_PROP_SUPPORTED_MAP_OUTPUT_MODES_COUNT, 1));
     require(node.SetGeneralProperty(XN_PROP_SUPPORTED_MAP_OUTPUT_MODES, sizeof(mode), &mode));
-    require(node.SetGeneralProperty(XN_PROP_MAP_OUTPUT_MODE, sizeof(mode), &mode));
-    require(node.SetGeneralProperty(XN_PROP_CROPPING, sizeof(cropping), &cropping));
-    require(node.SetIntProperty(XN_PROP_MIRROR, mirrored ? 1 : 0));
+    set_mode(camera_at(0, manner));
+    set_cropping({});
+    require(node.SetIntProperty(XN_PROP_MIRROR, manner == "mirrored" ? 1 : 0));
     prepare_kind();
     require(node.SetIntProperty(XN_PROP_STATE_READY, 1));
     require(node.StartGenerating());
@@ -162,15 +203,19 @@ void record(const std::vector<std::string>& arguments) {
   std::vector<std::unique_ptr<Node>> nodes;
   for (std::size_t i = 4; i < arguments.size(); ++i) {
     nodes.push_back(make_node(context, arguments[i]));
-    nodes.back()->prepare(arguments[3] == "mirrored");
+    nodes.back()->prepare(arguments[3]);
     nodes.back()->add_to(recorder);
   }
   const int frames = std::stoi(arguments[1]);
   for (int number = 0; number < frames; ++number) {
-    const DepthFrame frame = synthetic_frame(static_cast<std::uint64_t>(number), camera());
+    DepthFrame frame =
+        synthetic_frame(static_cast<std::uint64_t>(number), camera_at(number, arguments[3]));
+    if (arguments[3] == "cropped" && number >= kFirstChanged) {
+      frame = part_of(frame, cropped_region());
+    }
     for (const auto& node : nodes) {
-      if (arguments[3] == "turned" && number == 2) {
-        require(node->generator().SetIntProperty(XN_PROP_MIRROR, 1));
+      if (number == kFirstChanged) {
+        node->change(arguments[3]);
       }
       node->set_data(static_cast<XnUInt32>(number) + 1, frame);
     }

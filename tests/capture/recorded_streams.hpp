@@ -10,6 +10,7 @@
 #include <deque>
 #include <filesystem>
 #include <future>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -22,11 +23,20 @@
 
 namespace lockbox {
 
+/// Pixels from (x, y) on.
+struct Region {
+  int x;
+  int y;
+  int width;
+  int height;
+};
+
 /// Which streams are attached to a recorder, in order, and how.
 struct Streams {
   std::vector<openni::SensorType> order;
   bool lossy = false;
   bool mirrored = false;
+  std::optional<Region> cropping = std::nullopt;
 };
 
 inline void PrintTo(const Streams& streams, std::ostream* out) {
@@ -41,6 +51,9 @@ class StreamsOfDevice {
       openni::VideoStream& stream = streams_.emplace_back();
       require(stream.create(device, type));
       stream.setMirroringEnabled(streams.mirrored);
+    }
+    if (streams.cropping) {
+      crop(*streams.cropping);
     }
   }
   ~StreamsOfDevice() {
@@ -70,6 +83,12 @@ class StreamsOfDevice {
   void start() {
     for (openni::VideoStream& stream : streams_) {
       require(stream.start());
+    }
+  }
+
+  void crop(const Region& region) {
+    for (openni::VideoStream& stream : streams_) {
+      require(stream.setCropping(region.x, region.y, region.width, region.height));
     }
   }
 
@@ -119,9 +138,11 @@ void record_device(openni::Device& device, const std::filesystem::path& file,
   recorder.destroy();
 }
 
-/// Records synthetic frames of the virtual camera.
-inline void record_streams(const std::filesystem::path& file, const Streams& streams, int frames,
-                           const PinholeCamera& camera) {
+/// Records synthetic frames of the virtual camera; prepare, which is called when the recorder is
+/// ready, allows them.
+template <typename Prepare>
+void record_streams(const std::filesystem::path& file, const Streams& streams, int frames,
+                    const PinholeCamera& camera, Prepare prepare) {
   StreamsOfDevice::require(openni::OpenNI::initialize());
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -136,9 +157,14 @@ inline void record_streams(const std::filesystem::path& file, const Streams& str
       sender.send(synthetic_frame(static_cast<std::uint64_t>(number), camera));
     }
   });
-  record_device(device, file, streams, frames,
-                [frames](StreamsOfDevice& attached) { attached.allow_frames(frames); });
+  record_device(device, file, streams, frames, prepare);
   device.close();
+}
+
+inline void record_streams(const std::filesystem::path& file, const Streams& streams, int frames,
+                           const PinholeCamera& camera) {
+  record_streams(file, streams, frames, camera,
+                 [frames](StreamsOfDevice& attached) { attached.allow_frames(frames); });
 }
 
 /// Records another recording, of so many frames, anew.

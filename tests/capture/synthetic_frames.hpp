@@ -16,6 +16,10 @@ inline PinholeCamera small_camera() {
   return {160, 120, 143.9539, 143.9539, 79.5, 59.5};
 }
 
+inline PinholeCamera tiny_camera() {
+  return {32, 24, 30.0, 30.0, 15.5, 11.5};
+}
+
 /// A slanted wall with integer-hash noise and holes, in millimetres.
 inline DepthFrame synthetic_frame(std::uint64_t number,
                                   const PinholeCamera& camera = small_camera()) {

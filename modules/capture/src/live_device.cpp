@@ -22,7 +22,8 @@ struct LiveDevice::Impl {
     unplug_watch.emplace(device);
     const openni::VideoMode mode = depth.getVideoMode();
     rectification.check_size(mode.getResolutionX(), mode.getResolutionY(), name);
-    const std::optional<PinholeCamera> own = camera_of(depth);
+    const std::optional<PinholeCamera> own =
+        camera_of(depth, mode.getResolutionX(), mode.getResolutionY());
     if (!own && !options.camera && !options.camera_info) {
       throw DeviceError(name +
                         ": the device does not tell its field of view; give the camera's "

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <limits>
 
 #include "lockbox/capture/oni_validator.hpp"
+#include "oni_properties.hpp"
 #include "oni_records.hpp"
 
 namespace lockbox {
@@ -77,23 +79,28 @@ class CopyWriter {
   std::ofstream out_;
 };
 
-std::vector<std::uint8_t> whole_number(std::uint64_t number) {
-  std::vector<std::uint8_t> bytes(sizeof(number));
-  std::memcpy(bytes.data(), &number, sizeof(number));
-  return bytes;
+/// Bytes of the largest depth image.
+std::uint64_t frame_room(const OniRecording& recording) {
+  std::uint64_t most = 0;
+  for (const OniImage& image : recording.images) {
+    most =
+        std::max<std::uint64_t>(most, sizeof(std::uint16_t) * static_cast<unsigned>(image.width) *
+                                          static_cast<unsigned>(image.height));
+  }
+  return most;
 }
 
-/// In the order that the player needs: the size of the images first.
+/// In the order that the player needs: the size of the images first. The pixel format of OpenNI 1
+/// would reset that of OpenNI2.
 void add_properties(const OniRecording& recording, CopyWriter& writer) {
   constexpr std::size_t kCroppingSize = 12;
   constexpr std::uint64_t kGreatestDepth = 65535;
   std::map<std::string, std::vector<std::uint8_t>> properties = recording.depth_properties;
   properties.try_emplace("xnCropping", kCroppingSize);
   properties.try_emplace("xnDeviceMaxDepth", whole_number(kGreatestDepth));
-  properties["oniRequiredFrameSize"] =
-      whole_number(std::uint64_t{2} * static_cast<unsigned>(recording.width) *
-                   static_cast<unsigned>(recording.height));
+  properties["oniRequiredFrameSize"] = whole_number(frame_room(recording));
   properties.erase("RequiredDataSize");
+  properties.erase("xnPixelFormat");
   const auto mode = properties.extract("xnMapOutputMode");
   writer.add_property(mode.key(), mode.mapped());
   for (const auto& [name, value] : properties) {
@@ -105,8 +112,12 @@ void add_frames(const OniRecording& recording, CopyWriter& writer) {
   std::ifstream in(recording.file, std::ios::binary);
   std::vector<char> image;
   std::uint32_t number = 0;
+  auto change = recording.depth_changes.begin();
   for (const OniPayload& payload : recording.payloads) {
     if (payload.depth && writer.has_room()) {
+      for (; change != recording.depth_changes.end() && change->frame <= number; ++change) {
+        writer.add_property(change->name, change->value);
+      }
       image.resize(payload.size);
       in.seekg(static_cast<std::streamoff>(payload.offset));
       in.read(image.data(), static_cast<std::streamsize>(image.size()));

@@ -2,10 +2,6 @@
 #include "oni_nodes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string_view>
-
-#include "field_of_view.hpp"
 
 namespace lockbox {
 namespace {
@@ -14,59 +10,7 @@ constexpr std::uint32_t kUnfinished = 0xFFFFFFFF;  // frame count until the reco
 constexpr int kMinimumNodeSize = 16;               // pixels
 constexpr int kMaximumNodeSize = 4096;
 constexpr std::uint64_t kMaximumFrameBytes = 1 << 26;
-constexpr std::uint64_t kRgb = 200;  // pixel formats of OpenNI2
-constexpr std::uint64_t kGrey = 202;
-constexpr std::uint64_t kRgbOfOpenNi1 = 1;
-constexpr std::uint64_t kGreyOfOpenNi1 = 3;
 constexpr std::size_t kSeekEntrySize = 20;  // u64 timestamp, u32 configuration, u64 offset
-
-bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// Sizes in bytes of the structures that the player copies without looking; 0 for all others.
-std::size_t structure_size(std::string_view name) {
-  if (is_one_of(name, {"xnCropping", "xnMapOutputMode"})) {
-    return 12;
-  }
-  if (name == "xnFOV") {
-    return 16;
-  }
-  return name == "xnRealWorldTranslationData" ? 24 : 0;
-}
-
-bool decides_interpretation(std::string_view name) {
-  return structure_size(name) != 0 ||
-         is_one_of(name, {"xnMirror", "xnPixelFormat", "oniPixelFormat", "xnDeviceMaxDepth",
-                          "oniRequiredFrameSize", "RequiredDataSize"});
-}
-
-bool is_known_format(std::uint64_t format_of_openni1) {
-  constexpr std::uint64_t kJpeg = 5;
-  return format_of_openni1 >= kRgbOfOpenNi1 && format_of_openni1 <= kJpeg;
-}
-
-/// Takes the value of a property record and checks its form.
-std::vector<std::uint8_t> take_value(OniRecord& record) {
-  std::vector<std::uint8_t> value = record.take_data();
-  const bool is_number =
-      record.type() == OniRecordType::int_property || record.type() == OniRecordType::real_property;
-  if (is_number && value.size() != 8) {
-    record.refuse("a number has " + std::to_string(value.size()) + " bytes instead of 8");
-  }
-  if (record.type() == OniRecordType::string_property && (value.empty() || value.back() != 0)) {
-    record.refuse("a text has no end");
-  }
-  record.finish();
-  return value;
-}
-
-template <typename T>
-T number_at(const std::vector<std::uint8_t>& bytes, std::size_t offset) {
-  T value;
-  std::memcpy(&value, bytes.data() + offset, sizeof(T));
-  return value;
-}
 
 }  // namespace
 
@@ -83,13 +27,6 @@ OniNode::OniNode(OniRecord& record) : id_(record.node()) {
     seek_table_ = record.take_offset();
   }
   record.finish();
-}
-
-OniNode::Properties OniNode::deciding_properties() const {
-  Properties properties = properties_;
-  std::erase_if(properties,
-                [](const auto& property) { return !decides_interpretation(property.first); });
-  return properties;
 }
 
 bool OniNode::is_finished() const {
@@ -120,39 +57,44 @@ void OniNode::check_codec(const OniRecord& record) const {
   }
 }
 
-void OniNode::set_property(OniRecord& record) {
-  const std::string name = record.take_name();
-  const std::vector<std::uint8_t> value = take_value(record);
-  check_property(record, name, value);
-  if (!ready_ || name == "xnMirror") {
-    properties_[name] = value;
-  } else if (decides_interpretation(name) && properties_[name] != value) {
-    record.refuse(name + " changes in the middle of the recording, which is not supported");
+bool OniNode::set_property(OniRecord& record) {
+  const OniProperty property = take_property(record, is_depth());
+  if (!decides_interpretation(property.name)) {
+    return true;
   }
+  if (!ready_ || property.name == "xnMirror") {
+    keep(property);
+    return true;
+  }
+  const bool is_reset = is_depth() && property.name == "xnPixelFormat";
+  const bool is_change = is_reset || properties_[property.name] != property.value;
+  return !is_change || (is_depth() && follow_change(record, property));
 }
 
-void OniNode::check_property(const OniRecord& record, const std::string& name,
-                             const std::vector<std::uint8_t>& value) const {
-  const std::size_t expected = structure_size(name);
-  if (expected != 0 &&
-      (value.size() != expected || record.type() != OniRecordType::general_property)) {
-    record.refuse(name + " has the wrong size");
+/// As the player does, which takes the room for images and the greatest depth from the beginning.
+bool OniNode::follow_change(const OniRecord& record, const OniProperty& property) {
+  const std::string& name = property.name;
+  if (is_one_of(name, {"oniRequiredFrameSize", "RequiredDataSize", "xnDeviceMaxDepth"})) {
+    return true;
   }
-  if (expected == 0 && decides_interpretation(name) &&
-      record.type() != OniRecordType::int_property) {
-    record.refuse(name + " is not a whole number");
+  if (!is_one_of(name, {"xnCropping", "xnMapOutputMode", "xnPixelFormat", "oniPixelFormat"}) ||
+      (name == "oniPixelFormat" && !is_depth_format(property.value))) {
+    return false;
   }
-  if (name == "xnPixelFormat" && !is_depth() &&
-      !is_known_format(number_at<std::uint64_t>(value, 0))) {
-    record.refuse("the images are in an unknown format");
+  keep(property);
+  if (name == "xnMapOutputMode") {
+    check_mode(record);
   }
-  if (name == "xnFOV") {
-    for (const double angle : {number_at<double>(value, 0), number_at<double>(value, 8)}) {
-      if (!(angle >= kMinimumFieldOfView && angle <= kMaximumFieldOfView)) {
-        record.refuse("the field of view is impossible");
-      }
-    }
+  return true;
+}
+
+/// To the player, the pixel format of OpenNI 1 says that depth is in millimetres, until that of
+/// OpenNI2 comes.
+void OniNode::keep(const OniProperty& property) {
+  if (is_depth() && property.name == "xnPixelFormat") {
+    properties_["oniPixelFormat"] = whole_number(kMillimetres);
   }
+  properties_[property.name] = property.value;
 }
 
 std::uint64_t OniNode::integer(const char* name, std::uint64_t otherwise) const {
@@ -169,7 +111,9 @@ void OniNode::make_ready(const OniRecord& record) {
   }
   if (is_depth()) {
     check_depth(record);
+    check_cropping(record);
   }
+  check_room(record);
   ready_ = true;
 }
 
@@ -191,9 +135,22 @@ void OniNode::check_mode(const OniRecord& record) {
     record.refuse("the depth images of " + std::to_string(width) + "x" + std::to_string(height) +
                   " pixels are too large for OpenNI2");
   }
-  for (const char* const size : {"oniRequiredFrameSize", "RequiredDataSize"}) {
-    const std::uint64_t needed = is_depth() ? std::uint64_t{width} * height * 2 : 0;
-    const std::uint64_t given = integer(size, needed);
+}
+
+std::uint64_t OniNode::image_bytes() const {
+  return is_depth() ? image().recorded_pixels() * sizeof(std::uint16_t) : 0;
+}
+
+bool OniNode::has_room_for_image() const {
+  return image_bytes() <= room_;
+}
+
+void OniNode::check_room(const OniRecord& record) {
+  const std::uint64_t needed = image_bytes();
+  room_ = std::uint64_t{2} * static_cast<unsigned>(width_) * static_cast<unsigned>(height_);
+  for (const char* const size : {"RequiredDataSize", "oniRequiredFrameSize"}) {
+    const std::uint64_t given = integer(size, room_);
+    room_ = std::min(given, room_);
     if (given < needed || given > kMaximumFrameBytes) {
       record.refuse("the frame buffer of stream " + name_ + " has an impossible size");
     }
@@ -201,19 +158,38 @@ void OniNode::check_mode(const OniRecord& record) {
 }
 
 void OniNode::check_depth(const OniRecord& record) const {
-  constexpr std::uint64_t kMillimetreFormat = 100;
-  constexpr std::uint64_t kTenthsOfMillimetres = 101;
-  const std::uint64_t format = integer("oniPixelFormat", kMillimetreFormat);
-  if (format != kMillimetreFormat && format != kTenthsOfMillimetres) {
+  const auto format = properties_.find("oniPixelFormat");
+  if (format != properties_.end() && !is_depth_format(format->second)) {
     record.refuse("the depth images are in a unit other than 1 mm or 0.1 mm");
   }
   const std::uint64_t maximum = integer("xnDeviceMaxDepth", 65535);
   if (maximum < 1 || maximum > 65535) {
     record.refuse("the greatest depth is impossible");
   }
+}
+
+OniImage OniNode::image() const {
+  OniImage image{.width = width_,
+                 .height = height_,
+                 .mirrored = integer("xnMirror", 0) != 0,
+                 .recorded_width = width_,
+                 .recorded_height = height_};
   const auto cropping = properties_.find("xnCropping");
-  if (cropping != properties_.end() && number_at<std::uint32_t>(cropping->second, 0) != 0) {
-    record.refuse("the depth images are cropped, which is not supported; record without cropping");
+  if (is_depth() && cropping != properties_.end() &&
+      number_at<std::uint32_t>(cropping->second, 0) != 0) {
+    image.left = number_at<std::uint16_t>(cropping->second, 4);
+    image.top = number_at<std::uint16_t>(cropping->second, 6);
+    image.recorded_width = number_at<std::uint16_t>(cropping->second, 8);
+    image.recorded_height = number_at<std::uint16_t>(cropping->second, 10);
+  }
+  return image;
+}
+
+void OniNode::check_cropping(const OniRecord& record) const {
+  const OniImage whole = image();
+  if (whole.recorded_pixels() == 0 || whole.left + whole.recorded_width > whole.width ||
+      whole.top + whole.recorded_height > whole.height) {
+    record.refuse("the depth images are cropped to what lies outside of them");
   }
 }
 
@@ -235,6 +211,7 @@ const OniNode::Frame& OniNode::add_frame(OniRecord& record) {
     record.refuse("frame " + std::to_string(frame) + " follows frame " +
                   std::to_string(frames_.size()) + " in stream " + name_);
   }
+  check_cropping(record);
   return frames_.emplace_back(Frame{timestamp, record.offset()});
 }
 

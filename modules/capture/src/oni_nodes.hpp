@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "lockbox/capture/oni_validator.hpp"
+#include "oni_properties.hpp"
 #include "oni_records.hpp"
 
 namespace lockbox {
@@ -29,13 +31,12 @@ class OniNode {
   const std::string& name() const { return name_; }
   const std::array<char, 4>& codec() const { return codec_; }
   std::uint32_t frame_count() const { return static_cast<std::uint32_t>(frames_.size()); }
-  int width() const { return width_; }
-  int height() const { return height_; }
-  /// At this place of the file.
-  bool is_mirrored() const { return integer("xnMirror", 0) != 0; }
 
-  /// Those that say what the images mean.
-  Properties deciding_properties() const;
+  /// How images lie at this place of the file. Cropping counts for depth only.
+  OniImage image() const;
+
+  /// Those that say what the images mean, at this place of the file.
+  const Properties& properties() const { return properties_; }
 
   /// Has the recorder written the number of frames, which it does at the end?
   bool is_finished() const;
@@ -47,8 +48,9 @@ class OniNode {
   /// The player must know how to decode the depth.
   void check_codec(const OniRecord& record) const;
 
-  /// From any property record.
-  void set_property(OniRecord& record);
+  /// From any property record. Returns whether the node is what it was, or has changed into
+  /// something that can be followed.
+  bool set_property(OniRecord& record);
 
   /// All properties are there: checks those that the player relies upon.
   void make_ready(const OniRecord& record);
@@ -63,6 +65,9 @@ class OniNode {
   /// From a new_data record.
   const Frame& add_frame(OniRecord& record);
 
+  /// Whether the player has room for the depth image at this place of the file.
+  bool has_room_for_image() const;
+
   void remove(const OniRecord& record);
 
   /// At the end mark: all frames are there, and none is later than the header says.
@@ -74,10 +79,13 @@ class OniNode {
  private:
   std::uint64_t integer(const char* name, std::uint64_t otherwise) const;
   bool has(const char* name) const { return properties_.count(name) != 0; }
-  void check_property(const OniRecord& record, const std::string& name,
-                      const std::vector<std::uint8_t>& value) const;
   void check_mode(const OniRecord& record);
+  void check_room(const OniRecord& record);
   void check_depth(const OniRecord& record) const;
+  void check_cropping(const OniRecord& record) const;
+  bool follow_change(const OniRecord& record, const OniProperty& property);
+  void keep(const OniProperty& property);
+  std::uint64_t image_bytes() const;
 
   OniNodeType type_{};
   std::uint32_t id_ = 0;
@@ -88,6 +96,7 @@ class OniNode {
   Properties properties_;
   int width_ = 0;
   int height_ = 0;
+  std::uint64_t room_ = 0;  ///< bytes that the player keeps for a depth image
   bool ready_ = false;
   bool data_begun_ = false;
   bool removed_ = false;

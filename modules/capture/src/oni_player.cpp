@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/capture/oni_player.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <thread>
 
+#include "image_limits.hpp"
 #include "lockbox/capture/oni_validator.hpp"
 #include "lockbox/core/error.hpp"
 #include "openni_session.hpp"
@@ -55,12 +57,12 @@ class Alias {
   std::filesystem::path folder_;
 };
 
-void warn_if_cut_off(const OniRecording& recording, const SourceOptions& options) {
-  if (recording.is_cut_off && options.warn) {
-    options.warn(recording.file.string() + ": breaks off at byte " + std::to_string(recording.end) +
-                 ", without the end mark of a finished recording; the " +
-                 std::to_string(recording.frame_count) + " depth images before that are played");
-  }
+std::string text_of_end(const OniRecording& recording) {
+  return recording.file.string() + ": " +
+         (recording.is_cut_off ? "breaks off at byte " + std::to_string(recording.end) +
+                                     ", without the end mark of a finished recording"
+                               : recording.end_reason) +
+         "; the " + std::to_string(recording.frame_count) + " depth images before that are played";
 }
 
 }  // namespace
@@ -70,20 +72,58 @@ struct OniPlayer::Impl {
       : recording(validate_oni(path)),
         payloads(recording),
         rectification(given_calibration(options)),
-        stop(options.stop) {
-    rectification.check_size(recording.width, recording.height, path.string());
+        stop(options.stop),
+        warn(options.warn) {
+    const OniImage& first = recording.images.front();
+    const bool is_calibrated = options.camera || options.camera_info;
+    rectification.check_size(first.width, first.height, path.string());
+    if (is_calibrated) {
+      end_at_another_size();
+    }
     require_openni();
     check_ahead();
     open();
-    warn_if_cut_off(recording, options);
-    const std::optional<PinholeCamera> own = camera_of(depth);
-    if (!own && !options.camera && !options.camera_info) {
+    if (recording.is_cut_off || !recording.end_reason.empty()) {
+      say_end();
+    }
+    if (!is_calibrated && !camera_of(depth, first.width, first.height)) {
       throw InputError(path.string(),
                        "does not tell the camera's field of view; give the camera's calibration "
                        "with --camera-info");
     }
-    camera = own.value_or(PinholeCamera{recording.width, recording.height, 0, 0, 0, 0});
     start();
+  }
+
+  void say_end() const {
+    if (warn) {
+      warn(text_of_end(recording));
+    }
+  }
+
+  /// A calibration is for one size of image.
+  void end_at_another_size() {
+    const OniImage& first = recording.images.front();
+    const auto other = std::find_if(
+        recording.images.begin(), recording.images.end(), [&first](const OniImage& image) {
+          return image.width != first.width || image.height != first.height;
+        });
+    if (other == recording.images.end()) {
+      return;
+    }
+    const auto count = static_cast<std::size_t>(other - recording.images.begin());
+    end_early(recording, count,
+              "from frame " + std::to_string(count + 1) + " on the depth images are " +
+                  size_text(other->width, other->height) +
+                  ", for which the camera calibration is not");
+    leave_out_other_streams(recording);
+    payloads = OniPayloadChecker(recording);
+  }
+
+  /// That of the next frame.
+  PinholeCamera camera() const {
+    const OniImage& image = recording.images[delivered];
+    return camera_of(depth, image.width, image.height)
+        .value_or(PinholeCamera{image.width, image.height, 0, 0, 0, 0});
   }
 
   ~Impl() { close(); }
@@ -109,10 +149,8 @@ struct OniPlayer::Impl {
         depth.create(device, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
       fail("cannot open this recording: " + openni_error());
     }
-    const openni::VideoMode mode = depth.getVideoMode();
-    if (mode.getResolutionX() != recording.width || mode.getResolutionY() != recording.height ||
-        device.getPlaybackControl()->getNumberOfFrames(depth) !=
-            static_cast<int>(recording.frame_count)) {
+    if (device.getPlaybackControl()->getNumberOfFrames(depth) !=
+        static_cast<int>(recording.frame_count)) {
       fail("understands this recording differently than its validator");
     }
   }
@@ -132,12 +170,25 @@ struct OniPlayer::Impl {
     const bool is_open = device.isValid();
     const std::size_t frame = delivered + (is_open ? 2 : 1);
     if (payloads.check_through(frame)) {
+      end_where_sizes_change();
       return true;
     }
     leave_out_other_streams(recording);
     payloads = OniPayloadChecker(recording);
     payloads.check_through(frame);
+    end_where_sizes_change();
     return !is_open || begin_again();
+  }
+
+  /// What the player makes of such images is never asked for.
+  void end_where_sizes_change() {
+    const bool is_new = recording.end_reason.empty() && !payloads.end_reason().empty();
+    if (is_new) {
+      end_early(recording, payloads.frame_count(), payloads.end_reason());
+    }
+    if (is_new && device.isValid()) {
+      say_end();
+    }
   }
 
   bool begin_again() {
@@ -176,9 +227,9 @@ struct OniPlayer::Impl {
   OniPayloadChecker payloads;
   Rectification rectification;
   std::function<bool()> stop;
+  std::function<void(const std::string&)> warn;
   openni::Device device;
   openni::VideoStream depth;
-  PinholeCamera camera;
   std::size_t delivered = 0;
 };
 
@@ -195,8 +246,8 @@ bool OniPlayer::next(DepthFrame& frame) {
   if (!impl_->check_ahead() || !impl_->read(impl_->delivered + 1, read)) {
     return false;
   }
-  frame.camera = impl_->camera;
-  copy_frame(read, impl_->recording.mirrored[impl_->delivered], frame);
+  frame.camera = impl_->camera();
+  copy_frame(read, impl_->recording.images[impl_->delivered].mirrored, frame);
   frame.index = impl_->delivered++;
   impl_->rectification.apply(frame);
   return true;
@@ -207,8 +258,11 @@ std::optional<std::size_t> OniPlayer::frame_count() const {
 }
 
 std::string OniPlayer::description() const {
+  const OniImage& image = impl_->recording.images.front();
+  const auto whole = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   return "OpenNI2 recording " + impl_->recording.file.string() +
-         (impl_->recording.mirrored.front() ? ", recorded mirrored" : "");
+         (image.mirrored ? ", recorded mirrored" : "") +
+         (image.recorded_pixels() < whole ? ", cropped" : "");
 }
 
 }  // namespace lockbox

@@ -7,32 +7,10 @@
 #include <utility>
 
 #include "oni_nodes.hpp"
-#include "payload_checks.hpp"
+#include "oni_payloads.hpp"
 
 namespace lockbox {
 namespace {
-
-/// What is wrong with a payload that the decoder would trip over, or nothing.
-std::optional<std::string> find_damage(std::ifstream& file, const OniPayload& payload,
-                                       std::vector<std::uint8_t>& buffer) {
-  const std::string_view codec(payload.codec.data(), payload.codec.size());
-  buffer.resize(payload.size);
-  file.seekg(static_cast<std::streamoff>(payload.offset));
-  file.read(reinterpret_cast<char*>(buffer.data()), static_cast<std::streamsize>(payload.size));
-  if (!file) {
-    return "it cannot be read any more";
-  }
-  if (codec == "JPEG") {
-    return find_damage_jpeg(buffer, payload.pixels);
-  }
-  if (codec != "NONE") {
-    return find_damage_16z(buffer, payload.pixels, codec == "16zT");
-  }
-  if (payload.depth && buffer.size() != payload.pixels * 2) {
-    return "the image has the wrong size";
-  }
-  return std::nullopt;
-}
 
 /// Walks the records like the player. It refuses what the depth cannot be told from, and notes
 /// whether there is anything that the player would trip over.
@@ -47,7 +25,7 @@ class Validation {
   }
 
   OniRecording run() {
-    for (bool at_end = false; !at_end && !recording_.is_cut_off;) {
+    for (bool at_end = false; !at_end && !recording_.is_cut_off && depth_end_.empty();) {
       if (breaks_off(file_, header_, recording_.end)) {
         recording_.is_cut_off = true;
         recording_.is_plain = false;
@@ -101,11 +79,14 @@ class Validation {
       case OniRecordType::real_property:
       case OniRecordType::string_property:
       case OniRecordType::general_property:
-        return node.set_property(record);
+        return set_property(record, node);
       case OniRecordType::state_ready:
         record.finish();
         node.make_ready(record);
         recording_.is_plain = recording_.is_plain && node.is_playable();
+        if (&node == depth_) {
+          recording_.depth_properties = node.properties();
+        }
         return;
       case OniRecordType::data_begin:
         record.take<std::uint32_t>();
@@ -121,6 +102,30 @@ class Validation {
         return record.finish();
       default:
         record.refuse("its type is unknown");
+    }
+  }
+
+  void set_property(OniRecord& record, OniNode& node) {
+    const OniNode::Properties before = node.properties();
+    const bool is_followed = node.set_property(record);
+    if (&node != depth_) {
+      recording_.is_plain = recording_.is_plain && is_followed;
+    } else if (!is_followed) {
+      depth_end_ = "from frame " + std::to_string(node.frame_count() + 1) +
+                   " on the depth images mean something else (a property changes in the record "
+                   "at byte " +
+                   std::to_string(record.offset()) + ")";
+    } else if (node.is_ready()) {
+      note_changes(before, node.properties());
+    }
+  }
+
+  void note_changes(const OniNode::Properties& before, const OniNode::Properties& after) {
+    for (const auto& [name, value] : after) {
+      const auto old = before.find(name);
+      if (old == before.end() || old->second != value) {
+        recording_.depth_changes.push_back({depth_->frame_count(), name, value});
+      }
     }
   }
 
@@ -155,8 +160,10 @@ class Validation {
                     [](const auto& other) { return !other.second.is_ready(); })) {
       recording_.is_plain = false;
     }
+    const OniImage image = node.image();
     if (&node == depth_) {
-      recording_.mirrored.push_back(node.is_mirrored());
+      recording_.images.push_back(image);
+      recording_.is_plain = recording_.is_plain && node.has_room_for_image();
     }
     recording_.payloads.push_back({.offset = record.payload_offset(),
                                    .size = record.payload_size(),
@@ -164,15 +171,17 @@ class Validation {
                                    .timestamp = frame.timestamp,
                                    .codec = node.codec(),
                                    .depth = &node == depth_,
-                                   .pixels = static_cast<std::size_t>(node.width()) *
-                                             static_cast<std::size_t>(node.height())});
+                                   .pixels = image.recorded_pixels()});
   }
 
   OniRecording finish() {
     if (recording_.is_cut_off) {
       drop_damaged_end();
-    } else {
+    } else if (depth_end_.empty()) {
       check_complete();
+    } else {
+      end_early(recording_, recording_.images.size(), depth_end_);
+      recording_.is_plain = false;
     }
     if (!recording_.is_plain) {
       leave_out_other_streams(recording_);
@@ -181,10 +190,7 @@ class Validation {
         std::count_if(recording_.payloads.begin(), recording_.payloads.end(),
                       [](const OniPayload& payload) { return payload.depth; }));
     require_depth();
-    recording_.width = depth_->width();
-    recording_.height = depth_->height();
-    recording_.mirrored.resize(recording_.frame_count);
-    recording_.depth_properties = depth_->deciding_properties();
+    recording_.images.resize(recording_.frame_count);
     return std::move(recording_);
   }
 
@@ -245,6 +251,7 @@ class Validation {
   std::map<std::uint32_t, OniNode> nodes_;
   const OniNode* depth_ = nullptr;  ///< the first, which the player takes
   bool data_begun_ = false;
+  std::string depth_end_;  ///< why depth cannot be followed to the end of the file
 };
 
 }  // namespace
@@ -258,27 +265,19 @@ void leave_out_other_streams(OniRecording& recording) {
   std::erase_if(recording.payloads, [](const OniPayload& payload) { return !payload.depth; });
 }
 
-OniPayloadChecker::OniPayloadChecker(const OniRecording& recording)
-    : recording_(recording), stream_(recording.file, std::ios::binary) {}
-
-bool OniPayloadChecker::check_through(std::size_t frame) {
-  for (; next_ < recording_.payloads.size(); ++next_) {
-    const OniPayload& payload = recording_.payloads[next_];
-    if (payload.depth && payload.frame > frame) {
-      return true;
-    }
-    const std::optional<std::string> damage = find_damage(stream_, payload, buffer_);
-    if (damage && payload.depth) {
-      throw InputError(recording_.file.string(), "frame " + std::to_string(payload.frame) +
-                                                     " is damaged, at byte " +
-                                                     std::to_string(payload.offset) + ": " +
-                                                     *damage + "; copy or record it again");
-    }
-    if (damage) {
-      return false;
-    }
+void end_early(OniRecording& recording, std::size_t frame_count, const std::string& reason) {
+  if (frame_count == 0) {
+    throw InputError(recording.file.string(),
+                     reason + "; set up the device before the recorder, and record again");
   }
-  return true;
+  const auto end = std::find_if(recording.payloads.begin(), recording.payloads.end(),
+                                [frame_count](const OniPayload& payload) {
+                                  return payload.depth && payload.frame > frame_count;
+                                });
+  recording.payloads.erase(end, recording.payloads.end());
+  recording.images.resize(frame_count);
+  recording.frame_count = frame_count;
+  recording.end_reason = reason;
 }
 
 }  // namespace lockbox

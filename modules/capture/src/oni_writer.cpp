@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "image_limits.hpp"
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_validator.hpp"
@@ -97,8 +98,17 @@ struct OniWriter::Impl {
 
   void check(const DepthFrame& frame) const {
     const std::string where = file.string();
+    const std::string name = "frame " + std::to_string(frame.index);
+    if (!(frame.camera == camera)) {
+      throw InputError(
+          where, name + " has another camera (" +
+                     size_text(frame.camera.width, frame.camera.height) + ") than the recording (" +
+                     size_text(camera.width, camera.height) + "), which ends before it");
+    }
     if (frame.metres_per_unit != unit) {
-      throw InputError(where, "a frame has another depth unit than the recording");
+      throw InputError(where, name +
+                                  " has another depth unit than the recording, which ends "
+                                  "before it");
     }
     if (!(frame.stamp >= 0.0) || (!written.empty() && frame.stamp <= written.back().stamp)) {
       throw InputError(where, "the stamps of frames must increase");

@@ -26,6 +26,23 @@ bool is_plausible(float angle) {
   return angle >= kMinimumFieldOfView && angle <= kMaximumFieldOfView;
 }
 
+/// Throws DeviceError if what was recorded is more than fits there, or is not all there.
+void require_part_of_image(const openni::VideoFrameRef& frame, int left, int top,
+                           const PinholeCamera& camera) {
+  const openni::VideoMode mode = frame.getVideoMode();
+  const int width = frame.getWidth();
+  const int height = frame.getHeight();
+  const int row_bytes = width * static_cast<int>(sizeof(std::uint16_t));
+  const bool is_whole = width == camera.width && height == camera.height;
+  if (mode.getResolutionX() != camera.width || mode.getResolutionY() != camera.height ||
+      !(is_whole || frame.getCroppingEnabled()) || left < 0 || top < 0 || width < 1 || height < 1 ||
+      left > camera.width - width || top > camera.height - height ||
+      frame.getStrideInBytes() < row_bytes ||
+      frame.getDataSize() < frame.getStrideInBytes() * (height - 1) + row_bytes) {
+    throw DeviceError("OpenNI2 delivered a frame of another size than its stream");
+  }
+}
+
 }  // namespace
 
 void require_openni() {
@@ -48,15 +65,12 @@ float field_of_view(int pixels, double focal) {
   return static_cast<float>(2.0 * std::atan(0.5 * pixels / focal));
 }
 
-std::optional<PinholeCamera> camera_of(const openni::VideoStream& stream) {
-  const openni::VideoMode mode = stream.getVideoMode();
+std::optional<PinholeCamera> camera_of(const openni::VideoStream& stream, int width, int height) {
   const float horizontal = stream.getHorizontalFieldOfView();
   const float vertical = stream.getVerticalFieldOfView();
   if (!is_plausible(horizontal) || !is_plausible(vertical)) {
     return std::nullopt;
   }
-  const int width = mode.getResolutionX();
-  const int height = mode.getResolutionY();
   return PinholeCamera{width,
                        height,
                        focal_length(width, horizontal),
@@ -66,24 +80,23 @@ std::optional<PinholeCamera> camera_of(const openni::VideoStream& stream) {
 }
 
 void copy_frame(const openni::VideoFrameRef& from, bool mirrored, DepthFrame& to) {
+  const PinholeCamera& camera = to.camera;
   const int width = from.getWidth();
-  const int height = from.getHeight();
-  const int row_bytes = width * static_cast<int>(sizeof(std::uint16_t));
-  if (width != to.camera.width || height != to.camera.height ||
-      from.getStrideInBytes() < row_bytes ||
-      from.getDataSize() < from.getStrideInBytes() * (height - 1) + row_bytes) {
-    throw DeviceError("OpenNI2 delivered a frame of another size than its stream");
-  }
-  to.depth.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  const bool is_cropped = from.getCroppingEnabled();
+  const int left = is_cropped ? from.getCropOriginX() : 0;
+  const int top = is_cropped ? from.getCropOriginY() : 0;
+  require_part_of_image(from, left, top, camera);
+  to.depth.assign(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height),
+                  0);
   const auto* row = static_cast<const std::uint8_t*>(from.getData());
-  for (auto out = to.depth.begin(); out != to.depth.end(); out += width) {
+  for (int v = top; v < top + from.getHeight(); ++v, row += from.getStrideInBytes()) {
     const auto* pixels = reinterpret_cast<const std::uint16_t*>(row);
+    const auto begin = to.depth.begin() + std::ptrdiff_t{v} * camera.width;
     if (mirrored) {
-      std::reverse_copy(pixels, pixels + width, out);
+      std::reverse_copy(pixels, pixels + width, begin + (camera.width - left - width));
     } else {
-      std::copy(pixels, pixels + width, out);
+      std::copy(pixels, pixels + width, begin + left);
     }
-    row += from.getStrideInBytes();
   }
   const bool tenths = from.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM;
   to.metres_per_unit = tenths ? 0.0001F : 0.001F;

@@ -19,16 +19,18 @@ void require_openni();
 /// Text of OpenNI2's last error, for a message.
 std::string openni_error();
 
-/// The camera of a depth stream, or nothing if the stream does not know its field of view. OpenNI2
-/// keeps fields of view as floats; the focal length is the shortest decimal that has this field of
-/// view, so that focal lengths written by this library with up to four decimals come back exactly.
-std::optional<PinholeCamera> camera_of(const openni::VideoStream& stream);
+/// The camera of a depth stream with images of this size, or nothing if the stream does not know
+/// its field of view. OpenNI2 keeps fields of view as floats; the focal length is the shortest
+/// decimal that has this field of view, so that focal lengths written by this library with up to
+/// four decimals come back exactly.
+std::optional<PinholeCamera> camera_of(const openni::VideoStream& stream, int width, int height);
 
 /// The field of view of `pixels` pixels at focal length `focal` (pixels), as OpenNI2 keeps it.
 float field_of_view(int pixels, double focal);
 
-/// Copies depth, unit, stamp and size, flipping columns if mirrored; leaves camera's intrinsics and
-/// index alone. Throws DeviceError if the frame is not a whole depth image of the camera's size.
+/// Copies depth, unit and stamp, flipping columns if mirrored; leaves camera and index alone. What
+/// a cropped frame leaves out of the camera's image has no measurement. Throws DeviceError if the
+/// frame is not a whole depth image of the camera's size, or a part of one.
 void copy_frame(const openni::VideoFrameRef& from, bool mirrored, DepthFrame& to);
 
 /// Waits at most milliseconds for a frame: a plain readFrame() waits for ever if a device stalls.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "payload_checks.hpp"
 
+#include "oni_records.hpp"
+
 namespace lockbox {
 namespace {
 
@@ -11,6 +13,18 @@ class Decoder16z {
       : payload_(payload), pixels_(pixels), with_table_(with_table) {}
 
   std::optional<std::string> find_damage() {
+    if (auto damage = decode()) {
+      return damage;
+    }
+    if (count_ != pixels_) {
+      return "the image has " + std::to_string(count_) + " pixels instead of " +
+             std::to_string(pixels_);
+    }
+    return std::nullopt;
+  }
+
+  /// What is wrong but the number of pixels, as far as these are not too many.
+  std::optional<std::string> decode() {
     if (with_table_) {
       const std::uint32_t size = little_endian();
       table_size_ = size;
@@ -28,12 +42,10 @@ class Decoder16z {
     if (!in_range_ || index_ >= table_size_) {
       return "a pixel refers to a depth outside the table";
     }
-    if (count_ != pixels_) {
-      return "the image has " + std::to_string(count_) + " pixels instead of " +
-             std::to_string(pixels_);
-    }
     return std::nullopt;
   }
+
+  std::size_t count() const { return count_; }
 
  private:
   std::uint8_t byte() {
@@ -116,6 +128,14 @@ std::size_t image_size(std::span<const std::uint8_t> segment) {
 std::optional<std::string> find_damage_16z(std::span<const std::uint8_t> payload,
                                            std::size_t pixels, bool with_table) {
   return Decoder16z(payload, pixels, with_table).find_damage();
+}
+
+std::optional<std::size_t> sound_pixels_16z(std::span<const std::uint8_t> payload,
+                                            bool with_table) {
+  constexpr std::size_t kMost = kOniPlayerImage / sizeof(std::uint16_t);
+  Decoder16z decoder(payload, kMost, with_table);
+  const bool is_sound = !decoder.decode() && decoder.count() <= kMost;
+  return is_sound ? std::optional(decoder.count()) : std::nullopt;
 }
 
 std::optional<std::string> find_damage_jpeg(std::span<const std::uint8_t> payload,

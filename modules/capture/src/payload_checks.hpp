@@ -19,6 +19,10 @@ namespace lockbox {
 std::optional<std::string> find_damage_16z(std::span<const std::uint8_t> payload,
                                            std::size_t pixels, bool with_table);
 
+/// The number of pixels of a depth image of these codecs that is sound, whatever its size; nothing
+/// if it is damaged, or larger than the player can hold.
+std::optional<std::size_t> sound_pixels_16z(std::span<const std::uint8_t> payload, bool with_table);
+
 /// What is wrong with the segments or the size of a JPEG image, or nothing: the decoder trusts
 /// them.
 std::optional<std::string> find_damage_jpeg(std::span<const std::uint8_t> payload,

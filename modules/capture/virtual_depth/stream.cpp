@@ -77,9 +77,12 @@ void Stream::stop() {
   feed_.remove(*this);
 }
 
+int Stream::pixel_bytes() const {
+  return static_cast<int>(type_ == ONI_SENSOR_COLOR ? sizeof(Rgb) : sizeof(std::uint16_t));
+}
+
 int Stream::stride() const {
-  const auto bytes = type_ == ONI_SENSOR_COLOR ? sizeof(Rgb) : sizeof(std::uint16_t);
-  return mode_.resolutionX * static_cast<int>(bytes);
+  return mode_.resolutionX * pixel_bytes();
 }
 
 int Stream::getRequiredFrameSize() {
@@ -101,23 +104,59 @@ void Stream::fill(std::span<const std::uint16_t> depth, void* image) const {
   }
 }
 
+void Stream::fill_cropped(std::span<const std::uint16_t> depth, const OniCropping& cropping,
+                          OniFrame& frame) {
+  image_.resize(static_cast<std::size_t>(getRequiredFrameSize()));
+  fill(depth, image_.data());
+  const int row_bytes = cropping.width * pixel_bytes();
+  auto* to = static_cast<char*>(frame.data);
+  for (int row = 0; row < cropping.height; ++row, to += row_bytes) {
+    const int from = (cropping.originY + row) * stride() + cropping.originX * pixel_bytes();
+    std::memcpy(to, image_.data() + from, static_cast<std::size_t>(row_bytes));
+  }
+  frame.width = cropping.width;
+  frame.height = cropping.height;
+  frame.stride = row_bytes;
+}
+
+OniCropping Stream::cropping() {
+  const std::lock_guard lock(mutex_);
+  return cropping_;
+}
+
+void Stream::set_cropping(const OniCropping& cropping) {
+  const bool is_inside = cropping.originX >= 0 && cropping.originY >= 0 && cropping.width > 0 &&
+                         cropping.height > 0 &&
+                         cropping.originX <= mode_.resolutionX - cropping.width &&
+                         cropping.originY <= mode_.resolutionY - cropping.height;
+  if (is_inside || cropping.enabled == FALSE) {
+    const std::lock_guard lock(mutex_);
+    cropping_ = cropping;
+  }
+}
+
 void Stream::take(std::span<const std::uint16_t> depth, std::uint64_t timestamp) {
   OniFrame* const frame = getServices().acquireFrame();
   if (frame == nullptr) {
     return;
   }
-  fill(depth, frame->data);
+  const OniCropping region = cropping();
+  frame->croppingEnabled = region.enabled;
+  frame->cropOriginX = region.enabled ? region.originX : 0;
+  frame->cropOriginY = region.enabled ? region.originY : 0;
+  if (region.enabled != FALSE) {
+    fill_cropped(depth, region, *frame);
+  } else {
+    fill(depth, frame->data);
+    frame->width = mode_.resolutionX;
+    frame->height = mode_.resolutionY;
+    frame->stride = stride();
+  }
   frame->timestamp = timestamp;
-  frame->dataSize = getRequiredFrameSize();
+  frame->dataSize = frame->stride * frame->height;
   frame->sensorType = type_;
   frame->frameIndex = ++frame_index_;
-  frame->width = mode_.resolutionX;
-  frame->height = mode_.resolutionY;
   frame->videoMode = mode_;
-  frame->croppingEnabled = FALSE;
-  frame->cropOriginX = 0;
-  frame->cropOriginY = 0;
-  frame->stride = stride();
   raiseNewFrame(frame);
   getServices().releaseFrame(frame);
 }
@@ -140,7 +179,7 @@ OniStatus Stream::getProperty(int id, void* data, int* size) {
     case ONI_STREAM_PROPERTY_MIRRORING:
       return answer(OniBool{mirrored_ ? TRUE : FALSE}, data, size);
     case ONI_STREAM_PROPERTY_CROPPING:  // without an answer, recordings would replay no frames
-      return answer(OniCropping{}, data, size);
+      return answer(cropping(), data, size);
     case XN_STREAM_PROPERTY_HOLE_FILTER:
       return answer(0, data, size);
     default:
@@ -148,8 +187,8 @@ OniStatus Stream::getProperty(int id, void* data, int* size) {
   }
 }
 
-/// The device is what it is: setting a property to its value succeeds, all else but the limit and
-/// mirroring fails.
+/// The device is what it is: setting a property to its value succeeds, all else but the limit,
+/// mirroring and cropping fails.
 OniStatus Stream::setProperty(int id, const void* data, int size) {
   if (id == kVirtualDepthLimit && size == static_cast<int>(sizeof(int))) {
     int limit = 0;
@@ -161,6 +200,11 @@ OniStatus Stream::setProperty(int id, const void* data, int size) {
     OniBool mirrored = FALSE;
     std::memcpy(&mirrored, data, sizeof(mirrored));
     mirrored_ = mirrored != FALSE;
+  }
+  if (id == ONI_STREAM_PROPERTY_CROPPING && size == static_cast<int>(sizeof(OniCropping))) {
+    OniCropping asked{};
+    std::memcpy(&asked, data, sizeof(asked));
+    set_cropping(asked);
   }
   std::array<char, 64> value;
   int value_size = static_cast<int>(value.size());

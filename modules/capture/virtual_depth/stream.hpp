@@ -10,13 +10,16 @@
 #include <Driver/OniDriverAPI.h>
 
 #include <atomic>
+#include <mutex>
+#include <vector>
 
 #include "feed.hpp"
 
 namespace lockbox::virtual_depth {
 
 /// The producer's depth, or a colour (RGB) or infrared (16-bit grey) image made of it: pictures
-/// that follow from the depth of the same frame, for those who record and play such streams.
+/// that follow from the depth of the same frame, for those who record and play such streams. Images
+/// can be mirrored and cropped, as those of real devices; they are cropped last.
 class Stream : public oni::driver::StreamBase, private Listener {
  public:
   Stream(OniSensorType type, Feed& feed);
@@ -32,12 +35,20 @@ class Stream : public oni::driver::StreamBase, private Listener {
  private:
   void take(std::span<const std::uint16_t> depth, std::uint64_t timestamp) override;
   void fill(std::span<const std::uint16_t> depth, void* image) const;
+  void fill_cropped(std::span<const std::uint16_t> depth, const OniCropping& cropping,
+                    OniFrame& frame);
+  int pixel_bytes() const;
   int stride() const;
+  OniCropping cropping();
+  void set_cropping(const OniCropping& cropping);
 
   OniSensorType type_;
   Feed& feed_;
   OniVideoMode mode_;
   std::atomic<bool> mirrored_{false};
+  std::mutex mutex_;  ///< of the cropping
+  OniCropping cropping_{};
+  std::vector<char> image_;  ///< that is cropped
   int frame_index_ = 0;
 };
 
