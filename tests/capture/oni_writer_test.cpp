@@ -234,5 +234,29 @@ TEST(OniWriter, ARecordingWithoutFramesIsRefusedAndLeavesNoFile) {
   EXPECT_THROW(write_frames(folder / "b.oni", 0), InputError);
 }
 
+TEST(OniWriter, ASecondWriterIntoOneFileIsRefusedAndDoesNoHarm) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "a.oni";
+  {
+    OniWriter first(file, small_camera(), 30);
+    first.write(synthetic_frame(0));
+    EXPECT_THAT([&] { OniWriter(file, small_camera(), 30); },
+                ThrowsMessage<InputError>(
+                    AllOf(HasSubstr("a.oni: another run is recording"), HasSubstr("choose"))));
+    first.write(synthetic_frame(1));
+    first.finish();
+    EXPECT_THROW(OniWriter(file, small_camera(), 30), InputError) << "it may still be compared";
+  }
+  EXPECT_EQ(validate_oni(file).frame_count, 2U);
+  EXPECT_EQ(write_frames(file, 3), 3U);
+}
+
+TEST(OniWriter, WhatAnotherOneHasLeftUnfinishedIsWrittenAnew) {
+  const TemporaryFolder folder;
+  write_text(folder / "a.oni.part", "killed");
+  EXPECT_EQ(write_frames(folder / "a.oni", 3), 3U);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.oni.part"));
+}
+
 }  // namespace
 }  // namespace lockbox

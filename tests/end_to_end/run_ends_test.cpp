@@ -11,6 +11,8 @@
 #include <memory>
 #include <thread>
 
+#include "lockbox/capture/oni_validator.hpp"
+#include "lockbox/capture/oni_writer.hpp"
 #include "tool.hpp"
 
 namespace lockbox {
@@ -192,6 +194,25 @@ TEST_F(RunEnds, BeforeItBeginsWhereAnotherWritesIntoTheFolder) {
   EXPECT_EQ(first.wait().status, -SIGKILL);
   const auto after_crash = run_tool(following("shared", {"--overwrite"}));
   EXPECT_EQ(after_crash.status, 0) << after_crash.errors;
+}
+
+TEST_F(RunEnds, BeforeItBeginsWhereAnotherRecordsIntoTheFile) {
+  const std::string file = path("recorded.oni");
+  const PinholeCamera camera{160, 120, 144.0, 144.0, 79.5, 59.5};
+  OniWriter first(file, camera, 30);
+  first.write({.camera = camera, .depth = std::vector<std::uint16_t>(160 * 120, 1000)});
+  const auto record = [&] {
+    return run_tool({"record", "--source", path("block"), "--output", file, "--overwrite"});
+  };
+  const auto recorded = record();
+  EXPECT_EQ(recorded.status, 3);
+  EXPECT_THAT(recorded.errors, HasSubstr(file + ": another run is recording"));
+  const auto simulated = simulate(start_, "recorded.oni", {"--overwrite"});
+  EXPECT_EQ(simulated.status, 3);
+  EXPECT_THAT(simulated.errors, HasSubstr(file + ": another run is recording"));
+  EXPECT_FALSE(std::filesystem::exists(path("groundtruth.csv")));
+  first.finish();
+  EXPECT_EQ(validate_oni(file).frame_count, 1U);
 }
 
 TEST_F(RunEnds, BeforeItBeginsWhereAnEarlierOneWouldBeOverwrittenUnasked) {

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "growing_name.hpp"
 #include "growing_recording.hpp"
 #include "lockbox/capture/virtual_depth_protocol.hpp"
 #include "lockbox/core/error.hpp"
@@ -116,7 +117,7 @@ bool record_until_stopped(const std::string& uri, const std::filesystem::path& f
 }
 
 void record(const std::string& uri, const std::filesystem::path& file) {
-  const std::filesystem::path unfinished = file.string() + ".part";
+  const std::filesystem::path unfinished = lockbox::growing_name(file);
   try {
     const bool has_room = record_until_stopped(uri, unfinished);
     const int frames = lockbox::complete_frames(unfinished);

@@ -43,12 +43,13 @@ std::size_t digest(const std::vector<std::uint16_t>& depth) {
                                                         depth.size() * sizeof(std::uint16_t)));
 }
 
-/// The recording will take the place of what has this name.
-void require_replaceable(const std::filesystem::path& file) {
-  const bool is_new = !std::filesystem::exists(file);
-  if (!is_new && !std::filesystem::is_regular_file(file)) {
+/// The recording will take the place of what has this name, and no other recording meanwhile.
+void lock_replaceable(const std::filesystem::path& file, std::optional<RecordingLock>& lock) {
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) {
     throw InputError(file.string(), "is not a regular file; a recording becomes one");
   }
+  lock.emplace(file);
+  const bool is_new = !std::filesystem::exists(file);
   if (!std::ofstream(file, std::ios::binary | std::ios::app)) {
     throw InputError(file.string(), "cannot be written; does its folder exist, is it writable?");
   }
@@ -89,10 +90,15 @@ struct OniWriter::Impl {
         camera(pinhole),
         unit(metres_per_unit),
         sender(std::in_place, ends[0], pinhole, frames_per_second, metres_per_unit, true) {
-    require_replaceable(path);
-    recorder.emplace(
-        std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(RecorderProcess::kSocket), path,
-        ends[1]);
+    try {
+      lock_replaceable(path, lock);
+      recorder.emplace(
+          std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(RecorderProcess::kSocket), path,
+          *lock, ends[1]);
+    } catch (...) {
+      ::close(ends[1]);
+      throw;
+    }
     ::close(ends[1]);
   }
 
@@ -145,6 +151,7 @@ struct OniWriter::Impl {
   PinholeCamera camera;
   float unit;
   std::optional<VirtualDepthSender> sender;
+  std::optional<RecordingLock> lock;
   std::optional<RecorderProcess> recorder;
   DepthFrame encodable;
   std::vector<Written> written;
@@ -202,8 +209,9 @@ namespace {
 
 std::size_t record_device(const std::string& uri, const std::filesystem::path& file,
                           const std::function<bool()>& stop) {
-  require_replaceable(file);
-  RecorderProcess recorder(uri, file);
+  std::optional<RecordingLock> lock;
+  lock_replaceable(file, lock);
+  RecorderProcess recorder(uri, file, *lock);
   while (recorder.is_running() && !stop()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }

@@ -29,7 +29,7 @@ bool is_plausible(float angle) {
 /// Throws DeviceError if what was recorded is more than fits there, or is not all there.
 void require_part_of_image(const openni::VideoFrameRef& frame, int left, int top,
                            const PinholeCamera& camera) {
-  const openni::VideoMode mode = frame.getVideoMode();
+  const openni::VideoMode& mode = frame.getVideoMode();
   const int width = frame.getWidth();
   const int height = frame.getHeight();
   const int row_bytes = width * static_cast<int>(sizeof(std::uint16_t));

@@ -30,7 +30,7 @@ struct Pipe {
 }  // namespace
 
 RecorderProcess::RecorderProcess(const std::string& uri, const std::filesystem::path& file,
-                                 std::optional<int> socket) {
+                                 const RecordingLock& lock, std::optional<int> socket) {
   std::string program = find_component("lockbox-oni-recorder", &kInThisLibrary).string();
   std::string uri_argument = uri;
   std::string file_argument = std::filesystem::absolute(file).string();
@@ -40,6 +40,7 @@ RecorderProcess::RecorderProcess(const std::string& uri, const std::filesystem::
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_adddup2(&actions, control.ends[0], STDIN_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, errors.ends[1], STDERR_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, lock.descriptor(), lock.descriptor());  // inherited
   if (socket) {  // last: kSocket may be the number of a pipe
     ::posix_spawn_file_actions_adddup2(&actions, *socket, kSocket);
   }

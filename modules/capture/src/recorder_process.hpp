@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "recording_lock.hpp"
+
 namespace lockbox {
 
 class RecorderProcess {
@@ -15,10 +17,10 @@ class RecorderProcess {
   /// The number under which the process inherits `socket`.
   static constexpr int kSocket = 3;
 
-  /// Records the device with this URI into a file. Throws InputError if the helper is
-  /// missing, DeviceError if it does not start.
+  /// Records the device with this URI into a file, whose lock it shares. Throws InputError if the
+  /// helper is missing, DeviceError if it does not start.
   RecorderProcess(const std::string& uri, const std::filesystem::path& file,
-                  std::optional<int> socket = std::nullopt);
+                  const RecordingLock& lock, std::optional<int> socket = std::nullopt);
 
   /// Stops and waits.
   ~RecorderProcess();
