@@ -67,7 +67,8 @@ bool OniNode::set_property(OniRecord& record) {
     return true;
   }
   const bool is_reset = is_depth() && property.name == "xnPixelFormat";
-  const bool is_change = is_reset || properties_[property.name] != property.value;
+  const auto old = properties_.find(property.name);
+  const bool is_change = is_reset || old == properties_.end() || old->second != property.value;
   return !is_change || (is_depth() && follow_change(record, property));
 }
 

@@ -59,9 +59,9 @@ class Alias {
 
 std::string text_of_end(const OniRecording& recording) {
   return recording.file.string() + ": " +
-         (recording.is_cut_off ? "breaks off at byte " + std::to_string(recording.end) +
-                                     ", without the end mark of a finished recording"
-                               : recording.end_reason) +
+         (recording.end_reason.empty() ? "breaks off at byte " + std::to_string(recording.end) +
+                                             ", without the end mark of a finished recording"
+                                       : recording.end_reason) +
          "; the " + std::to_string(recording.frame_count) + " depth images before that are played";
 }
 
