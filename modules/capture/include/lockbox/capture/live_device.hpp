@@ -6,7 +6,8 @@
 
 namespace lockbox {
 
-/// Delivers the newest frame; a slow consumer misses frames, which shows as gaps in the index.
+/// Delivers the newest frame, as a whole image if the device crops it; a slow consumer misses
+/// frames, which shows as gaps in the index.
 class LiveDevice : public FrameSource {
  public:
   /// Opens the device with this URI, or the first one if it is empty, un-mirrored and, where there

@@ -8,8 +8,11 @@
 
 namespace lockbox {
 
-/// Mirrored recordings are delivered un-mirrored. Intrinsics come from the recorded field of view,
-/// with the principal point in the middle, unless options say otherwise.
+/// Mirrored recordings are delivered un-mirrored, cropped ones as whole images without measurements
+/// outside. Where the resolution changes on the way, so does the camera of the frames; what cannot
+/// be told from the file ends the recording early, which is told to options.warn. Intrinsics come
+/// from the recorded field of view, with the principal point in the middle, unless options say
+/// otherwise.
 class OniPlayer : public FrameSource {
  public:
   /// Validates the file first. Throws InputError or DeviceError.

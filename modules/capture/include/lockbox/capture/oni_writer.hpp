@@ -24,17 +24,18 @@ namespace lockbox {
 /// come back exactly if they have at most four decimals, else to 1e-4 pixels.
 class OniWriter {
  public:
-  /// Throws InputError if the file cannot be written, or is not a regular one, or if OpenNI2 cannot
-  /// describe the camera (the principal point must be the middle of the image, the unit 1 mm or
-  /// 0.1 mm).
+  /// Throws InputError if the file cannot be written, or is not a regular one, if another recorder
+  /// is at it, in this process or another, or if OpenNI2 cannot describe the camera (the principal
+  /// point must be the middle of the image, the unit 1 mm or 0.1 mm).
   OniWriter(const std::filesystem::path& file, const PinholeCamera& camera, int frames_per_second,
             float metres_per_unit = 0.001F);
 
   /// Without finish(), the file is completed but not verified.
   ~OniWriter();
 
-  /// Stamps must increase. Throws DeviceError if the disk is full: the recording is then complete,
-  /// but for the latest frames.
+  /// Stamps must increase, camera and unit stay what they were; else this throws InputError, and
+  /// the recording holds the frames before. Throws DeviceError if the disk is full: the recording
+  /// is then complete, but for the latest frames.
   void write(const DepthFrame& frame);
 
   /// Completes the file, replays it, and compares every frame with what was written. Throws
