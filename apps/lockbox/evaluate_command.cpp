@@ -14,6 +14,7 @@
 #include "lockbox/evaluation/tum_trajectory.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "model_options.hpp"
+#include "option_checks.hpp"
 #include "output_paths.hpp"
 
 namespace lockbox::app {
@@ -100,6 +101,7 @@ class EvaluateCommand : public Command {
         ->required()
         ->type_name("FILE");
     options.add_option("-o,--output", output_, "Folder for summary.json, errors.csv and plots")
+        ->check(folder_name())
         ->type_name("DIR");
     model_.add_optional_to(
         options, "The model, if no run.yaml beside the estimate names it: tells the joints' units");

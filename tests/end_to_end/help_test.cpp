@@ -88,6 +88,10 @@ TEST(Usage, FilesAreNotTakenForFolders) {
     const auto tracked =
         run_tool({"track", "--model", "rigid_block", "--source", "x.oni", "--output", file});
     EXPECT_EQ(tracked.status, 2) << name;
+    const auto evaluated = run_tool(
+        {"evaluate", "--estimate", "states.csv", "--reference", "truth.csv", "--output", file});
+    EXPECT_EQ(evaluated.status, 2) << name;
+    EXPECT_THAT(evaluated.errors, HasSubstr(name));
     EXPECT_FALSE(std::filesystem::exists(file));
   }
 }
