@@ -256,5 +256,32 @@ TEST_F(PclContractTest, AnotherSearchTreeIsNotUsed) {
   EXPECT_LT(registration.getFitnessScore(1e-3), 1e-4);
 }
 
+TEST_F(PclContractTest, ANullSearchTreeIsRefused) {
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  registration.setSearchMethodTarget(nullptr);
+  registration.setSearchMethodSource(nullptr, true);
+  const std::string said =
+      ::testing::internal::GetCapturedStdout() + ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("setSearchMethodTarget"));
+  EXPECT_THAT(said, HasSubstr("setSearchMethodSource"));
+  EXPECT_NE(registration.getSearchMethodTarget(), nullptr);
+  EXPECT_EQ(printed_by_align(), "");
+  EXPECT_TRUE(registration.hasConverged());
+  EXPECT_LT(registration.getFitnessScore(1e-3), 1e-4);
+}
+
+TEST_F(PclContractTest, ANullSearchTreeGivenToTheBaseIsMendedWithTheNextSourceOrModel) {
+  Registration::Base& base = registration;
+  base.setSearchMethodTarget(nullptr, true);
+  registration.setInputSource(scan);
+  EXPECT_NE(registration.getSearchMethodTarget(), nullptr);
+  base.setSearchMethodTarget(nullptr);
+  registration.setJointPositions(joints_off());
+  EXPECT_NE(registration.getSearchMethodTarget(), nullptr);
+  registration.align(aligned, guess());
+  EXPECT_TRUE(registration.hasConverged());
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -64,14 +64,19 @@ void ArticulatedSdfRegistration<PointT, Scalar>::warn_once(const std::string& se
   }
 }
 
+template <typename PointT, typename Scalar>
+void ArticulatedSdfRegistration<PointT, Scalar>::restore_search_tree() {
+  warn_once("setSearchMethodTarget");
+  tree_ = state_->tree;
+  this->force_no_recompute_ = false;
+  tree_->setInputCloud(target_);
+}
+
 /// PCL's setters cannot be overridden, so what they set is looked for at each alignment.
 template <typename PointT, typename Scalar>
 void ArticulatedSdfRegistration<PointT, Scalar>::warn_of_ignored_settings() {
   if (tree_ != state_->tree) {
-    warn_once("setSearchMethodTarget");
-    tree_ = state_->tree;
-    this->force_no_recompute_ = false;
-    tree_->setInputCloud(target_);
+    restore_search_tree();
   }
   if (this->tree_reciprocal_ != state_->reciprocal_tree) {
     warn_once("setSearchMethodSource");
@@ -242,6 +247,9 @@ void ArticulatedSdfRegistration<PointT, Scalar>::pose_target(const Configuration
     target->push_back(to_point<PointT>(sample, T_base_body[sample.body]));
   }
   target_ = target;
+  if (!tree_) {
+    restore_search_tree();
+  }
   tree_->setInputCloud(target_);
   this->target_cloud_updated_ = false;
 }

@@ -121,6 +121,9 @@ ArticulatedSdfRegistration<PointT, Scalar>::getConvergeCriteria() const {
 template <typename PointT, typename Scalar>
 void ArticulatedSdfRegistration<PointT, Scalar>::setInputSource(
     const PointCloudSourceConstPtr& cloud) {
+  if (!tree_) {
+    restore_search_tree();
+  }
   if (cloud && !cloud->empty()) {
     Base::setInputSource(cloud);
     return;
@@ -170,6 +173,32 @@ void ArticulatedSdfRegistration<PointT, Scalar>::setInputTarget(
   } else if (cloud) {
     Base::setInputTarget(cloud);
   }
+}
+
+template <typename PointT, typename Scalar>
+void ArticulatedSdfRegistration<PointT, Scalar>::refuse_null_tree(const char* function) const {
+  PCL_ERROR("[lockbox::%s::%s] The search tree is null; the one before is kept.\n",
+            this->getClassName().c_str(), function);
+}
+
+template <typename PointT, typename Scalar>
+void ArticulatedSdfRegistration<PointT, Scalar>::setSearchMethodTarget(const KdTreePtr& tree,
+                                                                       bool force_no_recompute) {
+  if (!tree) {
+    refuse_null_tree("setSearchMethodTarget");
+    return;
+  }
+  Base::setSearchMethodTarget(tree, force_no_recompute);
+}
+
+template <typename PointT, typename Scalar>
+void ArticulatedSdfRegistration<PointT, Scalar>::setSearchMethodSource(
+    const KdTreeReciprocalPtr& tree, bool force_no_recompute) {
+  if (!tree) {
+    refuse_null_tree("setSearchMethodSource");
+    return;
+  }
+  Base::setSearchMethodSource(tree, force_no_recompute);
 }
 
 template <typename PointT, typename Scalar>

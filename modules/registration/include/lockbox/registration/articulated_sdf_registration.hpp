@@ -33,7 +33,8 @@ namespace lockbox {
 /// What PCL leaves to the process's end does not end it here: an empty cloud, one without a finite
 /// point, indices of points that the source does not have (of a larger cloud before it, say), no
 /// source, no model, a guess that is no rigid motion. Such an alignment says why, as PCL does, does
-/// not converge, and leaves the joints alone.
+/// not converge, and leaves the joints alone. A search tree that is null is refused, and nothing
+/// changes.
 ///
 /// For pcl::PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA, PointNormal and PointXYZRGBNormal, with
 /// float and double. One object serves one thread at a time; objects can share a model.
@@ -41,6 +42,8 @@ template <typename PointT, typename Scalar = float>
 class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scalar> {
  public:
   using Base = pcl::Registration<PointT, PointT, Scalar>;
+  using typename Base::KdTreePtr;
+  using typename Base::KdTreeReciprocalPtr;
   using typename Base::Matrix4;
   using typename Base::PointCloudSource;
   using typename Base::PointCloudSourceConstPtr;
@@ -114,6 +117,12 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   /// The target is the model; a cloud is refused with a warning once there is one.
   void setInputTarget(const PointCloudTargetConstPtr& cloud) override;
 
+  /// PCL's, which cannot be overridden, for a tree that is not null; no tree but its own is used.
+  /// Through a pointer to the base class PCL's own is called: a null tree then has to be followed
+  /// by setInputSource, setModel or setJointPositions, which mend it.
+  void setSearchMethodTarget(const KdTreePtr& tree, bool force_no_recompute = false);
+  void setSearchMethodSource(const KdTreeReciprocalPtr& tree, bool force_no_recompute = false);
+
   /// What ICP has besides, for programs that call it: without meaning here, warned of once.
   void setUseReciprocalCorrespondences(bool use);
   void setUseSymmetricObjective(bool use);
@@ -137,6 +146,8 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
 
   void warn_of_ignored_settings();
   void warn_once(const std::string& setting);
+  void refuse_null_tree(const char* function) const;
+  void restore_search_tree();
   bool selects_missing_points() const;
   bool begin(const Matrix4& guess);
   void find_configuration();
