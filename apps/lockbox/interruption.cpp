@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "interruption.hpp"
 
+#include <unistd.h>
+
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstring>
@@ -21,14 +24,29 @@ void note(int signal) {
   std::raise(signal);
 }
 
+/// Calls nothing but what a signal handler may call.
+void say(const char* text) {
+  if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // nobody listens
+}
+
+void end_at_once(int signal) {
+  if (signal != SIGPIPE) {
+    say(isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "");  // takes a status line away
+    say("lockbox: ended by SIG");
+    say(sigabbrev_np(signal));
+    say("\n");
+  }
+  _exit(interruption::exit_status(signal));
+}
+
 }  // namespace
 
-Interruption::Interruption() {
+SignalHandlers::SignalHandlers(void (*handler)(int)) {
   static_assert(kEndingSignals.size() == kSignals);
   for (std::size_t i = 0; i < kSignals; ++i) {
     struct sigaction action = {};
     struct sigaction before = {};
-    action.sa_handler = note;
+    action.sa_handler = handler;
     action.sa_flags = SA_RESTART;
     sigaction(kEndingSignals[i], &action, &before);
     before_[i] = before.sa_handler;
@@ -38,9 +56,13 @@ Interruption::Interruption() {
   }
 }
 
-Interruption::~Interruption() {
+SignalHandlers::~SignalHandlers() {
   for (std::size_t i = 0; i < kSignals; ++i) std::signal(kEndingSignals[i], before_[i]);
 }
+
+EndAtSignal::EndAtSignal() : handlers_(end_at_once) {}
+
+Interruption::Interruption() : handlers_(note) {}
 
 bool Interruption::requested() const {
   return interruption::requested();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signals that end a run: noted, so that loops, searches and waiting sources can end early and
-// leave complete files.
+// Signals that end a run: noted where loops, searches and waiting sources can end early and leave
+// complete files, heeded at once where there is nothing to leave.
 #pragma once
 
 #include <array>
@@ -9,28 +9,53 @@
 
 namespace lockbox::app {
 
-/// While it lives, the first SIGHUP, SIGINT, SIGPIPE or SIGTERM is only noted. The next one ends
-/// the process at once, as usual; but for SIGPIPE, which comes with every line that nobody reads.
-/// What whoever started the program has told it to ignore (nohup) stays ignored; but for SIGINT,
-/// which shells ignore for everything in the background. At most one lives at a time.
-class Interruption {
+/// What the ending signals, SIGHUP, SIGINT, SIGPIPE and SIGTERM, do while it lives. What whoever
+/// started the program has told it to ignore (nohup) stays ignored; but for SIGINT, which shells
+/// ignore for everything in the background.
+class SignalHandlers {
  public:
-  Interruption();
-  ~Interruption();
-  Interruption(const Interruption&) = delete;
-  Interruption& operator=(const Interruption&) = delete;
-
-  bool requested() const;
+  explicit SignalHandlers(void (*handler)(int));
+  ~SignalHandlers();
+  SignalHandlers(const SignalHandlers&) = delete;
+  SignalHandlers& operator=(const SignalHandlers&) = delete;
 
  private:
   static constexpr std::size_t kSignals = 4;
   std::array<void (*)(int), kSignals> before_{};
 };
 
+/// While it lives, and no Interruption does, such a signal ends the process at once, saying so,
+/// with the status of the signal: for work that leaves nothing half done behind, like loading.
+class EndAtSignal {
+ public:
+  EndAtSignal();
+
+ private:
+  SignalHandlers handlers_;
+};
+
+/// While it lives, the first SIGHUP, SIGINT, SIGPIPE or SIGTERM is only noted. The next one ends
+/// the process at once, as usual; but for SIGPIPE, which comes with every line that nobody reads.
+/// At most one lives at a time.
+class Interruption {
+ public:
+  Interruption();
+
+  bool requested() const;
+
+ private:
+  SignalHandlers handlers_;
+};
+
 namespace interruption {
 
 /// Whether such a signal was noted, by any Interruption. For any thread, at any time.
 bool requested() noexcept;
+
+/// The exit status of a process that such a signal has ended, as shells say it: 128 and its number.
+constexpr int exit_status(int signal) {
+  return 128 + signal;
+}
 
 /// Its number, 0 if there was none.
 int signal_number() noexcept;

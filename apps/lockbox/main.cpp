@@ -63,8 +63,7 @@ std::string name_of(const std::filesystem::filesystem_error& error) {
 
 /// Of a command that a signal has ended.
 ExitStatus signal_status() {
-  constexpr int kAsShellsSay = 128;
-  return static_cast<ExitStatus>(kAsShellsSay + interruption::signal_number());
+  return static_cast<ExitStatus>(interruption::exit_status(interruption::signal_number()));
 }
 
 ExitStatus run(const CommandEntry& entry, std::span<char*> arguments) {
@@ -77,6 +76,7 @@ ExitStatus run(const CommandEntry& entry, std::span<char*> arguments) {
   options.option_defaults()->always_capture_default();
   command->add_options(options);
   if (const auto status = parse(options, arguments)) return *status;
+  const EndAtSignal end_at_signal;
   try {
     const ExitStatus status = command->run();
     return interruption::requested() ? signal_status() : status;

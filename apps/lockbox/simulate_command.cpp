@@ -111,13 +111,16 @@ class SimulateCommand : public Command {
     Simulator simulator(tree, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_));
     const std::vector<State> rendered = states;
     VisibilityReport visibility({tree, camera(), scene, Executor(threads_)});
-    if (is_recording) {
-      write_recording(simulator, visibility, states);
-    } else {
-      write_folder(simulator, visibility, states);
+    {
+      const Interruption interruption;  // also the truth of what was rendered is written then
+      if (is_recording) {
+        write_recording(simulator, visibility, states);
+      } else {
+        write_folder(simulator, visibility, states);
+      }
+      if (!quiet_) visibility.print_warnings();
+      write_states(truth, tree, states);
     }
-    if (!quiet_) visibility.print_warnings();
-    write_states(truth, tree, states);
     if (!bounds_.empty()) write_run_bounds(tree, rendered, scene, states);
     if (!quiet_) std::cout << output_.string() << "\ntruth: " << truth.string() << '\n';
     return ExitStatus::done;
@@ -189,7 +192,6 @@ class SimulateCommand : public Command {
   /// Renders the states; after a signal only those that were rendered are left.
   void render(Simulator& simulator, VisibilityReport& visibility, std::vector<State>& states,
               const FrameSink& write) const {
-    const Interruption interruption;
     Progress progress("simulate", states.size(), quiet_);
     DepthFrame frame;
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -198,7 +200,7 @@ class SimulateCommand : public Command {
       visibility.add(i, states[i]);
       write(frame);
       progress.update(i + 1);
-      if (interruption.requested()) states.resize(i + 1);
+      if (interruption::requested()) states.resize(i + 1);
     }
     progress.finish();
   }

@@ -87,9 +87,9 @@ ExitStatus status_of(const RunTotals& totals) {
 
 ExitStatus track_source(FrameSource& source, Tracker& tracker, const ArticulatedModel& model,
                         RunDescription description, const RunSettings& settings) {
+  const Interruption interruption;
   RunOutputs outputs(model, std::move(description), settings);
   SearchReport report(settings.quiet);
-  const Interruption interruption;
   std::string end;
   try {
     end = track_all(source, tracker, settings, outputs, report);

@@ -118,6 +118,28 @@ TEST_F(RunEnds, WithinASecondWhereTheObjectIsSought) {
   EXPECT_THAT(read_text(path("searching/run.yaml")), HasSubstr("end: signal SIGTERM"));
 }
 
+TEST_F(RunEnds, WithTheStatusOfTheSignalAndNothingWrittenWhereAModelIsBeingLoaded) {
+  // Its field takes seconds to build.
+  write_text(path("fine.urdf"),
+             "<robot name=\"r\"><link name=\"base\"><visual><geometry><box size=\"0.3 0.3 0.3\"/>"
+             "</geometry></visual></link></robot>");
+  write_text(path("fine.yaml"), "voxel: 0.0005\n");
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+    auto arguments = tracking("block", "unloaded");
+    arguments[2] = path("fine.urdf");
+    Tool tool(arguments, {"XDG_CACHE_HOME=" + path("cache")});
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const auto signalled = std::chrono::steady_clock::now();
+    tool.send_signal(signal);
+    const auto result = tool.wait();
+    EXPECT_EQ(result.status, 128 + signal);
+    EXPECT_LT(std::chrono::steady_clock::now() - signalled, std::chrono::seconds(1));
+    EXPECT_THAT(result.errors, ContainsRegex("ended by SIG[A-Z]+\n$"));
+    EXPECT_FALSE(std::filesystem::exists(path("unloaded")));
+    EXPECT_FALSE(std::filesystem::exists(path("cache/lockbox")));
+  }
+}
+
 TEST_F(RunEnds, WithinASecondInAPauseOfAnHour) {
   std::filesystem::copy(path("block"), path("gap"), std::filesystem::copy_options::recursive);
   write_text(path("gap/depth.txt"), "0 depth/000000.png\n3600 depth/000001.png\n");

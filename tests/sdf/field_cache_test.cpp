@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/sdf/field_cache.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <thread>
 
@@ -144,6 +148,27 @@ TEST_F(FieldCache, IsSharedByThreads) {
     thread.join();
   }
   EXPECT_EQ(files().size(), 1U);
+}
+
+/// Ends itself when its file has this size; SIGKILL asks nobody.
+void load_until_killed(const std::function<void()>& load, rlim_t bytes) {
+  const rlimit limit = {bytes, bytes};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, [](int) { kill(getpid(), SIGKILL); });
+  load();
+}
+
+TEST_F(FieldCache, IsLeftWithoutHalfAFileByAProcessThatIsKilledWhileItWrites) {
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    load_until_killed([this] { load(folder_.path()); }, 1000);
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status)) << "it was not killed";
+  EXPECT_THAT(files(), testing::IsEmpty());
 }
 
 TEST_F(FieldCache, IsSharedByProcesses) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/sdf/field_cache.hpp"
 
+#include <fcntl.h>
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <optional>
@@ -60,21 +62,39 @@ bool write_all(int descriptor, const std::string& bytes) {
   return true;
 }
 
-/// Under a name of its own first, so that nobody ever reads half a file. Failing is no error: the
-/// field is built again next time.
-void write(const std::filesystem::path& file, const std::string& bytes) {
-  std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
+/// Without a name until it is complete: a process that is ended meanwhile leaves nothing. False if
+/// the file system has no such files.
+bool write_nameless(const std::filesystem::path& file, const std::string& bytes) {
+  const int descriptor = ::open(file.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  if (descriptor < 0) return false;
+  const std::string nameless = "/proc/self/fd/" + std::to_string(descriptor);
+  bool is_done = true;
+  if (write_all(descriptor, bytes)) {
+    ::unlink(file.c_str());  // what was found damaged
+    is_done = ::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, file.c_str(), AT_SYMLINK_FOLLOW) == 0 ||
+              errno == EEXIST;  // another process was faster
+  }
+  ::close(descriptor);
+  return is_done;
+}
+
+/// Under a name of its own first.
+void write_and_rename(const std::filesystem::path& file, const std::string& bytes) {
   std::string temporary = file.string() + ".XXXXXX";
   const int descriptor = ::mkstemp(temporary.data());
-  if (descriptor < 0) {
-    return;
-  }
+  if (descriptor < 0) return;
   const bool is_written = write_all(descriptor, bytes);
   const bool is_closed = ::close(descriptor) == 0;
   if (!is_written || !is_closed || std::rename(temporary.c_str(), file.c_str()) != 0) {
-    std::filesystem::remove(temporary, error);
+    ::unlink(temporary.c_str());
   }
+}
+
+/// So that nobody ever reads half a file. Failing is no error: the field is built again next time.
+void write(const std::filesystem::path& file, const std::string& bytes) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  if (!write_nameless(file, bytes)) write_and_rename(file, bytes);
 }
 
 }  // namespace
