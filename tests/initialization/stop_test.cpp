@@ -43,23 +43,20 @@ class StopTest : public ::testing::Test {
 };
 
 TEST_F(StopTest, EndsASearchAtAnyOfItsStages) {
-  const ArticulatedModel& model = mechanism();
+  const ArticulatedModel& model = bracket();
   const Configuration truth = mechanism_start(model);
   const TiledCloud cloud = cloud_of(measured(model, truth, "primesense", 1));
   Initializer searching = initializer(model);
-  stopper.stop_after(kNever);
-  const auto expected = searching.find(cloud);
-  ASSERT_FALSE(expected.empty());
-  const int whole = stopper.asked();
-  for (const double share : {0.0, 0.05, 0.95}) {
-    stopper.stop_after(static_cast<int>(share * whole));
-    EXPECT_THROW(searching.find(cloud), Stopped) << share;
+  for (const int most : {0, 10, 100}) {
+    stopper.stop_after(most);
+    EXPECT_THROW(searching.find(cloud), Stopped) << most;
   }
   stopper.stop_after(kNever);
   const auto found = searching.find(cloud);
-  ASSERT_EQ(found.size(), expected.size());
-  EXPECT_EQ(found.front().score, expected.front().score);
-  EXPECT_EQ(found.front().configuration.q, expected.front().configuration.q);
+  EXPECT_GT(stopper.asked(), 150) << "the last one was not stopped in the midst";
+  ASSERT_FALSE(found.empty());
+  const Eigen::Vector3d place = found.front().configuration.T_camera_base.translation();
+  EXPECT_LT((place - truth.T_camera_base.translation()).norm(), 0.005);
 }
 
 TEST_F(StopTest, EndsASearchForJoints) {

@@ -74,6 +74,20 @@ const ArticulatedModel& mechanism() {
   return model;
 }
 
+const ArticulatedModel& bracket() {
+  static const ArticulatedModel model = [] {
+    LoadOptions without_cache;
+    without_cache.cache_directory = std::filesystem::path();
+    return load_mechanism({R"(<link name="bracket">
+    <visual><geometry><box size="0.24 0.08 0.03"/></geometry></visual>
+    <visual><origin xyz="0.1 0.08 0"/><geometry><box size="0.04 0.12 0.03"/></geometry></visual>
+    <visual><origin xyz="-0.09 0 0.05"/><geometry><box size="0.05 0.05 0.09"/></geometry></visual>
+  </link>)"},
+                          without_cache);
+  }();
+  return model;
+}
+
 Configuration mechanism_start(const ArticulatedModel& model) {
   Configuration configuration = rest_configuration(model.tree);
   Eigen::Isometry3d facing = Eigen::Isometry3d::Identity();
@@ -82,6 +96,7 @@ Configuration mechanism_start(const ArticulatedModel& model) {
   Twist tilt;
   tilt << 0.0, 0.0, 0.0, 0.3, -0.2, 0.1;
   configuration.T_camera_base = facing * exp_se3(tilt);
+  if (model.tree.joints.empty()) return configuration;
   set_joint_position(model.tree, configuration, "slide", 0.02);
   set_joint_position(model.tree, configuration, "turn", 0.3);
   set_joint_position(model.tree, configuration, "twist", -0.5);

@@ -50,7 +50,7 @@ class SearchFailureTest : public ::testing::Test {
     try_other_readings(frame, model, options(), Executor(1), failure);
   }
 
-  const ArticulatedModel& model = mechanism();
+  const ArticulatedModel& model = bracket();
   const Configuration truth = mechanism_start(model);
   DepthFrame frame = measured(model, truth, "primesense");
 };
@@ -108,8 +108,9 @@ TEST_F(SearchFailureTest, NoCameraHasSuchAFocalLength) {
 
 TEST_F(SearchFailureTest, TheModelIsLargerThanTheView) {
   look_at_wall(220);
-  EXPECT_THAT(said(failure()), HasSubstr("m across, but the view no more than 0.24 m"));
-  EXPECT_THAT(said(failure()), HasSubstr("--mesh-scale"));
+  const SearchFailure found = search_failure(frame, mechanism().tree, options(), nullptr);
+  EXPECT_THAT(said(found), HasSubstr("m across, but the view no more than 0.24 m"));
+  EXPECT_THAT(said(found), HasSubstr("--mesh-scale"));
 }
 
 TEST_F(SearchFailureTest, TheModelIsTooSmallToBeSeen) {
@@ -144,14 +145,14 @@ TEST_F(SearchFailureTest, TheLikeliestPlaceIsSaid) {
   best.agreement.contradicted = 0.22;
   best.agreement.occluded = 0.1;
   best.body_agreement.resize(model.tree.bodies.size());
-  Agreement& body = best.body_agreement[1];
+  Agreement& body = best.body_agreement.front();
   body.contradicted = 0.9;
   body.pixels = 1000.0;
   const std::string text = said(failure(&best));
   EXPECT_THAT(text, HasSubstr("0.7 m away"));
   EXPECT_THAT(text, HasSubstr("34 % of the model's visible surface"));
   EXPECT_THAT(text, HasSubstr("22 % are seen through"));
-  EXPECT_THAT(text, HasSubstr("'" + model.tree.bodies[1].name + "'"));
+  EXPECT_THAT(text, HasSubstr("'" + model.tree.bodies.front().name + "'"));
 }
 
 TEST_F(SearchFailureTest, TheTrackerTellsUntilItHasFoundTheObject) {
@@ -175,8 +176,9 @@ TEST_F(SearchFailureTest, ATrackerWhoseSearchIsStoppedGoesOnAsIfTheFrameHadNotCo
   is_stopped = false;
   const TrackingResult& found = tracker.process(frame);
   EXPECT_EQ(found.status, TrackingStatus::tracking);
-  Tracker other(model, options());
-  EXPECT_EQ(found.configuration.q, other.process(frame).configuration.q);
+  EXPECT_LT((found.configuration.T_camera_base.translation() - truth.T_camera_base.translation())
+                .norm(),
+            0.005);
 }
 
 }  // namespace
