@@ -5,11 +5,13 @@
 
 #include "commands.hpp"
 #include "contacts.hpp"
+#include "counted.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/symmetry.hpp"
 #include "lockbox/visualization/model_painter.hpp"
 #include "lockbox/visualization/viewpoint.hpp"
 #include "model_options.hpp"
+#include "option_checks.hpp"
 #include "output_paths.hpp"
 
 namespace lockbox::app {
@@ -110,14 +112,18 @@ class InspectCommand : public Command {
   void add_options(CLI::App& options) override {
     model_.add_to(options);
     options.add_option("--picture", picture_, "Also draw the model at rest into a PNG file")
+        ->check(picture_name())
         ->type_name("FILE.png");
   }
 
   ExitStatus run() override {
     const ArticulatedModel model = model_.load();
+    const std::size_t bodies = model.tree.bodies.size();
     std::cout << std::fixed << std::setprecision(2) << model.file.string() << ": "
-              << model.tree.bodies.size() << " bodies, " << model.tree.joints.size() << " joints, "
-              << model.tree.variables() << " joint variables\n\nKinematic tree\n";
+              << (bodies == 1 ? "1 body" : std::to_string(bodies) + " bodies") << ", "
+              << counted(model.tree.joints.size(), "joint") << ", "
+              << counted(static_cast<std::size_t>(model.tree.variables()), "joint variable")
+              << "\n\nKinematic tree\n";
     print_tree(model.tree);
     std::cout << "\nDistance fields\n";
     print_fields(model);

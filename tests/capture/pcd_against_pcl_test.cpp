@@ -122,14 +122,18 @@ class RandomPcd {
     const bool all_are_single =
         std::all_of(fields_.begin(), fields_.end(), [](const auto& f) { return f.count == 1; });
     const char* const kinds[] = {"ascii", "binary", "binary_compressed"};
-    return (below(2) == 0 ? "# .PCD v.7 - Point Cloud Data file format" + end : "") +
-           "VERSION " + (below(2) == 0 ? "0.7" : ".7") + end +
-           line("FIELDS", [](const Field& f) { return f.name; }, end) +
-           line("SIZE", [](const Field& f) { return f.size; }, end) +
-           line("TYPE", [](const Field& f) { return f.type; }, end) +
+    return (below(2) == 0 ? "# .PCD v.7 - Point Cloud Data file format" + end : "") + "VERSION " +
+           (below(2) == 0 ? "0.7" : ".7") + end +
+           line(
+               "FIELDS", [](const Field& f) { return f.name; }, end) +
+           line(
+               "SIZE", [](const Field& f) { return f.size; }, end) +
+           line(
+               "TYPE", [](const Field& f) { return f.type; }, end) +
            (all_are_single && below(2) == 0
                 ? ""
-                : line("COUNT", [](const Field& f) { return f.count; }, end)) +
+                : line(
+                      "COUNT", [](const Field& f) { return f.count; }, end)) +
            "WIDTH " + number(width_) + end + "HEIGHT " + number(height_) + end +
            (below(2) == 0 ? "VIEWPOINT 0 0 0 1 0 0 0" + end : "") + "POINTS " +
            number(width_ * height_) + end + "DATA " + kinds[static_cast<int>(data_)] + end;
@@ -169,9 +173,8 @@ class RandomPcd {
 
   static std::string compressed(const std::string& bytes) {
     std::string packed(2 * bytes.size() + 64, '\0');
-    const unsigned size =
-        pcl::lzfCompress(bytes.data(), static_cast<unsigned>(bytes.size()), packed.data(),
-                         static_cast<unsigned>(packed.size()));
+    const unsigned size = pcl::lzfCompress(bytes.data(), static_cast<unsigned>(bytes.size()),
+                                           packed.data(), static_cast<unsigned>(packed.size()));
     EXPECT_GT(size, 0U);
     const std::uint32_t sizes[] = {size, static_cast<std::uint32_t>(bytes.size())};
     std::string head(sizeof(sizes), '\0');

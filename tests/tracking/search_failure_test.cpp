@@ -176,9 +176,9 @@ TEST_F(SearchFailureTest, ATrackerWhoseSearchIsStoppedGoesOnAsIfTheFrameHadNotCo
   is_stopped = false;
   const TrackingResult& found = tracker.process(frame);
   EXPECT_EQ(found.status, TrackingStatus::tracking);
-  EXPECT_LT((found.configuration.T_camera_base.translation() - truth.T_camera_base.translation())
-                .norm(),
-            0.005);
+  EXPECT_LT(
+      (found.configuration.T_camera_base.translation() - truth.T_camera_base.translation()).norm(),
+      0.005);
 }
 
 }  // namespace

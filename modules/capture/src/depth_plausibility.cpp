@@ -71,7 +71,8 @@ std::optional<std::string> doubtful_depth_scale(const DepthFrame& frame, double 
   if (measured.size() < kFew) {
     return std::nullopt;
   }
-  const std::string scale = fixed_number_text(units_per_metre) + " units per metre";
+  const std::string scale = fixed_number_text(units_per_metre) +
+                            (units_per_metre == 1.0 ? " unit per metre" : " units per metre");
   const int step = std::accumulate(measured.begin(), measured.end(), 0,
                                    [](int a, std::uint16_t b) { return std::gcd(a, int{b}); });
   if (!is_given && (step == 5 || step == 10)) {

@@ -23,8 +23,8 @@ std::size_t body_count(std::initializer_list<Loop> loops) {
 /// What more threads than cores compute is the same, only later. A few a core are let through, so
 /// that results of other machines can be repeated with their number of threads, and so that races
 /// between more threads than a small machine has cores show in tests. Each takes a stack (8 MB of
-/// addresses) and scratch memory, of a search some megabytes: thousands of them end a machine. Twice
-/// as many a core take twice as much for nothing.
+/// addresses) and scratch memory, of a search some megabytes: thousands of them end a machine.
+/// Twice as many a core take twice as much for nothing.
 int most_threads() {
   constexpr int kPerCore = 4;
   constexpr int kOnSmallMachines = 16;

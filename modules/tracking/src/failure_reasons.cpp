@@ -64,7 +64,8 @@ std::string out_of_range(const SearchFailure& failure) {
        << number(is_far ? failure.max_depth : failure.min_depth)
        << " m and are not used; half of them are " << (is_far ? "beyond " : "within ")
        << number(failure.median_depth) << " m. They are read as "
-       << std::lround(failure.units_per_metre) << " units per metre";
+       << std::lround(failure.units_per_metre)
+       << (std::lround(failure.units_per_metre) == 1 ? " unit per metre" : " units per metre");
   const double units = likely_units(failure);
   if (units > 0.0 && std::abs(units - failure.units_per_metre) > 0.1 * units) {
     text << "; if that is wrong, try --depth-scale " << std::lround(units) << '.';
