@@ -109,6 +109,13 @@ TEST(FieldVoxel, TakesNoMemoryForTheSpaceAroundANeedle) {
   EXPECT_THAT(refusal(needle, with_voxel(0.0)), testing::HasSubstr("512"));
 }
 
+TEST(FieldVoxel, OfABodyWithAVertexFarOffIsRefusedByItsBox) {
+  TriangleMesh mesh = make_sphere(0.1);
+  mesh.vertices[mesh.vertices.size() / 2] = {1000.0, 0.0, 0.0};
+  EXPECT_THAT(refusal(mesh, FieldOptions{}),
+              testing::AllOf(testing::HasSubstr("1000 m large"), testing::HasSubstr("far off")));
+}
+
 TEST(FieldVoxel, OfABodySmallerThanADustGrainIsFound) {
   const SignedDistanceField field =
       build_field(make_box({2e-7, 1.2e-7, 5e-8}), with_voxel(0.0), Executor(1));

@@ -71,8 +71,9 @@ bool write_nameless(const std::filesystem::path& file, const std::string& bytes)
   bool is_done = true;
   if (write_all(descriptor, bytes)) {
     ::unlink(file.c_str());  // what was found damaged
-    is_done = ::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, file.c_str(), AT_SYMLINK_FOLLOW) == 0 ||
-              errno == EEXIST;  // another process was faster
+    is_done =
+        ::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, file.c_str(), AT_SYMLINK_FOLLOW) == 0 ||
+        errno == EEXIST;  // another process was faster
   }
   ::close(descriptor);
   return is_done;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/readable_text.hpp"
 #include "lockbox/mesh/repair.hpp"
 #include "lockbox/mesh/topology.hpp"
 #include "wall_thickness.hpp"
@@ -23,9 +24,21 @@ void require_valid(const TriangleMesh& mesh) {
   }
 }
 
+/// Before anything is computed that takes long for such a size. Twice as large, twice as much may
+/// be wrong with what is let through; depth cameras see some metres.
+void require_size_of_a_thing(const TriangleMesh& mesh) {
+  constexpr double kLargest = 100.0;  // metres
+  if (mesh.vertices.empty()) return;
+  const double size = bounds(mesh).sizes().maxCoeff();
+  if (size <= kLargest) return;
+  throw InputError("geometry", "it is " + readable_length(size) +
+                                   " large; are its lengths in metres, or is a vertex far off?");
+}
+
 /// Welded, oriented, small holes closed; or refused.
 TriangleMesh mended(const TriangleMesh& mesh) {
   require_valid(mesh);
+  require_size_of_a_thing(mesh);
   TriangleMesh result = with_small_holes_closed(oriented_outwards(welded(mesh)));
   if (result.triangles.empty()) {
     throw InputError("geometry", "the mesh has no triangle with an area");
