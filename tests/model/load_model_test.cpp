@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "lockbox/core/error.hpp"
+#include "model_fields.hpp"
 #include "urdf_test.hpp"
 
 namespace lockbox {
@@ -123,6 +124,46 @@ TEST_F(LoadModelTest, KeepsFieldsInTheCacheGivenOrInThatOfTheUser) {
   EXPECT_FALSE(std::filesystem::is_empty(folder_ / "xdg" / "lockbox"));
 }
 
+class FieldsTogether : public LoadModelTest {
+ protected:
+  /// The fields of door and bolt within so many bytes, for these voxels, or chosen ones.
+  std::vector<std::optional<SignedDistanceField>> fields(const std::string& yaml,
+                                                         double bytes) const {
+    const ArticulatedModel model = load(yaml);
+    return model_fields(model.file, model.tree.bodies, model.parameters, {}, bytes, Executor(1));
+  }
+
+  static double bytes_of(const std::vector<std::optional<SignedDistanceField>>& fields) {
+    double bytes = 0.0;
+    for (const auto& field : fields) {
+      if (field) bytes += static_cast<double>(field->memory_bytes());
+    }
+    return bytes;
+  }
+};
+
+TEST_F(FieldsTogether, AreRefusedBeyondTheMemoryOfTheModelWithGivenVoxels) {
+  const std::string yaml = "voxel: 0.002\n";
+  const double all = bytes_of(fields(yaml, 1e9));
+  EXPECT_EQ(bytes_of(fields(yaml, 1.5 * all)), all);
+  const std::string message = message_of<InputError>([&] { fields(yaml, 0.7 * all); });
+  EXPECT_THAT(message, AllOf(HasSubstr("door.urdf: link '"), HasSubstr("of a model may take"),
+                             HasSubstr("together")));
+}
+
+TEST_F(FieldsTogether, AreCoarsenedToKeepTheMemoryOfTheModelWhereVoxelsAreChosen) {
+  const auto usual = fields("", 1e9);
+  const double all = bytes_of(usual);
+  const auto scarce = fields("", 0.85 * all);
+  EXPECT_LE(bytes_of(scarce), 0.85 * all);
+  int coarser = 0;
+  for (std::size_t b = 0; b < usual.size(); ++b) {
+    ASSERT_EQ(scarce[b].has_value(), usual[b].has_value());
+    if (usual[b] && scarce[b]->voxel() > usual[b]->voxel()) ++coarser;
+  }
+  EXPECT_EQ(coarser, 1);
+}
+
 TEST_F(LoadModelTest, ReadsErosionsByAnyLinkOfABody) {
   const ModelParameters parameters =
       load("erosion: 0.001\npair_erosion:\n- {links: [knob, bolt], erosion: 0.002}\n").parameters;
@@ -191,7 +232,7 @@ TEST_F(LoadModelTest, RefusesUnknownKeysAndBadValuesWithTheLine) {
   EXPECT_THAT(refusal("voxel: 4mm\n"), HasSubstr("door.yaml:1: '4mm' is not a finite number"));
   EXPECT_THAT(refusal("voxel: .nan\n"), HasSubstr("not a finite number"));
   EXPECT_THAT(refusal("voxel: 0\n"), HasSubstr("must be positive"));
-  EXPECT_THAT(refusal("erosion: -1\n"), HasSubstr("must not be negative"));
+  EXPECT_THAT(refusal("erosion: -0.01\n"), HasSubstr("must not be negative"));
   EXPECT_THAT(refusal("link_voxel: {latch: 0.001}\n"), HasSubstr("no link 'latch'"));
   EXPECT_THAT(refusal("link_voxel: {frame: 0.001}\n"), HasSubstr("'frame' has no geometry"));
   EXPECT_THAT(refusal("link_voxel: {door: 0.002, knob: 0.001}\n"), HasSubstr("already"));
@@ -199,6 +240,16 @@ TEST_F(LoadModelTest, RefusesUnknownKeysAndBadValuesWithTheLine) {
   for (const std::string key : {"voxels", "Voxel", "link_voxl", "errosion", "inital_state"}) {
     EXPECT_THAT(refusal(key + ": 1\n"), HasSubstr("unknown key '" + key + "'"));
   }
+}
+
+TEST_F(LoadModelTest, RefusesLengthsInMillimetresWithWhatToWrite) {
+  EXPECT_THAT(refusal("voxel: 4\n"),
+              AllOf(HasSubstr("door.yaml:1"), HasSubstr("millimetres are meant, write 0.004")));
+  EXPECT_THAT(refusal("link_voxel: {bolt: 2}\n"), HasSubstr("write 0.002"));
+  EXPECT_THAT(refusal("erosion: 0.5\n"), HasSubstr("write 0.0005"));
+  EXPECT_THAT(refusal("pair_erosion:\n- {links: [door, bolt], erosion: 2}\n"),
+              HasSubstr("write 0.002"));
+  EXPECT_THAT(refusal("initial_state: {position: [0, 0, 700]}\n"), HasSubstr("write 0.7"));
 }
 
 TEST_F(LoadModelTest, RefusesPairsThatAreNoPairs) {

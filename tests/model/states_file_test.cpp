@@ -147,7 +147,7 @@ TEST_F(StatesFileTest, RefusesWhatIsNotAFile) {
   EXPECT_THAT(message_of<InputError>([&] { read_states(folder_ / "none.csv", tree_); }),
               EndsWith("none.csv: no such file"));
   EXPECT_THAT(message_of<InputError>([&] { read_states(folder_, tree_); }),
-              EndsWith("not a regular file"));
+              EndsWith("is a folder; give the file in it"));
   EXPECT_THAT(message_of<InputError>([&] { write_states(folder_ / "a/b.csv", tree_, {}); }),
               HasSubstr("b.csv: cannot be written"));
 }

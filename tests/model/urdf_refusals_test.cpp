@@ -2,6 +2,8 @@
 // Everything that must not reach urdfdom, or that it lets pass.
 #include <gmock/gmock.h>
 
+#include <array>
+
 #include "urdf_test.hpp"
 
 namespace lockbox {
@@ -24,6 +26,30 @@ TEST_F(UrdfRefusals, BrokenFiles) {
   EXPECT_THAT(refusal("<robot><link name=\"a\"/></robot>"), HasSubstr("the attribute 'name'"));
   EXPECT_THAT(message_of<InputError>([&] { load_kinematic_tree(folder_ / "none.urdf"); }),
               HasSubstr("none.urdf: no such file"));
+}
+
+TEST_F(UrdfRefusals, FilesOfOtherKindsWithWhatTheyAreAndWhatToDo) {
+  const std::vector<std::array<std::string, 4>> files = {
+      {"a.oni", "NI10....", "a recording of OpenNI", "--source"},
+      {"a.pcd", "# .PCD v.7\n", "a cloud", "--source"},
+      {"a.glb", "glTF....", "a glTF mesh", "Blender"},
+      {"a.gltf", "{\"asset\": {}}", "a glTF mesh", "Blender"},
+      {"a.step", "ISO-10303-21;", "a STEP drawing", "FreeCAD"},
+      {"a.yaml", "voxel: 0.004\n", "a text", "give the URDF"},
+      {"a.csv", "timestamp,tx\n", "a text", "give the URDF"},
+      {"solid.urdf", "solid x\nendsolid x\n", "an STL mesh", ".stl"},
+      {"wave.urdf", "v 0 0 0\n", "an OBJ mesh", ".obj"},
+      {"a.dae", "<COLLADA/>", "COLLADA", "Blender"},
+      {"a.sdf", "<?xml version=\"1.0\"?>\n<sdf version=\"1.6\"/>", "an SDF model", "URDF"},
+      {"a.xml", "<mujoco/>", "MuJoCo", "URDF"}};
+  for (const auto& [name, content, what, advice] : files) {
+    EXPECT_THAT(message_of<InputError>(
+                    [&, &file = name, &text = content] { load_kinematic_tree(write(file, text)); }),
+                AllOf(HasSubstr(name), HasSubstr(what), HasSubstr(advice)));
+  }
+  const std::string robot = "<robot name=\"r\">" + link("a") + "</robot>";
+  EXPECT_EQ(load_kinematic_tree(write("robot.txt", robot)).bodies.size(), 1U)
+      << "whatever its name";
 }
 
 TEST_F(UrdfRefusals, FilesTooLargeForTheMemory) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "canonical_order.hpp"
+#include "foreign_model.hpp"
 #include "joint_checks.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/mesh/load_mesh.hpp"
@@ -198,7 +199,9 @@ KinematicTree load_kinematic_tree(const std::filesystem::path& file, const LoadO
                                         " > " + file.stem().stem().string() + ".urdf");
   }
   const bool is_mesh = extension == ".obj" || extension == ".stl" || extension == ".ply";
-  return is_mesh ? read_mesh_tree(file, options) : read_urdf_tree(file, options);
+  if (is_mesh) return read_mesh_tree(file, options);
+  if (const auto foreign = foreign_model(file)) throw InputError(file.string(), *foreign);
+  return read_urdf_tree(file, options);
 }
 
 }  // namespace lockbox

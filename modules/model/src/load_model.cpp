@@ -8,7 +8,7 @@
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/mesh/simplify.hpp"
 #include "lockbox/model/articulated_model.hpp"
-#include "lockbox/sdf/field_cache.hpp"
+#include "model_fields.hpp"
 #include "model_parameters.hpp"
 
 namespace lockbox {
@@ -17,35 +17,6 @@ namespace {
 constexpr std::size_t kFewTriangles = 2000;  // that take little time to draw
 constexpr double kMostFieldBytes = 2e9;      // of a model: what small computers have to spare
 constexpr double kMostVoxelsOff = 1.0;       // by which a drawing may differ from the field
-
-FieldOptions field_options(const Body& body, const ModelParameters& parameters) {
-  FieldOptions options;
-  if (parameters.voxel) options.voxel = *parameters.voxel;
-  const auto own = parameters.link_voxel.find(body.name);
-  if (own != parameters.link_voxel.end()) options.voxel = own->second;
-  return options;
-}
-
-/// left: bytes that the fields of the model may still take.
-std::optional<SignedDistanceField> body_field(const Body& body, FieldOptions options, double left,
-                                              const std::filesystem::path& cache,
-                                              const std::filesystem::path& model,
-                                              const Executor& executor) {
-  if (body.mesh.triangles.empty()) return std::nullopt;
-  const bool is_scarce = left < options.memory_limit;
-  if (is_scarce) options.memory_limit = left;
-  try {
-    auto field = load_or_build_field(body.mesh, options, cache, executor);
-    if (is_scarce && static_cast<double>(field.memory_bytes()) > left) {
-      throw InputError("geometry", "its field, from the cache, takes more than what is left");
-    }
-    return field;
-  } catch (const InputError& error) {
-    throw InputError(model.string(),
-                     "link '" + body.name + "': " + error.what() +
-                         (is_scarce ? "; all fields of a model may take 2 GB together" : ""));
-  }
-}
 
 /// By corners and middles of triangles: where a small part is missing, they lie within the body.
 bool lies_on(const SignedDistanceField& field, const TriangleMesh& mesh) {
@@ -88,13 +59,12 @@ ArticulatedModel load_model(const std::filesystem::path& file, const LoadOptions
                                            model.tree, options.on_warning);
   const auto cache = options.cache_directory.value_or(default_cache_folder());
   const Executor executor;
-  double left = kMostFieldBytes;
-  for (Body& body : model.tree.bodies) {
-    model.fields.push_back(
-        body_field(body, field_options(body, model.parameters), left, cache, file, executor));
-    if (!model.fields.back()) continue;
-    left = std::max(0.0, left - static_cast<double>(model.fields.back()->memory_bytes()));
-    body.mesh = drawn_mesh(body.mesh, *model.fields.back());
+  model.fields =
+      model_fields(file, model.tree.bodies, model.parameters, cache, kMostFieldBytes, executor);
+  for (std::size_t b = 0; b < model.fields.size(); ++b) {
+    if (!model.fields[b]) continue;
+    Body& body = model.tree.bodies[b];
+    body.mesh = drawn_mesh(body.mesh, *model.fields[b]);
   }
   require_geometry(model);
   return model;

@@ -16,14 +16,28 @@
 namespace lockbox {
 namespace {
 
+/// Neither a voxel nor an erosion is that large, metres: a camera sees things of a few metres.
+/// Twice as much lets more pass that is in millimetres.
+constexpr double kLargestDetail = 0.1;
+/// No depth camera sees an object from so far away, metres.
+constexpr double kFarthestStart = 20.0;
+
+void require_metres(const YamlNode& node, double value, double most) {
+  if (std::abs(value) <= most) return;
+  node.refuse(readable_length(std::abs(value)) + " is too much; lengths are in metres: if " +
+              "millimetres are meant, write " + readable_number(0.001 * value));
+}
+
 double positive_length(const YamlNode& node) {
   const double value = node.number();
+  require_metres(node, value, kLargestDetail);
   if (value <= 0.0) node.refuse("a length in metres must be positive");
   return value;
 }
 
 double erosion_depth(const YamlNode& node) {
   const double value = node.number();
+  require_metres(node, value, kLargestDetail);
   if (value < 0.0) node.refuse("an erosion (metres) must not be negative");
   return value;
 }
@@ -115,6 +129,9 @@ Configuration read_initial_state(const YamlNode& node, const KinematicTree& tree
   for (const auto& [key, value] : node.entries()) {
     if (key == "position") {
       const auto [x, y, z] = numbers<3>(value);
+      for (const YamlNode& item : value.items(3)) {
+        require_metres(item, item.number(), kFarthestStart);
+      }
       result.T_camera_base.translation() = Eigen::Vector3d(x, y, z);
     } else if (key == "quaternion") {
       result.T_camera_base.linear() = rotation(value).toRotationMatrix();

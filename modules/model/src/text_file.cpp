@@ -19,6 +19,9 @@ std::string read_text_file(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) throw InputError(file.string(), "no such file");
+  if (std::filesystem::is_directory(status)) {
+    throw InputError(file.string(), "is a folder; give the file in it");
+  }
   // A device or a pipe could deliver for ever.
   if (!std::filesystem::is_regular_file(status)) {
     throw InputError(file.string(), "not a regular file");

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "foreign_model.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "states_columns.hpp"
@@ -165,7 +166,8 @@ XmlElement parsed_robot(const std::string& file, const std::string& text,
   if (root == nullptr) throw InputError(file, "holds no XML element; a URDF begins with <robot>");
   const XmlElement robot{file, *root, "robot"};
   if (robot.name() != "robot") {
-    robot.refuse("a URDF begins with <robot>, not with <" + robot.name() + ">");
+    robot.refuse("a URDF begins with <robot>, not with <" + robot.name() + ">" +
+                 foreign_root(robot.name()));
   }
   return robot;
 }
