@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <vector>
 
 #include "commands.hpp"
 #include "counted.hpp"
@@ -89,6 +90,26 @@ StatesFile read_reference(const std::string& file, const KinematicTree& tree) tr
                        ", those of the estimate's model " + listed(own));
 }
 
+/// Metres from the camera, in the middle of all states.
+double usual_distance(const StatesFile& file) {
+  std::vector<double> distances;
+  for (const State& state : file.states) {
+    if (state.known) distances.push_back(state.configuration.T_camera_base.translation().norm());
+  }
+  if (distances.empty()) return 0.0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+/// By the distances of the estimate, which are in metres.
+bool is_in_millimetres(const StatesFile& reference, const StatesFile& estimate) {
+  constexpr double kSpread = 2.0;  // either way; the estimate may be somewhat wrong besides
+  const double in_metres = 0.001 * usual_distance(reference);
+  const double expected = usual_distance(estimate);
+  return in_metres > expected / kSpread && in_metres < expected * kSpread;
+}
+
 class EvaluateCommand : public Command {
  public:
   void add_options(CLI::App& options) override {
@@ -129,7 +150,7 @@ class EvaluateCommand : public Command {
     }
     const Evaluation evaluation = evaluate(tree, estimate, reference, bounds);
     print_evaluation(tree, evaluation);
-    warn_if_all_is_wrong(evaluation.judgement);
+    warn_if_all_is_wrong(evaluation.judgement, estimate, reference);
     if (!output_.empty()) write_files(tree, evaluation);
     return ExitStatus::done;
   }
@@ -152,12 +173,17 @@ class EvaluateCommand : public Command {
     return tree;
   }
 
-  void warn_if_all_is_wrong(const JudgementCount& judgement) const {
+  void warn_if_all_is_wrong(const JudgementCount& judgement, const StatesFile& estimate,
+                            const StatesFile& reference) const {
     constexpr std::size_t kSuspicious = 10;  // frames: so many are not wrong by chance
-    if (judgement.tracking >= kSuspicious && judgement.tracking_but_wrong == judgement.tracking) {
-      warn("no frame that was tracked agrees with " + reference_ +
-           "; is it the truth of this recording, with the pose of the base in the camera's frame?");
+    if (judgement.tracking < kSuspicious || judgement.tracking_but_wrong != judgement.tracking) {
+      return;
     }
+    warn("no frame that was tracked agrees with " + reference_ +
+         (is_in_millimetres(reference, estimate)
+              ? "; its positions seem to be in millimetres: divide them by 1000"
+              : "; is it the truth of this recording, with the pose of the base in the camera's "
+                "frame?"));
   }
 
   void write_files(const KinematicTree& tree, const Evaluation& evaluation) const {

@@ -41,6 +41,9 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
   constexpr std::size_t kPoseColumns = 8;
   std::ifstream file(states_file);
   std::string header;
+  if (std::filesystem::is_directory(states_file)) {
+    throw InputError(states_file.string(), "is a folder; give the states.csv, or the truth, in it");
+  }
   if (!std::getline(file, header)) throw InputError(states_file.string(), "cannot be read");
   if (header.ends_with('\r')) header.pop_back();
   std::vector<std::string> columns;

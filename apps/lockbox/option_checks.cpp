@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 #include "lockbox/core/error.hpp"
@@ -54,6 +55,35 @@ CLI::Validator not_negative() {
           "NONNEGATIVE"};
 }
 
+CLI::Validator whole_number() {
+  return {[](std::string& text) -> std::string {
+            const auto value = parse_number(text);
+            constexpr double kMost = 2e9;  // what the number is kept in ends there
+            const bool is_whole = value && std::floor(*value) == *value && std::abs(*value) < kMost;
+            if (is_whole) text = std::to_string(static_cast<long>(*value));
+            return is_whole ? "" : in_quotes(text) + " is not a whole number below 2e9";
+          },
+          "INT"};
+}
+
+CLI::Validator picture_name() {
+  return {[](std::string& text) -> std::string {
+            return std::filesystem::path(text).extension() == ".png"
+                       ? ""
+                       : in_quotes(text) + " does not end in .png, as pictures do";
+          },
+          ""};
+}
+
+CLI::Validator table_name() {
+  return {[](std::string& text) -> std::string {
+            return std::filesystem::path(text).extension() == ".csv"
+                       ? ""
+                       : in_quotes(text) + " does not end in .csv, as tables do";
+          },
+          ""};
+}
+
 CLI::Validator recording_name() {
   return {[](std::string& text) -> std::string {
             return std::filesystem::path(text).extension() == ".oni"
@@ -86,7 +116,8 @@ void add_threads_option(CLI::App& options, int& threads) {
   };
   options.add_option("--threads", threads, "Threads; 0: all cores; at most four a core are taken")
       ->transform(CLI::Validator(held_to_machine, ""))
-      ->check(not_negative());
+      ->check(not_negative())
+      ->check(whole_number());
 }
 
 void add_overwrite_option(CLI::App& options, bool& overwrite) {

@@ -8,6 +8,9 @@ namespace lockbox::app {
 /// Refuse values of options with a message that says what they must be.
 CLI::Validator positive();
 CLI::Validator not_negative();
+CLI::Validator whole_number();    ///< also as 1e3
+CLI::Validator picture_name();    ///< ends in .png
+CLI::Validator table_name();      ///< ends in .csv
 CLI::Validator recording_name();  ///< ends in .oni, or no source would know it again
 CLI::Validator folder_name();     ///< neither that of a file of a known kind nor `-`
 CLI::Validator recording_or_folder_name();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lockbox/core/error.hpp"
+#include "nearest_name.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -16,7 +17,7 @@ fs::path share_folder() {
   return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share" / "lockbox";
 }
 
-std::string names_in(const fs::path& folder) {
+std::vector<std::string> names_in(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code unreadable;
   for (const auto& entry : fs::directory_iterator(folder, unreadable)) {
@@ -25,17 +26,18 @@ std::string names_in(const fs::path& folder) {
     }
   }
   std::sort(names.begin(), names.end());
-  std::string list;
-  for (const auto& name : names) list.append(list.empty() ? "" : ", ").append(name);
-  return list;
+  return names;
 }
 
 fs::path find(const std::string& file_or_name, const fs::path& folder, const fs::path& shipped) {
   if (fs::is_regular_file(file_or_name)) return file_or_name;
   const bool is_name = file_or_name.find_first_of("/.") == std::string::npos;
   if (is_name && fs::exists(folder / shipped)) return folder / shipped;
+  const std::vector<std::string> names = names_in(folder);
+  std::string list;
+  for (const auto& name : names) list.append(list.empty() ? "" : ", ").append(name);
   throw InputError(file_or_name, "there is no such file; give a file, or one of the shipped: " +
-                                     names_in(folder));
+                                     list + (is_name ? did_you_mean(file_or_name, names) : ""));
 }
 
 }  // namespace

@@ -91,9 +91,11 @@ class SimulateCommand : public Command {
         .add_option("--bounds", bounds_,
                     "Also write how well each frame determines every unknown: the Cramer-Rao bound "
                     "of its depth, for evaluate --bounds")
+        ->check(table_name())
         ->type_name("FILE.csv");
     options.add_option("--frames", frames_, "Number of frames of an auto trajectory")
-        ->check(positive());
+        ->check(positive())
+        ->check(whole_number());
     add_threads_option(options, threads_);
     options.add_flag("-q,--quiet", quiet_, "Say nothing but errors");
   }

@@ -116,12 +116,14 @@ class TrackCommand : public Command {
     options
         .add_option("--snapshot-interval", settings_.snapshot_interval,
                     "Frames from one picture to the next")
-        ->check(positive());
+        ->check(positive())
+        ->check(whole_number());
     options.add_flag("--view", settings_.view,
                      "Also show the newest frame and estimate in a 3D window (keys are explained "
                      "there); closing it ends the view only");
     options.add_option("--max-frames", settings_.max_frames, "Stop after so many frames; 0: never")
-        ->check(not_negative());
+        ->check(not_negative())
+        ->check(whole_number());
     options.add_flag("-q,--quiet", settings_.quiet, "Say nothing but errors");
   }
 
@@ -131,11 +133,13 @@ class TrackCommand : public Command {
     options
         .add_option("--iterations", registration.max_iterations,
                     "Linearisations a frame; more follow while surfaces still move")
-        ->check(positive());
+        ->check(positive())
+        ->check(whole_number());
     options
         .add_option("--point-budget", registration.point_budget,
                     "Points used a frame, at most about, those that tell most; 0: all")
-        ->check(not_negative());
+        ->check(not_negative())
+        ->check(whole_number());
     options.add_flag("--fixed-base", registration.fixed_base, "The base does not move");
     options.add_option("--lock-joint", locked_joints_, "Hold this joint (repeatable)")
         ->type_name("NAME")

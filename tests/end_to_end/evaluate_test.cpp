@@ -81,5 +81,28 @@ TEST_F(EvaluateTool, OneFrameIsOneFrame) {
   EXPECT_THAT(result.output, HasSubstr("1 of 1 frame tracked"));
 }
 
+TEST_F(EvaluateTool, AFolderIsNamedAsOne) {
+  write_states("states.csv", 12, 0.0, 0.0, {});
+  EXPECT_THAT(evaluate(folder_ / "").errors, HasSubstr("is a folder; give"));
+}
+
+TEST_F(EvaluateTool, AReferenceInMillimetresIsSaidToBe) {
+  write_states("states.csv", 12, 0.0, 0.02, {});
+  std::string text = std::string(kPose) + "\n";
+  std::string trajectory;
+  for (int i = 0; i < 12; ++i) {
+    const auto stamp = std::to_string(i / 30.0);
+    text += stamp + ",20,0,1000,0,0,0,1\n";
+    trajectory += stamp + " 20 0 1000 0 0 0 1\n";
+  }
+  write_text(folder_ / "mm.csv", text);
+  write_text(folder_ / "mm.txt", trajectory);
+  for (const auto* name : {"mm.csv", "mm.txt"}) {
+    const auto result = evaluate(folder_ / name);
+    EXPECT_EQ(result.status, 0) << name;
+    EXPECT_THAT(result.errors, HasSubstr("in millimetres: divide them by 1000")) << name;
+  }
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -96,11 +96,41 @@ TEST(Usage, FilesAreNotTakenForFolders) {
   }
 }
 
+TEST(Usage, FilesThatAreWrittenHaveTheNameOfTheirKind) {
+  const TemporaryFolder folder;
+  for (const auto* name : {"-", "x", "x.jpg"}) {
+    const auto file = name == std::string("-") ? name : (folder / name).string();
+    const auto inspected = run_tool({"inspect", "--model", "rigid_block", "--picture", file});
+    EXPECT_EQ(inspected.status, 2) << name;
+    EXPECT_THAT(inspected.errors, HasSubstr(".png"));
+    const auto simulated = run_tool({"simulate", "--model", "rigid_block", "--trajectory", "auto",
+                                     "--output", folder / "o", "--bounds", file});
+    EXPECT_EQ(simulated.status, 2) << name;
+    EXPECT_THAT(simulated.errors, HasSubstr(".csv"));
+    EXPECT_FALSE(std::filesystem::exists(file));
+  }
+}
+
+TEST(Usage, MistypedNamesOfShippedFilesAreNamedWithTheNearest) {
+  EXPECT_THAT(run_tool({"inspect", "--model", "rigid_blok"}).errors,
+              HasSubstr("did you mean rigid_block?"));
+  EXPECT_THAT(run_tool({"simulate", "--model", "rigid_block", "--trajectory", "auto", "--frames",
+                        "1", "--output", "x", "--scene", "rom"})
+                  .errors,
+              HasSubstr("did you mean room?"));
+}
+
+TEST(Usage, OneIsNotMany) {
+  EXPECT_THAT(run_tool({"inspect", "--model", "rigid_block"}).output,
+              HasSubstr(": 1 body, 0 joints, 0 joint variables\n"));
+}
+
 TEST(Usage, ValuesOutOfRangeAreRefused) {
   const std::vector<std::vector<std::string>> wrong = {
-      {"--iterations", "0"},  {"--threads", "-1"},      {"--iterations", "three"},
-      {"--collision", "x"},   {"--max-frames", "-1"},   {"--record", "frames.png"},
-      {"--depth-scale", "0"}, {"--depth-scale", "nan"}, {"--snapshot-interval", "0"}};
+      {"--iterations", "0"},   {"--threads", "-1"},      {"--iterations", "three"},
+      {"--collision", "x"},    {"--max-frames", "-1"},   {"--record", "frames.png"},
+      {"--depth-scale", "0"},  {"--depth-scale", "nan"}, {"--snapshot-interval", "0"},
+      {"--max-frames", "1.5"}, {"--threads", "0.5"},     {"--point-budget", "1e30"}};
   for (const auto& option : wrong) {
     auto arguments = option;
     arguments.insert(arguments.begin(), {"track", "--model", "lockbox", "--source", "x.oni"});
