@@ -35,9 +35,9 @@ struct FieldOptions {
 ///
 /// The mesh is welded and oriented first, and small holes are closed (see
 /// with_small_holes_closed()). Small gaps are tolerated. Throws InputError for an empty
-/// mesh, one of more than 100 m, or with more than about a hundredth of its surface missing, a voxel
-/// above half the thinnest wall, invalid options, and, before the memory is taken, a field beyond the
-/// memory_limit; the message names no link.
+/// mesh, one of more than 100 m, or with more than about a hundredth of its surface missing, a
+/// voxel above half the thinnest wall, invalid options, and, before the memory is taken, a field
+/// beyond the memory_limit; the message names no link.
 ///
 /// storage().thickness is the fifth percentile over the surface of the way through the solid along
 /// the inward normal, for the shell where it is least. storage().mesh_volume is that of the union:
