@@ -20,11 +20,11 @@ std::size_t body_count(std::initializer_list<Loop> loops) {
                          [](std::size_t count, const Loop& loop) { return count + loop.count; });
 }
 
-/// What more threads than cores compute is the same, only later. A few a core are let through, so
-/// that results of other machines can be repeated with their number of threads, and so that races
-/// between more threads than a small machine has cores show in tests. Each takes a stack (8 MB of
-/// addresses) and scratch memory, of a search some megabytes: thousands of them end a machine.
-/// Twice as many a core take twice as much for nothing.
+/// What more threads than cores compute is the same, only later. A few a core are let through: a
+/// number that was chosen for a larger machine still works, and races between more threads than a
+/// small machine has cores show in tests. Each takes a stack (8 MB of addresses) and scratch
+/// memory, of a search some megabytes: thousands of them end a machine. Twice as many a core take
+/// twice as much for nothing.
 int most_threads() {
   constexpr int kPerCore = 4;
   constexpr int kOnSmallMachines = 16;
