@@ -201,12 +201,11 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
     select_free_space(cloud, spread);
     result_.free_cost = free_term_.linearize(poses_, spread, systems_);
   }
-  scale_ = view_->continued().any() ? scale_of_flush(moves_.levers(), view_->continued().noise())
-                                    : step_scale(model_.tree);
   data_equations_.set_zero(scale_.unit.size());
   for (std::size_t b = 0; b < systems_.size(); ++b) {
     data_equations_.add(systems_[b], jacobians_[b], 1.0 / options_.noise_correlation);
   }
+  view_->continued().discount(model_.tree, moves_.levers(), data_equations_);
   equations_ = data_equations_;
   result_.collision_cost = collision_.sum_up(model_, poses_, &equations_);
   linearized_spread_ = spread;

@@ -13,11 +13,6 @@ using Index = Eigen::Index;
 constexpr double kBaseUnit = 0.25;                        // metres, and radians for its rotation
 constexpr double kContinuousUnit = std::numbers::pi / 4;  // a quarter of half a turn either way
 constexpr double kLeastInformation = 100.0;               // a deviation of a tenth of a unit
-/// Independent measurements that a direction of what is flush takes to be determined: a third of
-/// the sensor's deviation. Halved, a few stray points are followed; doubled, a short free edge is
-/// not.
-constexpr double kLeastOfFlush = 9.0;
-constexpr double kLeastLever = 1e-3;   // metres a unit: a joint without surfaces
 constexpr double kLeastSlope = 1e-12;  // cost per unit: below it a limit does not matter
 constexpr double kOwnShare = 0.9;      // of a direction's square: it is this unknown's own
 
@@ -32,10 +27,6 @@ StepScale step_scale(const KinematicTree& tree) {
     scale.unit[6 + v] = std::isfinite(range) ? std::max(range / 4.0, 1e-3) : kContinuousUnit;
   }
   return scale;
-}
-
-StepScale scale_of_flush(const Eigen::VectorXd& levers, double sigma) {
-  return {levers.cwiseMax(kLeastLever).cwiseInverse(), kLeastOfFlush / (sigma * sigma)};
 }
 
 const Eigen::VectorXd& BoundedStepSolver::solve(const NormalEquations& equations, double damping,

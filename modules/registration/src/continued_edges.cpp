@@ -30,6 +30,10 @@ constexpr double kRoundedVoxels = 2.0;
 /// The share of its outline that goes on beyond a body which is flush with something: one side of
 /// four. Beyond the edge of one that has moved on, its own surface goes on.
 constexpr double kLeastFlush = 0.25;
+/// Independent measurements that stray points amount to: a direction of what is flush is known once
+/// it is to a third of the sensor's deviation. Halved, a few stray points are followed; doubled, a
+/// short free edge is not.
+constexpr double kStray = 9.0;
 constexpr int kLeastLength = 3;  // pixels of the view: less has no farther half
 
 bool contains(const RenderedDepth& view, int u, int v) {
@@ -229,6 +233,18 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
 bool ContinuedEdges::lies_within(const Stretch& stretch, double limit) {
   return std::abs(stretch.measured) < limit && std::abs(stretch.measured_far) < limit &&
          stretch.predicted > kDiffers * stretch.walks;
+}
+
+void ContinuedEdges::discount(const KinematicTree& tree, const Eigen::VectorXd& levers,
+                              NormalEquations& equations) const {
+  if (!is_any_) return;
+  for (Eigen::Index i = 0; i < levers.size(); ++i) {
+    const int joint = i < 6 ? -1 : tree.variable_joint[static_cast<std::size_t>(i - 6)];
+    const int body = i < 6 ? 0 : tree.joints[static_cast<std::size_t>(joint)].child_body;
+    if (!is_flush_[static_cast<std::size_t>(body)]) continue;
+    const double feigned = levers[i] / noise_;
+    equations.information(i, i) -= kStray * feigned * feigned;
+  }
 }
 
 /// With its neighbours: the noise of one goes together.

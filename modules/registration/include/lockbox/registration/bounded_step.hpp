@@ -26,12 +26,6 @@ struct StepScale {
 /// A quarter of each joint's range, and as much for the base as parts are large.
 StepScale step_scale(const KinematicTree& tree);
 
-/// Of what is flush with its surroundings: there whatever was not found to go on beyond an edge, a
-/// pixel or two, pulls at directions that nothing else determines. So a direction needs as much
-/// information as several independent measurements of deviation sigma (metres) give. levers: by
-/// unknown, metres that surfaces move for a unit.
-StepScale scale_of_flush(const Eigen::VectorXd& levers, double sigma);
-
 /// Minimises gradient.s + s' (hessian + damping diag(hessian)) s / 2 for lower <= s <= upper, by an
 /// active-set method: an unknown that meets its limit leaves the solve and returns if the gradient
 /// pulls it back. Directions with too little information, in the given units, get no step; an
