@@ -80,6 +80,9 @@ std::optional<double> PlanesAround::evidence(const VisibleSurface& surface, cons
 void PlanesAround::collect(const VisibleSurface& surface, const TiledCloud& cloud) {
   around_.clear();
   model_.clear();
+  around_.reserve(2 * kMostSamples);  // frames allocate nothing
+  model_.reserve(2 * kMostSamples);
+  planes_.reserve(kMostPlanes);
   const RenderedDepth& view = surface.view();
   const auto model = shown(view);
   if (!model) return;
