@@ -55,6 +55,7 @@ class TrackCommand : public Command {
     TrackerOptions tracker_options = make_tracker_options(model.tree);
     tracker_options.background_search = source->is_realtime();
     tracker_options.try_other_readings = !settings_.quiet;
+    tracker_options.try_other_units = !source->is_unit_stated();
     tracker_options.stop_request = interruption::requested;
     Tracker tracker(model, tracker_options);
     if (initial_state_ != "auto") tracker.start(first_state(initial_state_, model.tree));

@@ -108,6 +108,34 @@ TEST(OpenSource, StampsThatDoNotAdvanceAreAdvancedByAFrame) {
   EXPECT_THAT(warnings, ::testing::ElementsAre(HasSubstr("frame 1: its timestamp 1 is not later")));
 }
 
+TEST(OpenSource, AFolderSaysItsUnitOnlyIfSomebodyHas) {
+  const TemporaryFolder folder;
+  const auto sequence = folder / "sequence";
+  {
+    DepthFolderWriter writer(sequence);
+    writer.write(synthetic_frame(0));
+  }
+  EXPECT_TRUE(open_source(sequence.string())->is_unit_stated());
+  SourceOptions options;
+  options.camera = synthetic_frame(0).camera;
+  EXPECT_FALSE(open_source(sequence.string(), options)->is_unit_stated());
+  options.depth_scale = 5000.0;
+  EXPECT_TRUE(open_source(sequence.string(), options)->is_unit_stated());
+}
+
+TEST(OpenSource, ADepthScaleIsNotUsedWhereTheStreamStatesItsUnit) {
+  const TemporaryFolder folder;
+  write_recording(folder / "a.oni", 1);
+  std::vector<std::string> warnings;
+  SourceOptions options;
+  options.depth_scale = 5000.0;
+  options.warn = [&warnings](const std::string& text) { warnings.push_back(text); };
+  DepthFrame frame;
+  ASSERT_TRUE(open_source((folder / "a.oni").string(), options)->next(frame));
+  EXPECT_EQ(frame.metres_per_unit, synthetic_frame(0).metres_per_unit);
+  EXPECT_THAT(warnings, ::testing::ElementsAre(HasSubstr("--depth-scale")));
+}
+
 TEST(OpenSource, TwoPlayersOfOneFileDoNotDisturbEachOther) {
   const TemporaryFolder folder;
   write_recording(folder / "a.oni", 4);

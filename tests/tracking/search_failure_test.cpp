@@ -135,7 +135,16 @@ TEST_F(SearchFailureTest, DepthsAreInAnotherUnit) {
   try_readings(found);
   EXPECT_FALSE(found.is_mirrored);
   EXPECT_DOUBLE_EQ(found.depth_factor, 0.2);
-  EXPECT_THAT(said(found), HasSubstr("try --depth-scale 1000."));
+  EXPECT_THAT(said(found), HasSubstr("--depth-scale 1000 the camera's?"));
+}
+
+TEST_F(SearchFailureTest, AUnitThatIsStatedIsNotDoubted) {
+  frame.metres_per_unit *= 5.0F;
+  SearchFailure found = failure();
+  TrackerOptions stated = options();
+  stated.try_other_units = false;
+  try_other_readings(frame, model, stated, Executor(1), found);
+  EXPECT_DOUBLE_EQ(found.depth_factor, 1.0);
 }
 
 TEST_F(SearchFailureTest, TheLikeliestPlaceIsSaid) {

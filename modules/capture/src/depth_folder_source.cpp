@@ -123,6 +123,10 @@ SourceFaults DepthFolderSource::faults() const {
   return {.unreadable = impl_->spoiled.count()};
 }
 
+bool DepthFolderSource::is_unit_stated() const {
+  return impl_->given_scale.has_value();
+}
+
 std::string DepthFolderSource::description() const {
   return "depth images in " + impl_->folder.string() + ", " +
          fixed_number_text(impl_->units_per_metre) + " units per metre";

@@ -40,7 +40,16 @@ std::unique_ptr<FrameSource> open_recording(const std::string& source,
   if (const std::optional<std::string> kind = foreign_file(path)) {
     throw InputError(source, *kind);
   }
+  warn_of_unused_scale(options);
   return std::make_unique<OniPlayer>(path, options);
+}
+
+void warn_of_unused_scale(const SourceOptions& options) {
+  if (options.depth_scale && options.warn) {
+    options.warn(
+        "the depth scale that was given (--depth-scale) is not used: the stream itself states its "
+        "unit");
+  }
 }
 
 }  // namespace
@@ -48,6 +57,7 @@ std::unique_ptr<FrameSource> open_recording(const std::string& source,
 std::unique_ptr<FrameSource> open_source(const std::string& source, const SourceOptions& options) {
   constexpr std::string_view kLive = "openni2:";
   if (source.compare(0, kLive.size(), kLive) == 0) {
+    warn_of_unused_scale(options);
     return std::make_unique<SteadyStamps>(
         std::make_unique<LiveDevice>(source.substr(kLive.size()), options), options.warn);
   }

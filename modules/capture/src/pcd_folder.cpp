@@ -18,6 +18,7 @@ struct PcdFolderSource::Impl {
       : folder(path),
         warn(options.warn ? options.warn : [](const std::string&) {}),
         clouds(timed_clouds(path, warn)),
+        is_unit_given(options.depth_scale.has_value()),
         units_per_metre(options.depth_scale.value_or(1.0)),
         spoiled(path.string(), warn) {
     if (clouds.files.empty()) {
@@ -93,6 +94,7 @@ struct PcdFolderSource::Impl {
   std::filesystem::path folder;
   std::function<void(const std::string&)> warn;
   TimedClouds clouds;
+  bool is_unit_given;
   double units_per_metre;
   SpoiledFrames spoiled;
   PinholeCamera camera;  ///< given, or recovered
@@ -125,6 +127,10 @@ std::optional<std::size_t> PcdFolderSource::frame_count() const {
 
 SourceFaults PcdFolderSource::faults() const {
   return {.unreadable = impl_->spoiled.count()};
+}
+
+bool PcdFolderSource::is_unit_stated() const {
+  return impl_->is_unit_given;
 }
 
 std::string PcdFolderSource::description() const {

@@ -19,6 +19,7 @@ class RealtimeSource : public FrameSource {
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override { return recording_->frame_count(); }
   bool is_realtime() const override { return true; }
+  bool is_unit_stated() const override { return recording_->is_unit_stated(); }
   SourceFaults faults() const override { return recording_->faults(); }
   std::string description() const override { return recording_->description() + ", in real time"; }
 

@@ -23,6 +23,7 @@ class SteadyStamps : public FrameSource {
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override { return source_->frame_count(); }
   bool is_realtime() const override { return source_->is_realtime(); }
+  bool is_unit_stated() const override { return source_->is_unit_stated(); }
   SourceFaults faults() const override;
   std::string description() const override { return source_->description(); }
 

@@ -144,8 +144,10 @@ std::vector<std::string> reasons(const SearchFailure& failure) {
         "model mirrored (a negative scale)?");
   }
   if (failure.depth_factor != 1.0) {
-    all.push_back("The model is found if depths are read in another unit: try --depth-scale " +
-                  number(failure.units_per_metre / failure.depth_factor) + ".");
+    all.push_back(
+        "Nobody has said in which unit the depths are. Something like the model is seen "
+        "if they are read in another one: is --depth-scale " +
+        number(failure.units_per_metre / failure.depth_factor) + " the camera's?");
   }
   if (!all.empty()) return all;
   if (failure.best) {

@@ -126,7 +126,7 @@ void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
     return judge(found, options) == TrackingStatus::tracking;
   };
   failure.is_mirrored = is_found_in(mirrored(frame));
-  if (failure.is_mirrored) return;
+  if (failure.is_mirrored || !options.try_other_units) return;
   // Data sets in the manner of TUM's have 5000 units to the metre, most cameras 1000.
   for (const double factor : {5.0, 0.2}) {
     DepthFrame other = frame;

@@ -35,6 +35,10 @@ class FrameSource {
   /// Whether frames come when their time has come, and those not taken by then are dropped.
   virtual bool is_realtime() const { return false; }
 
+  /// Whether somebody has said in which unit depths are: the recording, its calibration, or the
+  /// user. Else the usual one was assumed.
+  virtual bool is_unit_stated() const { return true; }
+
   virtual SourceFaults faults() const { return {}; }
 
   virtual std::string description() const = 0;

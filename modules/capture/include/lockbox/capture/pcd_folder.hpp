@@ -26,6 +26,7 @@ class PcdFolderSource : public FrameSource {
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override;
   SourceFaults faults() const override;
+  bool is_unit_stated() const override;
   std::string description() const override;
 
  private:

@@ -54,7 +54,9 @@ bool is_explained(const SearchFailure& failure);
 std::vector<std::string> reasons(const SearchFailure& failure);
 
 /// Tries what recordings are often wrong by: mirrored images, and depths in fifths of the unit that
-/// they are read in, or the other way round. Takes some seconds. Throws Stopped as a search does.
+/// they are read in, or the other way round
+/// (unless TrackerOptions::try_other_units says not). Takes some seconds. Throws Stopped as a
+/// search does.
 void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
                         const TrackerOptions& options, const Executor& executor,
                         SearchFailure& failure);

@@ -27,6 +27,8 @@ struct TrackerOptions {
   /// Where the first search finds nothing and the frame does not tell why, other readings of it are
   /// tried (search_failure.hpp), which takes some seconds. Not in the background.
   bool try_other_readings = false;
+  /// Among them depths in another unit: only where nobody has said which one it is.
+  bool try_other_units = true;
   /// Ends searches, which may take a minute: process() then throws Stopped within some tenths of a
   /// second. Frames that need no search are not stopped.
   StopRequest stop_request = nullptr;
