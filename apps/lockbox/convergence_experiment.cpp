@@ -12,7 +12,7 @@
 #include "interruption.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
-#include "lockbox/evaluation/random_draws.hpp"
+#include "lockbox/simulation/random_draws.hpp"
 #include "option_checks.hpp"
 #include "progress.hpp"
 #include "shard.hpp"

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "lockbox/core/units.hpp"
-#include "lockbox/evaluation/random_draws.hpp"
+#include "lockbox/simulation/random_draws.hpp"
 #include "shipped_files.hpp"
 
 namespace lockbox::app {

@@ -6,7 +6,7 @@
 
 #include "lockbox/core/lie.hpp"
 #include "lockbox/core/units.hpp"
-#include "lockbox/evaluation/random_draws.hpp"
+#include "lockbox/simulation/random_draws.hpp"
 
 namespace lockbox::app {
 namespace {

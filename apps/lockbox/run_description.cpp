@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 
-#include "lockbox/core/error.hpp"
 #include "version.hpp"
+#include "whole_file.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -100,14 +99,7 @@ void write_run_description(const std::filesystem::path& file, const RunDescripti
   emit_versions(out);
   emit_totals(out, totals, end, seconds);
   out << YAML::EndMap;
-
-  // Never half a file, even if the process ends here.
-  const std::filesystem::path unfinished = file.string() + ".part";
-  std::ofstream stream(unfinished);
-  stream << out.c_str() << '\n';
-  stream.close();
-  if (!stream) throw InputError(file.string(), "cannot be written; is there space on the disk?");
-  std::filesystem::rename(unfinished, file);
+  write_whole_file(file, std::string(out.c_str()) + '\n');
 }
 
 }  // namespace lockbox::app

@@ -12,6 +12,7 @@
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/run_bounds.hpp"
+#include "lockbox/simulation/deviating_model.hpp"
 #include "lockbox/simulation/scene_fit.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "locked_folder.hpp"
@@ -21,7 +22,9 @@
 #include "possible_motion.hpp"
 #include "primesense_camera.hpp"
 #include "progress.hpp"
+#include "run_origin.hpp"
 #include "shipped_files.hpp"
+#include "simulation_record.hpp"
 #include "visibility_report.hpp"
 
 namespace lockbox::app {
@@ -87,11 +90,18 @@ class SimulateCommand : public Command {
         .add_option("--camera-info", camera_info_,
                     "ROS camera calibration (YAML) of the camera; default: 640x480, 575.8 px")
         ->type_name("FILE");
+    CLI::Option* const deviation =
+        options
+            .add_option("--deviation", deviation_file_,
+                        "YAML: how what is shown differs from the model; run.yaml, beside the "
+                        "truth, tells it")
+            ->type_name("FILE");
     options
         .add_option("--bounds", bounds_,
                     "Also write how well each frame determines every unknown: the Cramer-Rao bound "
                     "of its depth, for evaluate --bounds")
         ->check(table_name())
+        ->excludes(deviation)
         ->type_name("FILE.csv");
     options.add_option("--frames", frames_, "Number of frames of an auto trajectory")
         ->check(positive())
@@ -102,17 +112,23 @@ class SimulateCommand : public Command {
 
   ExitStatus run() override {
     const bool is_recording = output_.extension() == ".oni";
-    const auto truth = (is_recording ? output_.parent_path() : output_) / "groundtruth.csv";
+    const auto folder = is_recording ? output_.parent_path() : output_;
+    const auto truth = folder / "groundtruth.csv";
+    const auto record = deviation_file_.empty() ? std::filesystem::path() : folder / "run.yaml";
     require_different(truth, trajectory_);
-    for (const auto& file : {is_recording ? output_ : output_ / "depth.txt", truth, bounds_}) {
+    for (const auto& file :
+         {is_recording ? output_ : output_ / "depth.txt", truth, record, bounds_}) {
       require_new(file, overwrite_);
     }
+    if (!deviation_file_.empty()) deviation_ = read_deviation(deviation_file_);
     const KinematicTree tree = model_.load_tree();
+    const KinematicTree built =
+        deviating_model(tree, deviation_.object, deviation_.seed, Executor(threads_));
     std::vector<State> states = trajectory(tree);
     const PlacedScene scene = placed_scene(tree, states);
-    Simulator simulator(tree, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_));
+    Simulator simulator(built, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_));
     const std::vector<State> rendered = states;
-    VisibilityReport visibility({tree, camera(), scene, Executor(threads_)});
+    VisibilityReport visibility({built, camera(), scene, Executor(threads_)});
     {
       const Interruption interruption;  // also the truth of what was rendered is written then
       if (is_recording) {
@@ -122,6 +138,7 @@ class SimulateCommand : public Command {
       }
       if (!quiet_) visibility.print_warnings();
       write_states(truth, tree, states);
+      if (!record.empty()) write_record(record);
     }
     if (!bounds_.empty()) write_run_bounds(tree, rendered, scene, states);
     if (!quiet_) std::cout << output_.string() << "\ntruth: " << truth.string() << '\n';
@@ -129,6 +146,17 @@ class SimulateCommand : public Command {
   }
 
  private:
+  void write_record(const std::filesystem::path& file) const {
+    write_simulation_record(file, run_origin(), model_.file(),
+                            {{"trajectory", trajectory_},
+                             {"sensor", sensor_},
+                             {"seed", std::to_string(seed_)},
+                             {"scene", scene_},
+                             {"camera-info", camera_info_},
+                             {"deviation", deviation_file_}},
+                            deviation_);
+  }
+
   std::vector<State> trajectory(const KinematicTree& tree) const {
     if (trajectory_ == "auto") return generated_trajectory();
     std::vector<State> states = read_states(trajectory_, tree).states;
@@ -214,6 +242,8 @@ class SimulateCommand : public Command {
   std::uint64_t seed_ = 1;
   std::string scene_;
   std::string camera_info_;
+  std::string deviation_file_;
+  Deviation deviation_;
   std::filesystem::path bounds_;
   int frames_ = 300;
   int threads_ = 0;

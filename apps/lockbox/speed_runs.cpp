@@ -6,7 +6,7 @@
 
 #include "experiment.hpp"
 #include "lockbox/core/units.hpp"
-#include "lockbox/evaluation/random_draws.hpp"
+#include "lockbox/simulation/random_draws.hpp"
 #include "possible_motion.hpp"
 
 namespace lockbox::app {

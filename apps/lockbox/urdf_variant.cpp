@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lockbox/core/error.hpp"
-#include "lockbox/evaluation/random_draws.hpp"
+#include "lockbox/simulation/random_draws.hpp"
 
 namespace lockbox::app {
 namespace {

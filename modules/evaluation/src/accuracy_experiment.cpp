@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "lockbox/core/units.hpp"
-#include "lockbox/evaluation/random_draws.hpp"
 #include "lockbox/evaluation/random_frame.hpp"
 #include "lockbox/evaluation/unknowns.hpp"
+#include "lockbox/simulation/random_draws.hpp"
 
 namespace lockbox {
 namespace {

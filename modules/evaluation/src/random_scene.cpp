@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "lockbox/core/error.hpp"
-#include "lockbox/evaluation/random_draws.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/variable_range.hpp"
 #include "lockbox/registration/collision_term.hpp"
 #include "lockbox/rendering/body_item.hpp"
 #include "lockbox/simulation/placed_scene.hpp"
+#include "lockbox/simulation/random_draws.hpp"
 
 namespace lockbox {
 namespace {

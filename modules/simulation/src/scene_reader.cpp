@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 
-#include "lockbox/core/error.hpp"
 #include "lockbox/simulation/scene.hpp"
 #include "yaml_map.hpp"
 
@@ -121,24 +118,12 @@ std::optional<Eigen::AlignedBox3d> read_room(const std::string& file, const Yaml
   return Eigen::AlignedBox3d(lower, upper);
 }
 
-YAML::Node parsed(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (std::filesystem::is_directory(file) || !stream) {
-    throw InputError(file.string(), "is not a scene file that can be read");
-  }
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  try {
-    return YAML::Load(text);
-  } catch (const YAML::Exception& error) {
-    throw InputError(file.string(), error.mark.line + 1, "is not YAML: " + error.msg);
-  }
-}
-
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const YamlMap map(file, parsed(path), {"moving", "room", "planes", "boxes", "arms"});
+  const YamlMap map(file, simulation::load_yaml(path, "scene"),
+                    {"moving", "room", "planes", "boxes", "arms"});
   Scene scene;
   std::string moving = "object";
   map.read("moving", moving);

@@ -3,12 +3,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 
 namespace lockbox::simulation {
+
+YAML::Node load_yaml(const std::filesystem::path& file, const std::string& kind) {
+  std::ifstream stream(file);
+  if (std::filesystem::is_directory(file) || !stream) {
+    throw InputError(file.string(), "is not a " + kind + " file that can be read");
+  }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& error) {
+    throw InputError(file.string(), error.mark.line + 1, "is not YAML: " + error.msg);
+  }
+}
 
 YamlMap::YamlMap(const std::string& file, const YAML::Node& node,
                  std::initializer_list<const char*> known_keys)
@@ -45,6 +60,13 @@ void YamlMap::read(const char* key, std::string& value) const {
 void YamlMap::read(const char* key, double& value) const {
   if (has(key)) {
     value = number(key, node_[key]);
+  }
+}
+
+void YamlMap::read(const char* key, std::vector<std::string>& words) const {
+  for (const YAML::Node& item : items(key)) {
+    if (!item.IsScalar()) refuse(key, "must be a list of words");
+    words.push_back(item.Scalar());
   }
 }
 

@@ -6,11 +6,15 @@
 #include <yaml-cpp/yaml.h>
 
 #include <Eigen/Core>
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <vector>
 
 namespace lockbox::simulation {
+
+/// The content of a file. kind: what it should be, as a sentence has it. Throws InputError.
+YAML::Node load_yaml(const std::filesystem::path& file, const std::string& kind);
 
 class YamlMap {
  public:
@@ -23,6 +27,7 @@ class YamlMap {
   /// The values below leave the target as it is where the key is absent.
   void read(const char* key, std::string& value) const;
   void read(const char* key, double& value) const;
+  void read(const char* key, std::vector<std::string>& words) const;
   template <int Size>
   void read(const char* key, Eigen::Matrix<double, Size, 1>& value) const {
     if (has(key)) {
