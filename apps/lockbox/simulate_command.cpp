@@ -12,6 +12,7 @@
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/run_bounds.hpp"
+#include "lockbox/simulation/delivery.hpp"
 #include "lockbox/simulation/deviating_model.hpp"
 #include "lockbox/simulation/scene_fit.hpp"
 #include "lockbox/simulation/simulator.hpp"
@@ -114,6 +115,7 @@ class SimulateCommand : public Command {
     const bool is_recording = output_.extension() == ".oni";
     const auto folder = is_recording ? output_.parent_path() : output_;
     const auto truth = folder / "groundtruth.csv";
+    const auto apparent = folder / "groundtruth_apparent.csv";
     const auto record = deviation_file_.empty() ? std::filesystem::path() : folder / "run.yaml";
     require_different(truth, trajectory_);
     for (const auto& file :
@@ -124,9 +126,15 @@ class SimulateCommand : public Command {
     const KinematicTree tree = model_.load_tree();
     const KinematicTree built =
         deviating_model(tree, deviation_.object, deviation_.seed, Executor(threads_));
-    std::vector<State> states = trajectory(tree);
-    const PlacedScene scene = placed_scene(tree, states);
-    Simulator simulator(built, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_));
+    const std::vector<State> run = trajectory(tree);
+    const PlacedScene scene = placed_scene(tree, run);
+    std::vector<State> states;
+    for (DeliveredFrame& frame : delivered_frames(run, deviation_.frames, deviation_.seed)) {
+      states.push_back(std::move(frame.state));
+      is_repeated_.push_back(frame.is_repeated);
+    }
+    Simulator simulator(built, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_),
+                        deviation_.sensor);
     const std::vector<State> rendered = states;
     VisibilityReport visibility({built, camera(), scene, Executor(threads_)});
     {
@@ -138,6 +146,7 @@ class SimulateCommand : public Command {
       }
       if (!quiet_) visibility.print_warnings();
       write_states(truth, tree, states);
+      if (deviation_.sensor.is_any()) write_apparent_states(apparent, tree, states);
       if (!record.empty()) write_record(record);
     }
     if (!bounds_.empty()) write_run_bounds(tree, rendered, scene, states);
@@ -155,6 +164,15 @@ class SimulateCommand : public Command {
                              {"camera-info", camera_info_},
                              {"deviation", deviation_file_}},
                             deviation_);
+  }
+
+  /// The truth as the calibration shows it.
+  void write_apparent_states(const std::filesystem::path& file, const KinematicTree& tree,
+                             std::vector<State> states) const {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      states[i].configuration.T_camera_base = apparent_bases_[i];
+    }
+    write_states(file, tree, states);
   }
 
   std::vector<State> trajectory(const KinematicTree& tree) const {
@@ -189,7 +207,7 @@ class SimulateCommand : public Command {
   }
 
   void write_recording(Simulator& simulator, VisibilityReport& visibility,
-                       std::vector<State>& states) const {
+                       std::vector<State>& states) {
     make_folder_of(output_);
     OniWriter writer(output_, camera(), frames_per_second(states));
     render(simulator, visibility, states, [&](const DepthFrame& frame) { writer.write(frame); });
@@ -198,7 +216,7 @@ class SimulateCommand : public Command {
   }
 
   void write_folder(Simulator& simulator, VisibilityReport& visibility,
-                    std::vector<State>& states) const {
+                    std::vector<State>& states) {
     const LockedFolder folder(output_);
     std::filesystem::remove(output_ / "depth.txt");  // of what is overwritten
     DepthFolderWriter writer(output_);
@@ -221,12 +239,19 @@ class SimulateCommand : public Command {
 
   /// Renders the states; after a signal only those that were rendered are left.
   void render(Simulator& simulator, VisibilityReport& visibility, std::vector<State>& states,
-              const FrameSink& write) const {
+              const FrameSink& write) {
     Progress progress("simulate", states.size(), quiet_);
     DepthFrame frame;
     for (std::size_t i = 0; i < states.size(); ++i) {
       progress.begin("rendering");
-      simulator.simulate(states[i], i, frame);
+      if (is_repeated_[i]) {
+        frame.stamp = states[i].stamp;
+        frame.index = i;
+        apparent_bases_.push_back(apparent_bases_.back());
+      } else {
+        simulator.simulate(states[i], i, frame);
+        apparent_bases_.push_back(simulator.apparent_base());
+      }
       visibility.add(i, states[i]);
       write(frame);
       progress.update(i + 1);
@@ -244,6 +269,8 @@ class SimulateCommand : public Command {
   std::string camera_info_;
   std::string deviation_file_;
   Deviation deviation_;
+  std::vector<bool> is_repeated_;                  ///< by frame
+  std::vector<Eigen::Isometry3d> apparent_bases_;  ///< by frame that was rendered
   std::filesystem::path bounds_;
   int frames_ = 300;
   int threads_ = 0;

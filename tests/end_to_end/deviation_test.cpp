@@ -34,6 +34,18 @@ TEST(Deviation, IsShownAndToldInRunYamlWhileTheTruthIsTheModels) {
   EXPECT_FALSE(std::filesystem::exists(folder / "exact/run.yaml"));
 }
 
+TEST(Deviation, OfTheCameraHasATruthAsTheCalibrationShowsIt) {
+  const TemporaryFolder folder;
+  write_text(folder / "d.yaml", "camera: {principal_point: [12, 0]}\nframes: {rate: 15}\n");
+  ASSERT_EQ(simulate(folder / "o", {"--deviation", folder / "d.yaml"}).status, 0);
+  const auto plain = read_lines(folder / "o/groundtruth.csv");
+  const auto apparent = read_lines(folder / "o/groundtruth_apparent.csv");
+  ASSERT_EQ(plain.size(), 3U);  // a header, and two of four frames
+  ASSERT_EQ(apparent.size(), 3U);
+  const auto x_of = [](const std::string& row) { return std::stod(row.substr(row.find(',') + 1)); };
+  EXPECT_NEAR(x_of(apparent[1]) - x_of(plain[1]), 12.0 / 575.8 * 1.1, 0.005);
+}
+
 TEST(Deviation, FilesThatAreWrongAreRefusedWithTheKey) {
   const TemporaryFolder folder;
   write_text(folder / "wrong.yaml", "object: {skale: 1.02}\n");

@@ -50,6 +50,9 @@ object:
   added_share: 0.15
   missing_handles: 1
   missing_parts: [door, drawer]
+camera: {focal_length: 1.015, principal_point: [6, -3], distortion: [0.06, -0.15]}
+depth: {scale: 0.99, bend: 0.006, corners: 0.02}
+frames: {rate: 15, repeated: 0.1, missing: 0.2}
 )");
   EXPECT_EQ(deviation.seed, 7U);
   EXPECT_EQ(deviation.object.scale, 1.01);
@@ -60,6 +63,15 @@ object:
   EXPECT_EQ(deviation.object.added_share, 0.15);
   EXPECT_EQ(deviation.object.missing_handles, 1);
   EXPECT_THAT(deviation.object.missing_parts, ::testing::ElementsAre("door", "drawer"));
+  EXPECT_EQ(deviation.sensor.camera.focal_length, 1.015);
+  EXPECT_EQ(deviation.sensor.camera.principal_point, Eigen::Vector2d(6.0, -3.0));
+  EXPECT_EQ(deviation.sensor.camera.distortion, Eigen::Vector2d(0.06, -0.15));
+  EXPECT_EQ(deviation.sensor.depth.scale, 0.99);
+  EXPECT_EQ(deviation.sensor.depth.bend, 0.006);
+  EXPECT_EQ(deviation.sensor.depth.corners, 0.02);
+  EXPECT_EQ(deviation.frames.rate, 15.0);
+  EXPECT_EQ(deviation.frames.repeated, 0.1);
+  EXPECT_EQ(deviation.frames.missing, 0.2);
   const std::string text = deviation_text(deviation);
   EXPECT_EQ(deviation_text(read(text)), text);
 }
@@ -77,6 +89,10 @@ TEST_F(DeviationFile, WhatIsWrongIsRefusedWithFileAndKey) {
   EXPECT_THAT(complaint("object: {scale: 0}"), HasSubstr("'scale'"));
   EXPECT_THAT(complaint("object: {added_parts: 1.5}"), HasSubstr("'added_parts'"));
   EXPECT_THAT(complaint("object: {missing_parts: door}"), HasSubstr("'missing_parts'"));
+  EXPECT_THAT(complaint("camera: {principal_point: 6}"), HasSubstr("'principal_point'"));
+  EXPECT_THAT(complaint("camera: {distortion: [9, 0]}"), HasSubstr("'distortion'"));
+  EXPECT_THAT(complaint("depth: {bent: 1}"), HasSubstr("'bent'"));
+  EXPECT_THAT(complaint("frames: {repeated: 2}"), HasSubstr("'repeated'"));
   EXPECT_THAT(complaint("seed: -1"), HasSubstr("'seed'"));
   EXPECT_THAT(complaint("object: {scale: [1"), HasSubstr("is not YAML"));
 }

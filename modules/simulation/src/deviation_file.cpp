@@ -24,6 +24,11 @@ constexpr Range kScale{0.5, 2.0, "must be a factor from 0.5 to 2"};
 constexpr Range kLength{0.0, 0.1, "must be from 0 to 0.1 (metres)"};
 constexpr Range kAngle{0.0, std::numbers::pi / 6.0, "must be from 0 to 0.52 (radians)"};
 constexpr Range kAddedShare{0.0, 0.5, "must be a share from 0 to 0.5"};
+constexpr Range kDepthShare{-0.2, 0.2, "must be from -0.2 to 0.2"};
+constexpr Range kFrameShare{0.0, 0.9, "must be a share from 0 to 0.9"};
+constexpr Range kRate{0.0, 1000.0, "must be from 0 (as they come) to 1000 (frames a second)"};
+constexpr double kMostPixels = 100.0;  // that a principal point is off
+constexpr double kMostDistortion = 0.5;
 
 void read_within(const YamlMap& map, const char* key, const Range& range, double& value) {
   map.read(key, value);
@@ -56,6 +61,56 @@ void read_object(const std::string& file, const YAML::Node& node, ObjectDeviatio
   map.read("missing_parts", object.missing_parts);
 }
 
+void read_camera(const std::string& file, const YAML::Node& node, CameraDeviation& camera) {
+  const YamlMap map(file, node, {"focal_length", "principal_point", "distortion"});
+  read_within(map, "focal_length", kScale, camera.focal_length);
+  map.read("principal_point", camera.principal_point);
+  if (camera.principal_point.cwiseAbs().maxCoeff() > kMostPixels) {
+    map.refuse("principal_point", "must be off by 100 pixels at most");
+  }
+  map.read("distortion", camera.distortion);
+  if (camera.distortion.cwiseAbs().maxCoeff() > kMostDistortion) {
+    map.refuse("distortion", "must be k1, k2 from -0.5 to 0.5");
+  }
+}
+
+void read_depth(const std::string& file, const YAML::Node& node, DepthDeviation& depth) {
+  const YamlMap map(file, node, {"scale", "bend", "corners"});
+  read_within(map, "scale", kScale, depth.scale);
+  read_within(map, "bend", kDepthShare, depth.bend);
+  read_within(map, "corners", kDepthShare, depth.corners);
+}
+
+void read_frames(const std::string& file, const YAML::Node& node, FrameDeviation& frames) {
+  const YamlMap map(file, node, {"rate", "repeated", "missing"});
+  read_within(map, "rate", kRate, frames.rate);
+  read_within(map, "repeated", kFrameShare, frames.repeated);
+  read_within(map, "missing", kFrameShare, frames.missing);
+}
+
+void emit_pair(YAML::Emitter& out, const char* key, const Eigen::Vector2d& pair) {
+  out << YAML::Key << key << YAML::Value << YAML::Flow << YAML::BeginSeq << pair.x() << pair.y()
+      << YAML::EndSeq;
+}
+
+void emit_sensor(YAML::Emitter& out, const SensorDeviation& sensor) {
+  out << YAML::Key << "camera" << YAML::Value << YAML::BeginMap;
+  out << YAML::Key << "focal_length" << YAML::Value << sensor.camera.focal_length;
+  emit_pair(out, "principal_point", sensor.camera.principal_point);
+  emit_pair(out, "distortion", sensor.camera.distortion);
+  out << YAML::EndMap << YAML::Key << "depth" << YAML::Value << YAML::BeginMap;
+  out << YAML::Key << "scale" << YAML::Value << sensor.depth.scale;
+  out << YAML::Key << "bend" << YAML::Value << sensor.depth.bend;
+  out << YAML::Key << "corners" << YAML::Value << sensor.depth.corners << YAML::EndMap;
+}
+
+void emit_frames(YAML::Emitter& out, const FrameDeviation& frames) {
+  out << YAML::Key << "frames" << YAML::Value << YAML::BeginMap;
+  out << YAML::Key << "rate" << YAML::Value << frames.rate;
+  out << YAML::Key << "repeated" << YAML::Value << frames.repeated;
+  out << YAML::Key << "missing" << YAML::Value << frames.missing << YAML::EndMap;
+}
+
 void emit_object(YAML::Emitter& out, const ObjectDeviation& object) {
   out << YAML::Key << "object" << YAML::Value << YAML::BeginMap;
   out << YAML::Key << "scale" << YAML::Value << object.scale;
@@ -73,10 +128,14 @@ void emit_object(YAML::Emitter& out, const ObjectDeviation& object) {
 
 Deviation read_deviation(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const YamlMap map(file, simulation::load_yaml(path, "deviation"), {"seed", "object"});
+  const YamlMap map(file, simulation::load_yaml(path, "deviation"),
+                    {"seed", "object", "camera", "depth", "frames"});
   Deviation deviation;
   read_whole(map, "seed", kMostSeeds, deviation.seed);
   if (map.has("object")) read_object(file, map.node("object"), deviation.object);
+  if (map.has("camera")) read_camera(file, map.node("camera"), deviation.sensor.camera);
+  if (map.has("depth")) read_depth(file, map.node("depth"), deviation.sensor.depth);
+  if (map.has("frames")) read_frames(file, map.node("frames"), deviation.frames);
   return deviation;
 }
 
@@ -86,6 +145,8 @@ std::string deviation_text(const Deviation& deviation) {
   out.SetDoublePrecision(kExactDigits);
   out << YAML::BeginMap << YAML::Key << "seed" << YAML::Value << deviation.seed;
   emit_object(out, deviation.object);
+  emit_sensor(out, deviation.sensor);
+  emit_frames(out, deviation.frames);
   out << YAML::EndMap;
   return std::string(out.c_str()) + '\n';
 }

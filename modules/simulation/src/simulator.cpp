@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "deviating_view.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/rendering/body_item.hpp"
@@ -11,11 +12,20 @@
 namespace lockbox {
 
 Simulator::Simulator(const KinematicTree& tree, const PinholeCamera& camera, PlacedScene scene,
-                     const SensorModel& sensor, std::uint64_t seed, const Executor& executor)
+                     const SensorModel& sensor, std::uint64_t seed, const Executor& executor,
+                     const SensorDeviation& deviation)
     : tree_(tree),
       scene_(std::move(scene)),
       sensor_(sensor, camera, seed, executor),
-      renderer_(sensor_.sample_camera(), executor) {}
+      renderer_(sensor_.sample_camera(), executor) {
+  if (!deviation.is_any()) return;
+  view_ = std::make_unique<simulation::DeviatingView>(camera, sensor_.sample_camera(), deviation,
+                                                      executor);
+  renderer_.set_camera(view_->camera());
+}
+
+Simulator::~Simulator() = default;
+Simulator::Simulator(Simulator&&) noexcept = default;
 
 void Simulator::simulate(const State& state, std::uint64_t index, DepthFrame& frame) {
   if (!state.known || !state.configuration.T_camera_base.matrix().allFinite() ||
@@ -30,9 +40,16 @@ void Simulator::simulate(const State& state, std::uint64_t index, DepthFrame& fr
     items_.push_back(body_item(tree_, b, T_camera_body_[b]));
   }
   scene_.append_items(state, items_);
-  renderer_.render(items_, clean_);
+  renderer_.render(items_, view_ ? scene_depth_ : clean_);
+  if (view_) view_->measure(scene_depth_, clean_);
   sensor_.measure(clean_, index, frame);
   frame.stamp = state.stamp;
+}
+
+Eigen::Isometry3d Simulator::apparent_base() const {
+  if (!view_) return T_camera_body_.front();
+  return view_->apparent_motion(scene_depth_, clean_, static_cast<int>(tree_.bodies.size())) *
+         T_camera_body_.front();
 }
 
 }  // namespace lockbox

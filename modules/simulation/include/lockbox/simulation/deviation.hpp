@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a simulated object differs from its model, without a tracker being told. All that is drawn at
-// random follows from the seed.
+// How a simulation differs from the model and from the calibration, without a tracker being told.
+// All that is drawn at random follows from the seed.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -23,9 +24,45 @@ struct ObjectDeviation {
       {};  ///< links that are missing, with all that they carry
 };
 
+/// The camera that takes the images, against the calibration that comes with them.
+struct CameraDeviation {
+  double focal_length = 1.0;                                  ///< factor
+  Eigen::Vector2d principal_point = Eigen::Vector2d::Zero();  ///< it is off by this, pixels
+  /// k1, k2 of plumb_bob: r becomes r (1 + k1 r^2 + k2 r^4), which nobody undoes.
+  Eigen::Vector2d distortion = Eigen::Vector2d::Zero();
+};
+
+/// A surface at depth z is measured at z (scale + bend z + corners r^2), where r is the distance
+/// from the principal point as a share of that of the farthest corner.
+struct DepthDeviation {
+  double scale = 1.0;
+  double bend = 0.0;  ///< 1/metre
+  double corners = 0.0;
+};
+
+struct SensorDeviation {
+  CameraDeviation camera;
+  DepthDeviation depth;
+
+  bool is_any() const {
+    return camera.focal_length != 1.0 || !camera.principal_point.isZero(0.0) ||
+           !camera.distortion.isZero(0.0) || depth.scale != 1.0 || depth.bend != 0.0 ||
+           depth.corners != 0.0;
+  }
+};
+
+/// What becomes of the frames on their way.
+struct FrameDeviation {
+  double rate = 0.0;      ///< frames a second that arrive at most; 0: all of them
+  double repeated = 0.0;  ///< share of frames that show the image before once more
+  double missing = 0.0;   ///< share of frames that do not arrive
+};
+
 struct Deviation {
   std::uint64_t seed = 1;
   ObjectDeviation object;
+  SensorDeviation sensor;  ///< `camera` and `depth` in a file
+  FrameDeviation frames;
 };
 
 /// Reads a deviation file; its keys are the names of the members above (docs/file-formats.md).
