@@ -17,6 +17,8 @@ const std::vector<ExperimentEntry>& experiments() {
       {"accuracy", "Single frames, against what the sensor's noise allows",
        make_accuracy_experiment},
       {"creep", "One image again and again: what is not determined rests", make_creep_experiment},
+      {"mismatch", "Objects unlike their models, cameras unlike their calibrations",
+       make_mismatch_experiment},
       {"peers", "The scene on which M3T was measured, beside its figures", make_peers_experiment},
   };
   return entries;

@@ -24,6 +24,7 @@ std::unique_ptr<Experiment> make_creep_experiment();
 std::unique_ptr<Experiment> make_global_experiment();
 std::unique_ptr<Experiment> make_intersection_experiment();
 std::unique_ptr<Experiment> make_kidnap_experiment();
+std::unique_ptr<Experiment> make_mismatch_experiment();
 std::unique_ptr<Experiment> make_occlusion_experiment();
 std::unique_ptr<Experiment> make_order_experiment();
 std::unique_ptr<Experiment> make_peers_experiment();

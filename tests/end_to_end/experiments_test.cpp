@@ -212,6 +212,33 @@ TEST(Accuracy, HasARowForEachUnknownAndContinuesWhereItWasCutOff) {
   }
 }
 
+TEST(Mismatch, HasARowForEachFrameAndContinuesWhereItWasStopped) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& seeds) {
+    return run_experiment("mismatch", "rigid_block", folder / "out",
+                          {"--kind", "none", "--kind", "centre", "--kind", "joints", "--severity",
+                           "severe", "--seeds", seeds, "--frames", "3"});
+  };
+  run("1");
+  const auto file = folder / "out/mismatch_rigid_block_severe_primesense_3frames.csv";
+  const auto first = read_text(file);
+  const auto summary = run("2");
+  EXPECT_EQ(read_text(file).substr(0, first.size()), first);
+  const auto rows = read_rows(file);
+  ASSERT_EQ(rows.size(), 12U);  // the block has no joints
+  for (const NamedRow& row : rows) {
+    EXPECT_EQ(row.at("right"), "1");
+    EXPECT_LT(number(row, "translation"), 0.01);
+    // 12 pixels at about a metre: what no tracker can know is not judged, but told.
+    if (row.at("kind") != "centre") continue;
+    EXPECT_GT(number(row, "plain_translation"), 0.012);
+  }
+  EXPECT_THAT(summary, HasSubstr("rigid_block, severe"));
+  EXPECT_THAT(
+      read_text(folder / "out/mismatch_rigid_block_severe_primesense_3frames_centre_seed2.yaml"),
+      HasSubstr("principal_point: ["));
+}
+
 TEST(Peers, ComparesWithTheFiguresOfTheOtherTracker) {
   const TemporaryFolder folder;
   const auto summary = run_experiment("peers", "board_door_block", folder / "out",

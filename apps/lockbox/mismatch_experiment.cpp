@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Objects that are not quite their models, cameras that are not quite their calibrations: what the
+// tracker, who is told nothing of it, makes of them, and what it believes.
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "experiments.hpp"
+#include "interruption.hpp"
+#include "lockbox/evaluation/mismatch.hpp"
+#include "lockbox/evaluation/table.hpp"
+#include "lockbox/simulation/deviation_presets.hpp"
+#include "lockbox/simulation/scene_fit.hpp"
+#include "mismatch_report.hpp"
+#include "option_checks.hpp"
+#include "possible_motion.hpp"
+#include "primesense_camera.hpp"
+#include "progress.hpp"
+#include "shard.hpp"
+#include "shipped_files.hpp"
+#include "whole_file.hpp"
+
+namespace lockbox::app {
+namespace {
+
+constexpr double kSwing = 0.1;  // of the camera along each axis, metres
+
+struct MismatchRun {
+  std::string kind;
+  std::uint64_t seed;
+
+  std::string text() const { return kind + "_seed" + std::to_string(seed); }
+};
+
+class Mismatch : public Experiment {
+ public:
+  void add_options(CLI::App& options) override {
+    options.add_option("--severity", severity_, "moderate or severe")
+        ->check(CLI::IsMember({"moderate", "severe"}));
+    options
+        .add_option("--kind", kinds_,
+                    "What deviates (repeatable): none, scale, sizes, joints, added, missing, "
+                    "focal, centre, distortion, depth-scale, depth-bend, frames or all")
+        ->check(CLI::IsMember(deviation_kinds()))
+        ->default_str("each of them");
+    options.add_option("--seeds", seeds_, "Of each kind")->check(positive());
+    options.add_option("--frames", frames_, "Of each run")->check(positive());
+    shard_.add_to(options);
+  }
+
+ private:
+  std::vector<std::string> default_models() const override {
+    return {"lockbox", "cabinet", "rigid_block", "board_door_block"};
+  }
+
+  /// So ordered that an interrupted experiment has met all kinds alike.
+  std::vector<MismatchRun> planned_runs(const ExperimentSettings& settings) const {
+    std::vector<MismatchRun> runs;
+    for (int i = 0; i < seeds_; ++i) {
+      for (const std::string& kind : kinds_) {
+        runs.push_back({kind, settings.seed + static_cast<std::uint64_t>(i)});
+      }
+    }
+    return runs;
+  }
+
+  std::vector<State> motion(const ArticulatedModel& model) const {
+    TrajectoryOptions options;
+    options.frames = frames_;
+    options.T_camera_base = usual_view(model).T_camera_base;
+    options.sway = kSwing;
+    return possible_motion(model, options);
+  }
+
+  bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
+    const auto stem =
+        settings.output / ("mismatch_" + model.tree.name + "_" + severity_ + "_" + settings.sensor +
+                           "_" + std::to_string(frames_) + "frames");
+    const auto file = shard_.rows_file(stem);
+    Table table(mismatch_columns());
+    if (std::filesystem::exists(file)) table = read_table(file, mismatch_columns());
+    std::set<std::string> done;
+    for (const Row& row : table.rows()) {
+      done.insert(table.word(row, "kind") + "_seed" + table.word(row, "seed"));
+    }
+    const std::vector<State> truth = motion(model);
+    const Scene scene = fitted(read_scene(find_scene("room")), model.tree, truth.front());
+    const auto runs = planned_runs(settings);
+    const Interruption interruption;
+    Progress progress("mismatch " + model.tree.name, shard_.runs_of(runs.size()), settings.quiet,
+                      "runs");
+    std::size_t finished = 0;
+    for (std::size_t i = 0; i < runs.size() && !interruption.requested(); ++i) {
+      if (!shard_.holds(i)) continue;
+      progress.update(finished++, runs[i].kind);
+      if (done.count(runs[i].text()) > 0) continue;
+      const auto deviation =
+          preset_deviation(runs[i].kind, is_severe() ? Severity::severe : Severity::moderate,
+                           runs[i].seed, model.tree);
+      if (!deviation) continue;  // the model has nothing of the kind
+      write_whole_file(stem.string() + "_" + runs[i].text() + ".yaml", deviation_text(*deviation));
+      const auto frames = track_mismatch(
+          model, truth, *deviation,
+          {kPrimeSenseCamera, sensor_model(settings.sensor), scene, runs[i].seed}, Executor());
+      add_mismatch_rows(table, runs[i].kind, runs[i].seed, frames);
+      write_table(file, table);
+    }
+    progress.finish();
+    print_mismatch_report(model.tree.name + ", " + severity_, rows_files(stem));
+    return !interruption.requested();
+  }
+
+  bool is_severe() const { return severity_ == "severe"; }
+
+  std::string severity_ = "moderate";
+  std::vector<std::string> kinds_ = deviation_kinds();
+  int seeds_ = 5;
+  int frames_ = 60;
+  Shard shard_;
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> make_mismatch_experiment() {
+  return std::make_unique<Mismatch>();
+}
+
+}  // namespace lockbox::app
