@@ -15,6 +15,14 @@
 namespace lockbox {
 namespace {
 
+void warn_of_unused_scale(const SourceOptions& options) {
+  if (options.depth_scale && options.warn) {
+    options.warn(
+        "the depth scale that was given (--depth-scale) is not used: the stream itself states its "
+        "unit");
+  }
+}
+
 std::unique_ptr<FrameSource> open_folder(const std::filesystem::path& folder,
                                          const SourceOptions& options) {
   if (std::filesystem::exists(folder / "depth.txt")) {
@@ -42,14 +50,6 @@ std::unique_ptr<FrameSource> open_recording(const std::string& source,
   }
   warn_of_unused_scale(options);
   return std::make_unique<OniPlayer>(path, options);
-}
-
-void warn_of_unused_scale(const SourceOptions& options) {
-  if (options.depth_scale && options.warn) {
-    options.warn(
-        "the depth scale that was given (--depth-scale) is not used: the stream itself states its "
-        "unit");
-  }
 }
 
 }  // namespace
