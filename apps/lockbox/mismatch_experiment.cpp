@@ -41,7 +41,7 @@ class Mismatch : public Experiment {
         ->check(CLI::IsMember({"moderate", "severe"}));
     options
         .add_option("--kind", kinds_,
-                    "What deviates (repeatable): none, scale, sizes, joints, added, missing, "
+                    "What deviates (repeatable): none, scale, sizes, bend, joints, added, missing, "
                     "focal, centre, distortion, depth-scale, depth-bend, frames or all")
         ->check(CLI::IsMember(deviation_kinds()))
         ->default_str("each of them");

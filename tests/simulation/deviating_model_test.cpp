@@ -11,6 +11,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/lie.hpp"
+#include "lockbox/mesh/mesh_audit.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "lockbox/simulation/trajectory.hpp"
@@ -79,6 +80,22 @@ TEST(DeviatingModel, TheBaseLiesWhereTheModelFitsIt) {
   const KinematicTree larger = built(tree, {.scale = 1.02});
   EXPECT_TRUE(
       bounds(larger.bodies[0].mesh).center().isApprox(bounds(tree.bodies[0].mesh).center(), 1e-9));
+}
+
+TEST(DeviatingModel, ABentBaseCarriesItsJointsAndStaysClosed) {
+  const KinematicTree tree = testing::board_with_three_joints();
+  const KinematicTree bent = built(tree, {.bend = 0.01});
+  const TriangleMesh& mesh = bent.bodies[0].mesh;
+  EXPECT_NEAR(bounds(mesh).sizes().z(), 0.02 + 0.01, 1e-4);
+  EXPECT_TRUE(encloses_solid(mesh));
+  // The fit lies between middle and ends, so that a joint moves by less than the bow, but moves.
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    const double shift =
+        (bent.joints[j].T_parent_joint.translation() - tree.joints[j].T_parent_joint.translation())
+            .norm();
+    EXPECT_GT(shift, 1e-4);
+    EXPECT_LT(shift, 0.01);
+  }
 }
 
 TEST(DeviatingModel, JointsAreOffByTheAmounts) {

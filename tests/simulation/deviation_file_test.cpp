@@ -44,6 +44,7 @@ seed: 7
 object:
   scale: 1.01
   sizes: 0.002
+  bend: 0.005
   joint_origins: 0.003
   joint_axes: 0.0087
   added_parts: 3
@@ -57,6 +58,7 @@ frames: {rate: 15, repeated: 0.1, missing: 0.2}
   EXPECT_EQ(deviation.seed, 7U);
   EXPECT_EQ(deviation.object.scale, 1.01);
   EXPECT_EQ(deviation.object.sizes, 0.002);
+  EXPECT_EQ(deviation.object.bend, 0.005);
   EXPECT_EQ(deviation.object.joint_origins, 0.003);
   EXPECT_EQ(deviation.object.joint_axes, 0.0087);
   EXPECT_EQ(deviation.object.added_parts, 3);

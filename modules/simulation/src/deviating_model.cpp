@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "added_parts.hpp"
+#include "bent_base.hpp"
 #include "lockbox/simulation/random_draws.hpp"
 #include "missing_parts.hpp"
 #include "rigid_fit.hpp"
@@ -13,7 +14,7 @@ namespace lockbox {
 namespace {
 
 /// What the seed is used for: draws for one purpose do not change with the amount of another.
-enum class Purpose : std::uint64_t { sizes = 1, joints, handles, added_parts };
+enum class Purpose : std::uint64_t { sizes = 1, joints, handles, added_parts, bend };
 
 RandomDraws draws(std::uint64_t seed, Purpose purpose) {
   return {seed, static_cast<std::uint64_t>(purpose)};
@@ -85,10 +86,19 @@ KinematicTree deviating_model(const KinematicTree& tree, const ObjectDeviation& 
                               std::uint64_t seed, const Executor& executor) {
   KinematicTree built = tree;
   for (Body& body : built.bodies) body.visuals.clear();
+  if (deviation.bend > 0.0) {
+    constexpr double kShortEdge = 0.03;  // metres: between them a bow stays flat to 0.1 mm
+    built.bodies[0].mesh = simulation::with_short_edges(tree.bodies[0].mesh, kShortEdge);
+  }
+  const TriangleMesh drawn_base = built.bodies[0].mesh;
   if (deviation.scale != 1.0) scale(built, deviation.scale);
   if (deviation.sizes > 0.0) change_sizes(built, deviation.sizes, draws(seed, Purpose::sizes));
-  if (deviation.scale != 1.0 || deviation.sizes > 0.0) {
-    move_base(built, best_fit(built.bodies[0].mesh, tree.bodies[0].mesh));
+  if (deviation.bend > 0.0) {
+    const double sign = draws(seed, Purpose::bend).chance(0.5) ? 1.0 : -1.0;
+    simulation::bend_base(built, sign * deviation.bend);
+  }
+  if (deviation.scale != 1.0 || deviation.sizes > 0.0 || deviation.bend > 0.0) {
+    move_base(built, best_fit(built.bodies[0].mesh, drawn_base));
   }
   move_joints(built, deviation.joint_origins, deviation.joint_axes, draws(seed, Purpose::joints));
   simulation::take_parts(built, deviation.missing_parts);

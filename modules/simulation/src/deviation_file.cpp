@@ -49,10 +49,11 @@ void read_whole(const YamlMap& map, const char* key, double highest, Integer& va
 void read_object(const std::string& file, const YAML::Node& node, ObjectDeviation& object) {
   constexpr double kMostParts = 100.0;
   const YamlMap map(file, node,
-                    {"scale", "sizes", "joint_origins", "joint_axes", "added_parts", "added_share",
-                     "missing_handles", "missing_parts"});
+                    {"scale", "sizes", "bend", "joint_origins", "joint_axes", "added_parts",
+                     "added_share", "missing_handles", "missing_parts"});
   read_within(map, "scale", kScale, object.scale);
   read_within(map, "sizes", kLength, object.sizes);
+  read_within(map, "bend", kLength, object.bend);
   read_within(map, "joint_origins", kLength, object.joint_origins);
   read_within(map, "joint_axes", kAngle, object.joint_axes);
   read_whole(map, "added_parts", kMostParts, object.added_parts);
@@ -115,6 +116,7 @@ void emit_object(YAML::Emitter& out, const ObjectDeviation& object) {
   out << YAML::Key << "object" << YAML::Value << YAML::BeginMap;
   out << YAML::Key << "scale" << YAML::Value << object.scale;
   out << YAML::Key << "sizes" << YAML::Value << object.sizes;
+  out << YAML::Key << "bend" << YAML::Value << object.bend;
   out << YAML::Key << "joint_origins" << YAML::Value << object.joint_origins;
   out << YAML::Key << "joint_axes" << YAML::Value << object.joint_axes;
   out << YAML::Key << "added_parts" << YAML::Value << object.added_parts;

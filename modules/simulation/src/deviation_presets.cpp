@@ -13,7 +13,7 @@ namespace lockbox {
 namespace {
 
 DeviationAmounts weakened(DeviationAmounts amounts, double factor) {
-  for (double* amount : {&amounts.scale, &amounts.sizes, &amounts.joint_origins,
+  for (double* amount : {&amounts.scale, &amounts.sizes, &amounts.bend, &amounts.joint_origins,
                          &amounts.joint_axes, &amounts.added_share, &amounts.focal_length,
                          &amounts.principal_point, &amounts.k1, &amounts.k2, &amounts.depth_scale,
                          &amounts.depth_bend, &amounts.depth_corners, &amounts.repeated}) {
@@ -33,6 +33,7 @@ Deviation whole_deviation(const DeviationAmounts& amounts, std::uint64_t seed) {
   all.seed = seed;
   all.object.scale += sign() * amounts.scale;
   all.object.sizes = amounts.sizes;
+  all.object.bend = amounts.bend;
   all.object.joint_origins = amounts.joint_origins;
   all.object.joint_axes = amounts.joint_axes;
   all.object.added_parts = amounts.added_parts;
@@ -70,8 +71,8 @@ bool draw_missing(Severity severity, const KinematicTree& tree, ObjectDeviation&
 
 const std::vector<std::string>& deviation_kinds() {
   static const std::vector<std::string> kinds = {
-      "none",   "scale",      "sizes",       "joints",     "added",  "missing", "focal",
-      "centre", "distortion", "depth-scale", "depth-bend", "frames", "all"};
+      "none",  "scale",  "sizes",      "bend",        "joints",     "added",  "missing",
+      "focal", "centre", "distortion", "depth-scale", "depth-bend", "frames", "all"};
   return kinds;
 }
 
@@ -88,6 +89,8 @@ std::optional<Deviation> preset_deviation(const std::string& kind, Severity seve
     one.object.scale = all.object.scale;
   } else if (kind == "sizes") {
     one.object.sizes = all.object.sizes;
+  } else if (kind == "bend") {
+    one.object.bend = all.object.bend;
   } else if (kind == "joints") {
     one.object.joint_origins = all.object.joint_origins;
     one.object.joint_axes = all.object.joint_axes;

@@ -15,6 +15,7 @@ namespace lockbox {
 struct ObjectDeviation {
   double scale = 1.0;          ///< of the whole object, about the origin of its base
   double sizes = 0.0;          ///< edge lengths of each part differ by up to this, metres
+  double bend = 0.0;           ///< its base bows by this along its longest extent, metres
   double joint_origins = 0.0;  ///< how far each joint's origin is off, metres
   double joint_axes = 0.0;     ///< how far each joint's axis is tilted, radians
   int added_parts = 0;         ///< how many parts of 3 to 30 cm the model lacks, at least

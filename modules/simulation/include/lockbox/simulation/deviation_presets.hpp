@@ -19,6 +19,7 @@ namespace lockbox {
 struct DeviationAmounts {
   double scale;            ///< share, either way
   double sizes;            ///< metres, see ObjectDeviation
+  double bend;             ///< metres
   double joint_origins;    ///< metres
   double joint_axes;       ///< radians
   int added_parts;         ///< number
@@ -37,16 +38,49 @@ struct DeviationAmounts {
 
 inline constexpr double kHalfDegree = 0.008726646;
 
-inline constexpr DeviationAmounts kModerateDeviation{0.01,  0.002, 0.003, kHalfDegree, 3,    0.0,
-                                                     0.015, 6.0,   0.06,  -0.15,       0.01, 0.006,
-                                                     0.02,  15.0,  0.1,   0.0};
+inline constexpr DeviationAmounts kModerateDeviation{
+    .scale = 0.01,
+    .sizes = 0.002,
+    .bend = 0.005,
+    .joint_origins = 0.003,
+    .joint_axes = kHalfDegree,
+    .added_parts = 3,
+    .added_share = 0.0,
+    .focal_length = 0.015,
+    .principal_point = 6.0,
+    .k1 = 0.06,
+    .k2 = -0.15,
+    .depth_scale = 0.01,
+    .depth_bend = 0.006,
+    .depth_corners = 0.02,
+    .rate = 15.0,
+    .repeated = 0.1,
+    .missing = 0.0,
+};
+
 inline constexpr DeviationAmounts kSevereDeviation{
-    0.02, 0.005, 0.008, 3.0 * kHalfDegree, 3, 0.15, 0.03, 12.0, 0.12, -0.3, 0.02, 0.015, 0.04,
-    10.0, 0.0,   0.2};
+    .scale = 0.02,
+    .sizes = 0.005,
+    .bend = 0.012,
+    .joint_origins = 0.008,
+    .joint_axes = 3.0 * kHalfDegree,
+    .added_parts = 3,
+    .added_share = 0.15,
+    .focal_length = 0.03,
+    .principal_point = 12.0,
+    .k1 = 0.12,
+    .k2 = -0.3,
+    .depth_scale = 0.02,
+    .depth_bend = 0.015,
+    .depth_corners = 0.04,
+    .rate = 10.0,
+    .repeated = 0.0,
+    .missing = 0.2,
+};
 
 enum class Severity { moderate, severe };
 
-/// `none`, `scale`, `sizes`, `joints`, `added`, `missing`, `focal`, `centre`, `distortion`,
+/// `none`, `scale`, `sizes`, `bend`, `joints`, `added`, `missing`, `focal`, `centre`, `distortion`,
 /// `depth-scale`, `depth-bend`, `frames` and `all`, which is a third of everything moderate but
 /// what comes in whole pieces, or a half.
 const std::vector<std::string>& deviation_kinds();
