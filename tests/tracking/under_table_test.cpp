@@ -84,7 +84,8 @@ class UnderTheTable : public ::testing::Test {
     return registration_.align(seen(tin_and_packet(), truth, scene), start, {0.005, 10});
   }
 
-  /// Where alignment leads from there: believable by all else, far from the truth, and not trusted.
+  /// Where alignment leads from there: nothing contradicts it, it is far from the truth, and not
+  /// trusted.
   void expect_untrusted(const Driven& where) {
     const Configuration truth = on_table(kDistance, where.yaw);
     const RegistrationResult& result = registered(truth, table_and_wall(), driven(truth, where));
@@ -92,7 +93,6 @@ class UnderTheTable : public ::testing::Test {
         result.configuration.T_camera_base.translation() - truth.T_camera_base.translation();
     EXPECT_GT(off.norm(), 0.02);
     EXPECT_TRUE(agrees(result, options_));
-    EXPECT_LT(result.outline.continued(), options_.most_continued);
     EXPECT_EQ(judge(result, options_), TrackingStatus::uncertain)
         << "yaw " << where.yaw << ", depth " << where.depth << ": explained "
         << result.agreement.explained << ", hidden " << result.agreement.occluded;
