@@ -128,7 +128,6 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
   bodies_.assign(T_camera_body.size(), {});
   body_outlines_.assign(T_camera_body.size(), {});
   outline_ = {};
-  against_planes_.reset();
   if (!cloud.has_image()) {
     meanwhile();
     return;
@@ -152,7 +151,6 @@ void AgreementMeter::measure(const ArticulatedModel& model, const VisibleSurface
     make_shares(body);
   }
   make_shares(total_);
-  against_planes_ = planes_.evidence(surface, cloud, options);
 }
 
 void AgreementMeter::reserve(const Executor& executor) {

@@ -94,7 +94,6 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   result_.agreement = agreement_.total();
   result_.body_agreement = agreement_.bodies();
   result_.outline = agreement_.outline();
-  result_.against_planes = agreement_.against_planes();
   result_.flush_bodies = view_->continued().flush_bodies();
   const ModelTerm::Totals& totals = model_term_.totals();
   result_.explained_points = totals.points;

@@ -4,17 +4,6 @@
 #include <algorithm>
 
 namespace lockbox {
-namespace {
-
-/// Whether the image tells no more of the model than of the scene without it: its surface goes on
-/// beyond the outline, as that of a wall does, or the planes around it tell as much.
-bool may_be_bare_scene(const RegistrationResult& registered, const TrackerOptions& options) {
-  const auto& against_planes = registered.against_planes;
-  return registered.outline.continued() > options.most_continued ||
-         (against_planes && *against_planes <= 0.0);
-}
-
-}  // namespace
 
 std::string to_string(TrackingStatus status) {
   switch (status) {
@@ -63,7 +52,7 @@ bool is_doubtful(const RegistrationResult& registered, int variable, const Joint
 
 double conviction(const RegistrationResult& registered, const TrackerOptions& options) {
   Agreement agreement = registered.agreement;
-  if (may_be_bare_scene(registered, options)) agreement.explained = 0.0;
+  if (registered.outline.continued() > options.most_continued) agreement.explained = 0.0;
   return agreement.conviction();
 }
 
@@ -80,7 +69,7 @@ bool rests(const RegistrationResult& registered, const TrackerOptions& options) 
 }
 
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options) {
-  return agrees(registered, options) && !may_be_bare_scene(registered, options);
+  return agrees(registered, options) && registered.outline.continued() <= options.most_continued;
 }
 
 TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options) {

@@ -3,14 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/function_ref.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/outline_agreement.hpp"
-#include "lockbox/registration/planes_around.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/view_samples.hpp"
 #include "lockbox/registration/visible_surface.hpp"
@@ -54,9 +52,6 @@ class AgreementMeter {
   const std::vector<Agreement>& bodies() const { return bodies_; }
   const OutlineAgreement& outline() const { return outline_; }
 
-  /// PlanesAround::evidence().
-  std::optional<double> against_planes() const { return against_planes_; }
-
  private:
   /// What was measured where samples of a body are, camera's frame: memory of a worker.
   struct MeasuredPoints {
@@ -86,8 +81,6 @@ class AgreementMeter {
   Agreement total_;
   std::vector<Agreement> bodies_;  ///< by body
   OutlineAgreement outline_;
-  PlanesAround planes_;
-  std::optional<double> against_planes_;
   std::vector<Agreement> chunk_counts_;  ///< by chunk of samples
   std::vector<OutlineSides> chunk_outlines_;
   std::vector<OutlineSides> body_outlines_;  ///< by body

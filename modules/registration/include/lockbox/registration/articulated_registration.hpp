@@ -59,8 +59,6 @@ struct RegistrationResult {
   Agreement agreement;
   std::vector<Agreement> body_agreement;  ///< by body
   OutlineAgreement outline;
-  /// Of the model against the planes around it, that go on without it (planes_around.hpp).
-  std::optional<double> against_planes;
   /// By body: whether it is flush with what is around it, so that its edges tell little or nothing
   /// (continued_edges.hpp). Empty for clouds without an image.
   std::vector<bool> flush_bodies;
