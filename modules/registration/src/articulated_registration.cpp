@@ -205,7 +205,6 @@ double ArticulatedRegistration::linearize(const TiledCloud& cloud, double spread
   for (std::size_t b = 0; b < systems_.size(); ++b) {
     data_equations_.add(systems_[b], jacobians_[b], 1.0 / options_.noise_correlation);
   }
-  view_->continued().discount(model_.tree, moves_.levers(), data_equations_);
   equations_ = data_equations_;
   result_.collision_cost = collision_.sum_up(model_, poses_, &equations_);
   linearized_spread_ = spread;

@@ -30,10 +30,6 @@ constexpr double kRoundedVoxels = 2.0;
 /// The share of its outline that goes on beyond a body which is flush with something: one side of
 /// four. Beyond the edge of one that has moved on, its own surface goes on.
 constexpr double kLeastFlush = 0.25;
-/// Independent measurements that stray points amount to: a direction of what is flush is known once
-/// it is to a third of the sensor's deviation. Halved, a few stray points are followed; doubled, a
-/// short free edge is not.
-constexpr double kStray = 9.0;
 constexpr int kLeastLength = 3;  // pixels of the view: less has no farther half
 
 bool contains(const RenderedDepth& view, int u, int v) {
@@ -114,15 +110,9 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
   }
   is_flush_.assign(model.fields.size(), false);
   find_flush_bodies(view);
-  double noise = 0.0;
-  int going_on = 0;
   for (const Walk& walk : walks_) {
-    if (!walk.goes_on || !is_of_flush_body(walk, view)) continue;
-    cover(walk, view);
-    noise += options_.noise.sigma_z(view.depth[view.index(walk.u, walk.v)]);
-    ++going_on;
+    if (walk.goes_on && is_of_flush_body(walk, view)) cover(walk, view);
   }
-  noise_ = noise / std::max(going_on, 1);
   // What pulls at one body at a seam pulls at its neighbour the other way: it matters only where
   // nothing else says where the two of them are.
   for (const Walk& seam : seams_) {
@@ -233,18 +223,6 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
 bool ContinuedEdges::lies_within(const Stretch& stretch, double limit) {
   return std::abs(stretch.measured) < limit && std::abs(stretch.measured_far) < limit &&
          stretch.predicted > kDiffers * stretch.walks;
-}
-
-void ContinuedEdges::discount(const KinematicTree& tree, const Eigen::VectorXd& levers,
-                              NormalEquations& equations) const {
-  if (!is_any_) return;
-  for (Eigen::Index i = 0; i < levers.size(); ++i) {
-    const int joint = i < 6 ? -1 : tree.variable_joint[static_cast<std::size_t>(i - 6)];
-    const int body = i < 6 ? 0 : tree.joints[static_cast<std::size_t>(joint)].child_body;
-    if (!is_flush_[static_cast<std::size_t>(body)]) continue;
-    const double feigned = levers[i] / noise_;
-    equations.information(i, i) -= kStray * feigned * feigned;
-  }
 }
 
 /// With its neighbours: the noise of one goes together.

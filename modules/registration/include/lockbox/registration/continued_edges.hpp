@@ -45,12 +45,6 @@ class ContinuedEdges {
   /// By body: whether it is flush with something. Empty if no image was looked at.
   const std::vector<bool>& flush_bodies() const { return is_flush_; }
 
-  /// Takes from the information what stray points could feign: where whatever was not found to go
-  /// on beyond an edge, a pixel or two, pulls at directions that nothing else determines. levers:
-  /// by unknown, metres that surfaces move for a unit.
-  void discount(const KinematicTree& tree, const Eigen::VectorXd& levers,
-                NormalEquations& equations) const;
-
   /// Whether a pixel of the view lies beyond an edge of a flush body across which the scene goes
   /// on, within reach, or so near before it that the body's field is rounded there, or that noise
   /// along the ray may have brought a point of its face nearer to its side: what is measured there
@@ -89,8 +83,7 @@ class ContinuedEdges {
   RegistrationOptions options_;
   double reach_ = 0.0;
   bool is_any_ = false;
-  double noise_ = 0.0;  ///< of a depth at edges of flush bodies, in the mean, metres
-  int columns_ = 0;     ///< of cells
+  int columns_ = 0;  ///< of cells
   int rows_ = 0;
   std::vector<Stretch> stretches_;
   std::vector<double> rounded_;  ///< by body: metres from its edges where its field is round
