@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/file_kind.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/parallel.hpp"
 
@@ -22,10 +22,7 @@ constexpr std::array kFileKinds = {
     ".tgz",  ".tif",  ".tiff", ".tum", ".txt",  ".urdf", ".webm", ".xyz", ".yaml", ".yml",  ".zip"};
 
 bool names_a_file(const std::string& text) {
-  std::string kind = std::filesystem::path(text).extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(kFileKinds.begin(), kFileKinds.end(), kind) != kFileKinds.end();
+  return std::find(kFileKinds.begin(), kFileKinds.end(), lower_extension(text)) != kFileKinds.end();
 }
 
 std::string problem_as_folder(const std::string& text) {
@@ -35,6 +32,15 @@ std::string problem_as_folder(const std::string& text) {
   return in_quotes(text) +
          " is the name of a file; what is not a recording (.oni) is written into a folder (end its "
          "name with / if it is one)";
+}
+
+CLI::Validator ends_in(const std::string& extension, const std::string& kind) {
+  return {[=](std::string& text) -> std::string {
+            return std::filesystem::path(text).extension() == extension
+                       ? ""
+                       : in_quotes(text) + " does not end in " + extension + ", as " + kind + " do";
+          },
+          ""};
 }
 
 }  // namespace
@@ -67,30 +73,15 @@ CLI::Validator whole_number() {
 }
 
 CLI::Validator picture_name() {
-  return {[](std::string& text) -> std::string {
-            return std::filesystem::path(text).extension() == ".png"
-                       ? ""
-                       : in_quotes(text) + " does not end in .png, as pictures do";
-          },
-          ""};
+  return ends_in(".png", "pictures");
 }
 
 CLI::Validator table_name() {
-  return {[](std::string& text) -> std::string {
-            return std::filesystem::path(text).extension() == ".csv"
-                       ? ""
-                       : in_quotes(text) + " does not end in .csv, as tables do";
-          },
-          ""};
+  return ends_in(".csv", "tables");
 }
 
 CLI::Validator recording_name() {
-  return {[](std::string& text) -> std::string {
-            return std::filesystem::path(text).extension() == ".oni"
-                       ? ""
-                       : in_quotes(text) + " does not end in .oni, as recordings do";
-          },
-          ""};
+  return ends_in(".oni", "recordings");
 }
 
 CLI::Validator folder_name() {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "foreign_source.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
-#include <fstream>
 #include <string_view>
+
+#include "lockbox/core/file_kind.hpp"
 
 namespace lockbox {
 namespace {
@@ -22,84 +21,52 @@ constexpr char kBagAdvice[] =
     "to "
     "a folder of .pcd files (bag_to_pcd of the ROS package pcl_ros)";
 
-struct Kind {
-  std::string_view magic;       ///< first bytes; empty: only the extension tells
-  std::string_view extensions;  ///< each with a blank behind it
-  const char* what;
-  const char* advice;
-};
-
 /// Those with first bytes stand before those that others might share.
 constexpr std::array kKinds{
-    Kind{"#ROSBAG V"sv, ".bag ", "a ROS 1 bag", kBagAdvice},
-    Kind{"\x89MCAP"sv, ".mcap ", "a ROS 2 bag (MCAP)", kBagAdvice},
-    Kind{"SQLite format 3"sv, ".db3 ", "a ROS 2 bag (SQLite)", kBagAdvice},
-    Kind{"\x1a\x45\xdf\xa3"sv, ".mkv .webm ",
-         "a Matroska video, as the Azure Kinect's recorder writes",
-         "convert its depth track to a folder with 16-bit grey PNG images (Open3D's "
-         "azure_kinect_mkv_reader does), list them in a depth.txt, and add a camera_info.yaml "
-         "(docs/file-formats.md)"},
-    Kind{"# .PCD"sv, ".pcd ", "a single cloud",
-         "give the folder that holds it: all its .pcd files are the sequence"},
-    Kind{
+    FileKind{"#ROSBAG V"sv, ".bag ", "a ROS 1 bag", kBagAdvice},
+    FileKind{"\x89MCAP"sv, ".mcap ", "a ROS 2 bag (MCAP)", kBagAdvice},
+    FileKind{"SQLite format 3"sv, ".db3 ", "a ROS 2 bag (SQLite)", kBagAdvice},
+    FileKind{"\x1a\x45\xdf\xa3"sv, ".mkv .webm ",
+             "a Matroska video, as the Azure Kinect's recorder writes",
+             "convert its depth track to a folder with 16-bit grey PNG images (Open3D's "
+             "azure_kinect_mkv_reader does), list them in a depth.txt, and add a camera_info.yaml "
+             "(docs/file-formats.md)"},
+    FileKind{"# .PCD"sv, ".pcd ", "a single cloud",
+             "give the folder that holds it: all its .pcd files are the sequence"},
+    FileKind{
         "ply\n"sv, ".ply ", "a PLY file",
         "convert organized clouds with pcl_ply2pcd, and give the folder that holds the .pcd files"},
-    Kind{"\x89PNG"sv, ".png ", "a single image",
-         "give the folder that holds a depth.txt, which lists the images (docs/file-formats.md)"},
-    Kind{"\xff\xd8\xff"sv, ".jpg .jpeg ", "a JPEG image",
-         "colours do not tell depth; give a folder with 16-bit grey PNG images of depth"},
-    Kind{"\x89HDF"sv, ".h5 .hdf5 ", "an HDF5 file", kToDepthFolder},
-    Kind{"PK\x03\x04"sv, ".zip .npz ", "an archive",
-         "unpack it; a source is a folder or a .oni file, arrays have to be converted to images"},
-    Kind{"\x1f\x8b"sv, ".gz .tgz ", "an archive", "unpack it; a source is a folder or a .oni file"},
-    Kind{"RIFF"sv, ".avi ", "a video",
-         "videos of colour hold no depth, and compressed ones not exactly; convert depth to a "
-         "folder with 16-bit grey PNG images"},
-    Kind{""sv, ".mp4 .mov .m4v .mpg .mpeg .wmv ", "a video",
-         "videos of colour hold no depth, and compressed ones not exactly; convert depth to a "
-         "folder with 16-bit grey PNG images"},
-    Kind{""sv, ".klg ", "a recording of Logger2 (Kintinuous, ElasticFusion)", kToDepthFolder},
-    Kind{""sv, ".xef .xrf ", "a recording of Kinect Studio", kToDepthFolder},
-    Kind{""sv, ".svo .svo2 ", "a recording of a ZED camera", kToDepthFolder},
-    Kind{""sv, ".sens ", "a ScanNet recording", kToDepthFolder},
-    Kind{""sv, ".rrf ", "a recording of a pmd camera", kToDepthFolder},
-    Kind{""sv, ".npy .mat .raw .bin .exr .tif .tiff .pgm .bmp ", "an array or a single image",
-         kToDepthFolder},
-    Kind{""sv, ".tar .xz .bz2 .7z .rar ", "an archive",
-         "unpack it; a source is a folder or a .oni file"},
-    Kind{""sv, ".urdf .xacro .obj .stl .dae ", "a model", "give it with --model, not as a source"},
-    Kind{""sv, ".txt .yaml .yml .json .csv ", "a text",
-         "give the folder that holds depth.txt, camera_info.yaml and the images"},
+    FileKind{
+        "\x89PNG"sv, ".png ", "a single image",
+        "give the folder that holds a depth.txt, which lists the images (docs/file-formats.md)"},
+    FileKind{"\xff\xd8\xff"sv, ".jpg .jpeg ", "a JPEG image",
+             "colours do not tell depth; give a folder with 16-bit grey PNG images of depth"},
+    FileKind{"\x89HDF"sv, ".h5 .hdf5 ", "an HDF5 file", kToDepthFolder},
+    FileKind{
+        "PK\x03\x04"sv, ".zip .npz ", "an archive",
+        "unpack it; a source is a folder or a .oni file, arrays have to be converted to images"},
+    FileKind{"\x1f\x8b"sv, ".gz .tgz ", "an archive",
+             "unpack it; a source is a folder or a .oni file"},
+    FileKind{"RIFF"sv, ".avi ", "a video",
+             "videos of colour hold no depth, and compressed ones not exactly; convert depth to a "
+             "folder with 16-bit grey PNG images"},
+    FileKind{""sv, ".mp4 .mov .m4v .mpg .mpeg .wmv ", "a video",
+             "videos of colour hold no depth, and compressed ones not exactly; convert depth to a "
+             "folder with 16-bit grey PNG images"},
+    FileKind{""sv, ".klg ", "a recording of Logger2 (Kintinuous, ElasticFusion)", kToDepthFolder},
+    FileKind{""sv, ".xef .xrf ", "a recording of Kinect Studio", kToDepthFolder},
+    FileKind{""sv, ".svo .svo2 ", "a recording of a ZED camera", kToDepthFolder},
+    FileKind{""sv, ".sens ", "a ScanNet recording", kToDepthFolder},
+    FileKind{""sv, ".rrf ", "a recording of a pmd camera", kToDepthFolder},
+    FileKind{""sv, ".npy .mat .raw .bin .exr .tif .tiff .pgm .bmp ", "an array or a single image",
+             kToDepthFolder},
+    FileKind{""sv, ".tar .xz .bz2 .7z .rar ", "an archive",
+             "unpack it; a source is a folder or a .oni file"},
+    FileKind{""sv, ".urdf .xacro .obj .stl .dae ", "a model",
+             "give it with --model, not as a source"},
+    FileKind{""sv, ".txt .yaml .yml .json .csv ", "a text",
+             "give the folder that holds depth.txt, camera_info.yaml and the images"},
 };
-
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension;
-}
-
-std::string first_bytes(const std::filesystem::path& file) {
-  std::string bytes(16, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
-  return bytes;
-}
-
-const Kind* kind_of(const std::string& bytes, const std::string& extension) {
-  for (const Kind& kind : kKinds) {
-    if (!kind.magic.empty() && bytes.compare(0, kind.magic.size(), kind.magic) == 0) {
-      return &kind;
-    }
-  }
-  for (const Kind& kind : kKinds) {
-    if (!extension.empty() && kind.extensions.find(extension + " ") != std::string_view::npos) {
-      return &kind;
-    }
-  }
-  return nullptr;
-}
 
 }  // namespace
 
@@ -107,9 +74,10 @@ std::optional<std::string> foreign_file(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
     return std::nullopt;
   }
-  const std::string bytes = first_bytes(file);
-  const Kind* const kind =
-      bytes.compare(0, 4, "NI10") == 0 ? nullptr : kind_of(bytes, lower_extension(file));
+  if (first_bytes(file).starts_with("NI10")) {
+    return std::nullopt;
+  }
+  const FileKind* const kind = find_kind(file, kKinds);
   if (kind == nullptr) {
     return std::nullopt;
   }

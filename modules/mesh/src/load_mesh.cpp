@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/mesh/load_mesh.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <string>
 #include <utility>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/file_kind.hpp"
 #include "lockbox/mesh/repair.hpp"
 #include "mesh_readers.hpp"
 
@@ -50,9 +49,7 @@ std::string read_content(const std::filesystem::path& file) {
 }
 
 PolygonSoup read_polygons(const std::filesystem::path& file) {
-  std::string format = file.extension().string();
-  std::transform(format.begin(), format.end(), format.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  const std::string format = lower_extension(file);
   if (format == ".obj") return read_obj(file, read_content(file));
   if (format == ".stl") return read_stl(file, read_content(file));
   if (format == ".ply") return read_ply(file, read_content(file));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -11,6 +10,7 @@
 #include "foreign_model.hpp"
 #include "joint_checks.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/file_kind.hpp"
 #include "lockbox/mesh/load_mesh.hpp"
 #include "lockbox/mesh/mesh_audit.hpp"
 #include "lockbox/model/articulated_model.hpp"
@@ -178,13 +178,6 @@ void require_sound(const LoadOptions& options) {
   throw InputError("mesh scale", "it must be a positive number: metres a unit of the mesh files");
 }
 
-std::string lower_case_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 }  // namespace
 
 KinematicTree load_kinematic_tree(const std::filesystem::path& file, const LoadOptions& options) {
@@ -193,7 +186,7 @@ KinematicTree load_kinematic_tree(const std::filesystem::path& file, const LoadO
   if (std::filesystem::is_directory(file, error)) {
     throw InputError(file.string(), "a folder is no model; " + models_in(file));
   }
-  const std::string extension = lower_case_extension(file);
+  const std::string extension = lower_extension(file);
   if (extension == ".xacro") {
     throw InputError(file.string(), "is not expanded; run: xacro " + file.filename().string() +
                                         " > " + file.stem().stem().string() + ".urdf");
