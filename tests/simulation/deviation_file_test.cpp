@@ -2,40 +2,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 
-#include "lockbox/core/error.hpp"
 #include "lockbox/simulation/deviation.hpp"
+#include "written_file.hpp"
 
 namespace lockbox {
 namespace {
 
 using ::testing::HasSubstr;
 
-class DeviationFile : public ::testing::Test {
+class DeviationFile : public WrittenFile {
  protected:
-  Deviation read(const std::string& text) const {
-    std::ofstream(file_) << text;
-    return read_deviation(file_);
-  }
-
-  /// What reading the text says; empty if it is accepted.
+  Deviation read(const std::string& text) const { return read_deviation(write(text)); }
   std::string complaint(const std::string& text) const {
-    try {
-      read(text);
-      return "";
-    } catch (const InputError& error) {
-      return error.what();
-    }
+    return complaint_of(read_deviation, text);
   }
-
-  void TearDown() override { std::filesystem::remove(file_); }
-
-  std::filesystem::path file_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".yaml");
 };
 
 TEST_F(DeviationFile, EverythingThatItSaysIsReadAndWrittenAgain) {

@@ -5,36 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
-#include "lockbox/core/error.hpp"
+#include "written_file.hpp"
 
 namespace lockbox {
 namespace {
 
-class SceneFile : public ::testing::Test {
+class SceneFile : public WrittenFile {
  protected:
-  std::filesystem::path write(const std::string& text) const {
-    std::ofstream(file_) << text;
-    return file_;
-  }
-
-  /// What reading the text says; empty if it is accepted.
-  std::string complaint(const std::string& text) const {
-    try {
-      read_scene(write(text));
-      return "";
-    } catch (const InputError& error) {
-      return error.what();
-    }
-  }
-
-  void TearDown() override { std::filesystem::remove(file_); }
-
-  std::filesystem::path file_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".yaml");
+  std::string complaint(const std::string& text) const { return complaint_of(read_scene, text); }
 };
 
 TEST_F(SceneFile, EverythingThatItSaysIsRead) {

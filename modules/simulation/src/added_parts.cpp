@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/units.hpp"
 #include "lockbox/mesh/primitives.hpp"
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/configuration.hpp"
@@ -127,7 +128,7 @@ TriangleMesh drawn_part(int kind, double largest, RandomDraws& random) {
 
 AddedPart placed_part(const KinematicTree& tree, const Place& place, int kind,
                       RandomDraws& random) {
-  constexpr double kQuarterTurn = 1.5707963267948966;
+  constexpr double kQuarterTurn = 90.0 * kRadians;
   const Eigen::Vector3d extent = bounds(tree.bodies[place.body].mesh).sizes();
   Eigen::Isometry3d T_body_part = Eigen::Isometry3d::Identity();
   T_body_part.translation() = place.position;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lockbox/core/units.hpp"
 #include "lockbox/model/kinematic_tree.hpp"
 #include "lockbox/simulation/deviation.hpp"
 
@@ -36,14 +37,12 @@ struct DeviationAmounts {
   double missing;        ///< share of frames
 };
 
-inline constexpr double kHalfDegree = 0.008726646;
-
 inline constexpr DeviationAmounts kModerateDeviation{
     .scale = 0.01,
     .sizes = 0.002,
     .bend = 0.005,
     .joint_origins = 0.003,
-    .joint_axes = kHalfDegree,
+    .joint_axes = 0.5 * kRadians,
     .added_parts = 3,
     .added_share = 0.0,
     .focal_length = 0.015,
@@ -63,7 +62,7 @@ inline constexpr DeviationAmounts kSevereDeviation{
     .sizes = 0.005,
     .bend = 0.012,
     .joint_origins = 0.008,
-    .joint_axes = 3.0 * kHalfDegree,
+    .joint_axes = 1.5 * kRadians,
     .added_parts = 3,
     .added_share = 0.15,
     .focal_length = 0.03,
