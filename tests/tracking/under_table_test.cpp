@@ -114,9 +114,8 @@ TEST_F(UnderTheTable, DISABLED_IsNotTrusted) {
   }
 }
 
-/// Its top fits the packet's, the table hides half of it, and what it explains says more than what
-/// the table does. What is missing: that another pose explains more of the same pixels, or that the
-/// bodies would stand in the table.
+/// Its top fits the packet's, and the table hides half of it. What is missing: that another pose
+/// explains more of the same pixels, or that the bodies would stand in the table.
 TEST_F(UnderTheTable, DISABLED_IsNotTrustedInThePlaceOfTheOther) {
   expect_untrusted({1.5, 0.05, 0.15, 0});
 }
