@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kCell = 8;  // pixels of the view along each side of what makes a stretch
 constexpr int kWays = 4;
+constexpr std::size_t kRowsTogether = 8;
 constexpr std::array<std::array<int, 2>, kWays> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 /// Metres beyond an edge that are looked at: as far as the widest gate of tracking reaches, four
 /// standard deviations of 5 mm. Twice as far, neighbours narrower than that are taken for none.
@@ -85,9 +86,17 @@ class Behind {
 
 }  // namespace
 
+ContinuedEdges::Stretch& ContinuedEdges::Stretch::operator+=(const Stretch& other) {
+  measured += other.measured;
+  measured_far += other.measured_far;
+  predicted += other.predicted;
+  walks += other.walks;
+  return *this;
+}
+
 void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& surface,
                           const ViewEdges& edges, const TiledCloud& cloud, double reach,
-                          const RegistrationOptions& options) {
+                          const RegistrationOptions& options, const Executor& executor) {
   const RenderedDepth& view = surface.view();
   options_ = options;
   reach_ = std::max(reach, kLeastReach);
@@ -97,26 +106,48 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
   }
   columns_ = view.width / kCell + 1;
   rows_ = view.height / kCell + 1;
-  stretches_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kWays,
-                    Stretch{});
-  walks_.clear();
-  seams_.clear();
+  view_rows_.resize(static_cast<std::size_t>(view.height));
+  executor.for_each_chunk(view_rows_.size(), kRowsTogether,
+                          [&](std::size_t begin, std::size_t end, auto) {
+                            for (std::size_t v = begin; v < end; ++v) {
+                              look_along(surface, edges, cloud, static_cast<int>(v));
+                            }
+                          });
+  add_up();
   is_any_ = false;
-  for (int v = 0; v < view.height; ++v) {
-    for (const int u : edges.row(v)) {
-      if (view.id[view.index(u, v)] == kNothing) continue;
-      for (int way = 0; way < kWays; ++way) look_across(surface, cloud, u, v, way);
-    }
-  }
   is_flush_.assign(model.fields.size(), false);
   find_flush_bodies(view);
-  for (const Walk& walk : walks_) {
-    if (walk.goes_on && is_of_flush_body(walk, view)) cover(walk, view);
+  for (const Row& row : view_rows_) {
+    for (const Walk& walk : row.walks) {
+      if (walk.goes_on && is_of_flush_body(walk, view)) cover(walk, view);
+    }
+    // What pulls at one body at a seam pulls at its neighbour the other way: it matters only where
+    // nothing else says where the two of them are.
+    for (const Walk& seam : row.seams) {
+      if (is_of_flush_body(seam, view)) cover(seam, view);
+    }
   }
-  // What pulls at one body at a seam pulls at its neighbour the other way: it matters only where
-  // nothing else says where the two of them are.
-  for (const Walk& seam : seams_) {
-    if (is_of_flush_body(seam, view)) cover(seam, view);
+}
+
+/// In the order of the rows, whichever thread looked along them.
+void ContinuedEdges::add_up() {
+  stretches_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kWays,
+                    Stretch{});
+  for (const Row& row : view_rows_) {
+    for (const Walk& walk : row.walks) stretches_[walk.stretch] += walk.found;
+  }
+}
+
+void ContinuedEdges::look_along(const VisibleSurface& surface, const ViewEdges& edges,
+                                const TiledCloud& cloud, int v) {
+  const RenderedDepth& view = surface.view();
+  Row& row = view_rows_[static_cast<std::size_t>(v)];
+  row.walks.clear();
+  row.seams.clear();
+  for (const int u : edges.row(v)) {
+    if (view.id[view.index(u, v)] == kNothing) continue;
+    const TangentPlane plane(view, u, v);
+    for (int way = 0; way < kWays; ++way) look_across(surface, cloud, plane, {u, v}, way);
   }
 }
 
@@ -125,12 +156,14 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
 void ContinuedEdges::find_flush_bodies(const RenderedDepth& view) {
   going_on_.assign(is_flush_.size(), 0);
   looked_at_.assign(is_flush_.size(), 0);
-  for (Walk& walk : walks_) {
-    const auto body = static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)]);
-    const Stretch stretch = around(walk.stretch);
-    ++looked_at_[body];
-    going_on_[body] += lies_within(stretch, kGoesOn * stretch.walks) ? 1 : 0;
-    walk.goes_on = lies_within(stretch, 0.5 * stretch.predicted);
+  for (Row& row : view_rows_) {
+    for (Walk& walk : row.walks) {
+      const auto body = static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)]);
+      const Stretch stretch = around(walk.stretch);
+      ++looked_at_[body];
+      going_on_[body] += lies_within(stretch, kGoesOn * stretch.walks) ? 1 : 0;
+      walk.goes_on = lies_within(stretch, 0.5 * stretch.predicted);
+    }
   }
   for (std::size_t body = 0; body < is_flush_.size(); ++body) {
     is_flush_[body] = going_on_[body] > 0 && going_on_[body] >= kLeastFlush * looked_at_[body];
@@ -143,46 +176,47 @@ bool ContinuedEdges::is_of_flush_body(const Walk& walk, const RenderedDepth& vie
 
 /// From a pixel to its neighbour, which may fall back behind its plane, or go on in it as another
 /// body.
-void ContinuedEdges::look_across(const VisibleSurface& surface, const TiledCloud& cloud, int u,
-                                 int v, int way) {
+void ContinuedEdges::look_across(const VisibleSurface& surface, const TiledCloud& cloud,
+                                 const TangentPlane& plane, const Pixel& pixel, int way) {
   const RenderedDepth& view = surface.view();
   const auto& [du, dv] = kSteps[static_cast<std::size_t>(way)];
+  const auto& [u, v] = pixel;
   if (!contains(view, u + du, v + dv)) return;
   const std::size_t here = view.index(u, v);
   const std::size_t next = view.index(u + du, v + dv);
   const auto depth = static_cast<double>(view.depth[here]);
-  const TangentPlane plane(view, u, v);
   const double least = kLevel * options_.noise.sigma_z(depth);
-  if (!comes_level(view, plane, {u, v}, way, least)) return;
   const double behind =
       static_cast<double>(view.depth[next]) - depth * plane.relative_depth(du, dv);
-  const double pixel = depth / surface.view_camera().fx;
-  const auto pixels = [pixel](double metres) {
-    return static_cast<int>(std::ceil(metres / pixel));
-  };
+  const bool falls_back = behind > least;
+  const bool is_seam = !falls_back && view.id[here] != view.id[next] && behind > -least;
+  if (!(falls_back || is_seam) || !comes_level(view, plane, pixel, way, least)) return;
+  const double size = depth / surface.view_camera().fx;
+  const auto pixels = [size](double metres) { return static_cast<int>(std::ceil(metres / size)); };
   const double rounded = rounded_[static_cast<std::size_t>(view.id[here])];
-  if (behind > least) {
-    const auto stretch = static_cast<std::size_t>(kWays * (v / kCell * columns_ + u / kCell) + way);
-    // Noise along the ray takes points of the face so far behind it that its side is nearer.
-    const double noisy = options_.cut * options_.noise.sigma_z(depth);
-    walk(surface, cloud,
-         {u, v, way, pixels(reach_) + 1, pixels(std::max(rounded, noisy)), stretch});
-  } else if (view.id[here] != view.id[next] && behind > -least) {
-    seams_.push_back({u, v, way, 0, pixels(rounded), 0});
+  Row& row = view_rows_[static_cast<std::size_t>(v)];
+  if (is_seam) {
+    row.seams.push_back({u, v, way, 0, pixels(rounded), 0});
+    return;
   }
+  const auto stretch = static_cast<std::size_t>(kWays * (v / kCell * columns_ + u / kCell) + way);
+  // Noise along the ray takes points of the face so far behind it that its side is nearer.
+  const double noisy = options_.cut * options_.noise.sigma_z(depth);
+  Walk beyond{u, v, way, pixels(reach_) + 1, pixels(std::max(rounded, noisy)), stretch};
+  if (walk(surface, cloud, plane, beyond)) row.walks.push_back(beyond);
 }
 
 /// What lies before another body of the model is known to end there: a slider that has moved on
-/// from where it was predicted goes on beyond its edge, and must be followed.
-void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud,
-                          const Walk& walk) {
+/// from where it was predicted goes on beyond its edge, and must be followed. Returns whether the
+/// walk tells anything.
+bool ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud,
+                          const TangentPlane& plane, Walk& walk) const {
   const RenderedDepth& view = surface.view();
   const auto& [du, dv] = kSteps[static_cast<std::size_t>(walk.way)];
   if (walk.length < kLeastLength ||
       !contains(view, walk.u + walk.length * du, walk.v + walk.length * dv)) {
-    return;
+    return false;
   }
-  const TangentPlane plane(view, walk.u, walk.v);
   const auto depth = static_cast<double>(view.depth[view.index(walk.u, walk.v)]);
   const std::int16_t body = view.id[view.index(walk.u, walk.v)];
   const double noise = options_.noise.sigma_z(depth);
@@ -197,26 +231,22 @@ void ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
   };
   // An edge that something else hides tells nothing.
   const double here = measured_at(walk.u, walk.v);
-  if (here > 0.0 && !(std::abs(behind(here, depth)) < options_.cut)) return;
+  if (here > 0.0 && !(std::abs(behind(here, depth)) < options_.cut)) return false;
   Behind measured(options_.cut);
   double predicted = 0.0;
   for (int k = 1; k <= walk.length; ++k) {
     const int u = walk.u + k * du;
     const int v = walk.v + k * dv;
     const std::int16_t shown = view.id[view.index(u, v)];
-    if (shown != body && shown != kNothing) return;
+    if (shown != body && shown != kNothing) return false;
     const double goes_on = depth * plane.relative_depth(k * du, k * dv);
     predicted += behind(static_cast<double>(view.depth[view.index(u, v)]), goes_on);
     const double z = measured_at(u, v);
     if (z > 0.0) measured.add(behind(z, goes_on), 2 * k > walk.length);
   }
-  if (!measured.knows(walk.length)) return;
-  Stretch& sums = stretches_[walk.stretch];
-  sums.measured += measured.mean();
-  sums.measured_far += measured.far_mean();
-  sums.predicted += predicted / walk.length;
-  ++sums.walks;
-  walks_.push_back(walk);
+  if (!measured.knows(walk.length)) return false;
+  walk.found = {measured.mean(), measured.far_mean(), predicted / walk.length, 1};
+  return true;
 }
 
 /// Whether the scene lies so near to the plane, while the model is clearly behind it.
@@ -233,12 +263,7 @@ ContinuedEdges::Stretch ContinuedEdges::around(std::size_t stretch) const {
   for (int row = cell / columns_ - 1; row <= cell / columns_ + 1; ++row) {
     for (int column = cell % columns_ - 1; column <= cell % columns_ + 1; ++column) {
       if (row < 0 || column < 0 || row >= rows_ || column >= columns_) continue;
-      const Stretch& part =
-          stretches_[static_cast<std::size_t>(kWays * (row * columns_ + column) + way)];
-      sum.measured += part.measured;
-      sum.measured_far += part.measured_far;
-      sum.predicted += part.predicted;
-      sum.walks += part.walks;
+      sum += stretches_[static_cast<std::size_t>(kWays * (row * columns_ + column) + way)];
     }
   }
   return sum;

@@ -37,7 +37,7 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   const int columns = view_columns(detail_.rays, model, poses_, cloud.camera());
   surface_.render(model, poses_, cloud.camera(), columns, executor);
   view_edges_.find(surface_.view(), executor);
-  continued_.find(model, surface_, view_edges_, cloud, reach, options);
+  continued_.find(model, surface_, view_edges_, cloud, reach, options, executor);
   plan_.plan(surface_.view(), view_edges_, surface_.reduction(), surface_.view_camera().fx, reach,
              is_thinned ? point_budget_ : kViewSamples, executor);
   const bool is_pooled = is_predicted && !cloud.is_masked();

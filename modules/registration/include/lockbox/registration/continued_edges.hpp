@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/registration/view_edges.hpp"
@@ -25,13 +26,16 @@
 
 namespace lockbox {
 
+class TangentPlane;
+
 /// Reuses its buffers.
 class ContinuedEdges {
  public:
   /// Looks at the image, which the cloud must have, beyond the edges of a view of the model.
   /// reach: how far beyond (metres) points may pull, at least as far as it looks.
   void find(const ArticulatedModel& model, const VisibleSurface& surface, const ViewEdges& edges,
-            const TiledCloud& cloud, double reach, const RegistrationOptions& options);
+            const TiledCloud& cloud, double reach, const RegistrationOptions& options,
+            const Executor& executor);
 
   /// Forgets them all: for clouds without an image.
   void clear() {
@@ -59,6 +63,8 @@ class ContinuedEdges {
     double measured_far = 0.0;  ///< the same over its farther half
     double predicted = 0.0;     ///< what the model shows instead
     int walks = 0;
+
+    Stretch& operator+=(const Stretch& other);
   };
   /// From a pixel at an edge, along one of the four ways.
   struct Walk {
@@ -68,12 +74,23 @@ class ContinuedEdges {
     int length;  ///< pixels of the view, beyond
     int within;  ///< the same, before
     std::size_t stretch;
+    Stretch found{};  ///< what lies beyond: of this walk alone
     /// If the body is flush: whether the scene beyond is nearer to the plane than to the model.
     bool goes_on = false;
   };
+  /// Of one row of the view.
+  struct Row {
+    std::vector<Walk> walks;
+    std::vector<Walk> seams;
+  };
 
-  void look_across(const VisibleSurface& surface, const TiledCloud& cloud, int u, int v, int way);
-  void walk(const VisibleSurface& surface, const TiledCloud& cloud, const Walk& walk);
+  void look_along(const VisibleSurface& surface, const ViewEdges& edges, const TiledCloud& cloud,
+                  int v);
+  void look_across(const VisibleSurface& surface, const TiledCloud& cloud,
+                   const TangentPlane& plane, const Pixel& pixel, int way);
+  bool walk(const VisibleSurface& surface, const TiledCloud& cloud, const TangentPlane& plane,
+            Walk& walk) const;
+  void add_up();
   Stretch around(std::size_t stretch) const;
   static bool lies_within(const Stretch& stretch, double limit);
   void find_flush_bodies(const RenderedDepth& view);
@@ -87,8 +104,7 @@ class ContinuedEdges {
   int rows_ = 0;
   std::vector<Stretch> stretches_;
   std::vector<double> rounded_;  ///< by body: metres from its edges where its field is round
-  std::vector<Walk> walks_;
-  std::vector<Walk> seams_;
+  std::vector<Row> view_rows_;
   std::vector<bool> is_flush_;         ///< by body
   std::vector<int> going_on_;          ///< walks, by body
   std::vector<int> looked_at_;         ///< the same
