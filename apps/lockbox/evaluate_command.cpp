@@ -17,6 +17,8 @@
 #include "model_options.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
+#include "progress.hpp"
+#include "symmetry_note.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -137,7 +139,8 @@ class EvaluateCommand : public Command {
       throw InputError(estimate_, "is a TUM trajectory; give the states.csv that stands beside it");
     }
     const bool base_only = is_tum_trajectory(reference_);
-    const KinematicTree tree = base_only ? tree_without_joints() : load_tree();
+    const std::optional<ArticulatedModel> model = known_model();
+    const KinematicTree tree = base_only ? tree_without_joints() : tree_of(model);
     std::optional<std::vector<FrameBound>> bounds;
     if (!bounds_.empty()) bounds = read_bounds(bounds_, tree);
     StatesFile estimate = read_states(estimate_, tree);
@@ -148,7 +151,8 @@ class EvaluateCommand : public Command {
       std::cerr << "lockbox: " << reference_ << " is a TUM trajectory: joints are not compared\n";
       reference = at_times_of(estimate, reference);
     }
-    const Evaluation evaluation = evaluate(tree, estimate, reference, bounds);
+    const Evaluation evaluation =
+        evaluate(tree, estimate, reference, bounds, {}, model ? equal_poses(*model) : EqualPoses());
     print_evaluation(tree, evaluation);
     warn_if_all_is_wrong(evaluation.judgement, estimate, reference);
     if (!output_.empty()) write_files(tree, evaluation);
@@ -156,15 +160,32 @@ class EvaluateCommand : public Command {
   }
 
  private:
-  KinematicTree load_tree() const {
-    if (model_.is_given()) return model_.load_tree();
-    if (auto tree = tree_of_run(estimate_, model_.load_options())) return *tree;
+  std::optional<ArticulatedModel> known_model() const {
+    const Activity activity("loading the model");
+    if (model_.is_given()) return model_.load();
+    return model_of_run(estimate_, model_.load_options());
+  }
+
+  KinematicTree tree_of(const std::optional<ArticulatedModel>& model) const {
+    if (model) return model->tree;
     KinematicTree tree = tree_of_columns(estimate_);
     if (!tree.joints.empty()) {
       std::cerr << "lockbox: warning: the model is not known (--model): all joints are taken for "
                    "angles, the distances of sliding ones, too\n";
     }
     return tree;
+  }
+
+  /// Those that count as the true one. Where joints move, turning the whole does not leave it as
+  /// it looks.
+  static EqualPoses equal_poses(const ArticulatedModel& model) {
+    EqualPoses equal(model);
+    if (!equal.any()) return equal;
+    const bool is_rigid = model.tree.variables() == 0;
+    std::cerr << "lockbox: " << symmetry_text(model.tree, equal)
+              << (is_rigid ? ": errors are those from the nearest of these poses\n"
+                           : ": an estimate that is turned so counts as wrong\n");
+    return is_rigid ? equal : EqualPoses();
   }
 
   static KinematicTree tree_without_joints() {

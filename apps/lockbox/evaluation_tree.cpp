@@ -9,14 +9,13 @@
 #include <utility>
 
 #include "lockbox/core/error.hpp"
-#include "lockbox/model/articulated_model.hpp"
 
 namespace lockbox::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<fs::path> model_of_run(const fs::path& run) {
+std::optional<fs::path> model_file_of_run(const fs::path& run) {
   if (!fs::exists(run)) return std::nullopt;
   try {
     const fs::path model = YAML::LoadFile(run.string())["model"].as<std::string>();
@@ -58,13 +57,14 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
 
 }  // namespace
 
-std::optional<KinematicTree> tree_of_run(const fs::path& states_file, const LoadOptions& options) {
+std::optional<ArticulatedModel> model_of_run(const fs::path& states_file,
+                                             const LoadOptions& options) {
   const fs::path run = states_file.parent_path() / "run.yaml";
-  const auto model = model_of_run(run);
+  const auto model = model_file_of_run(run);
   if (!model) return std::nullopt;
   LoadOptions as_then = options;
   if (options.mesh_scale == 1.0) as_then.mesh_scale = mesh_scale_of_run(run);
-  return load_kinematic_tree(*model, as_then);
+  return load_model(*model, as_then);
 }
 
 KinematicTree tree_of_columns(const fs::path& states_file) {

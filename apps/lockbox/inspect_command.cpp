@@ -7,7 +7,7 @@
 #include "contacts.hpp"
 #include "counted.hpp"
 #include "lockbox/core/units.hpp"
-#include "lockbox/evaluation/symmetry.hpp"
+#include "lockbox/evaluation/equal_poses.hpp"
 #include "lockbox/visualization/model_painter.hpp"
 #include "lockbox/visualization/viewpoint.hpp"
 #include "model_options.hpp"
@@ -96,15 +96,10 @@ void print_contacts(const ArticulatedModel& model) {
   }
 }
 
-/// The motions after which nobody can tell that the model has moved.
 void print_symmetries(const ArticulatedModel& model) {
-  const auto symmetries = find_symmetries(model);
-  if (symmetries.size() == 1) std::cout << "none\n";
-  for (std::size_t i = 1; i < symmetries.size(); ++i) {
-    const Eigen::AngleAxisd rotation(symmetries[i].linear());
-    std::cout << kDegrees * rotation.angle() << " degrees about (" << rotation.axis().transpose()
-              << ")\n";
-  }
+  const EqualPoses equal(model);
+  if (!equal.any()) std::cout << "none\n";
+  for (const auto& turn : equal.turns()) std::cout << turn << '\n';
 }
 
 class InspectCommand : public Command {
@@ -129,7 +124,9 @@ class InspectCommand : public Command {
     print_fields(model);
     std::cout << "\nContacts at rest\n";
     print_contacts(model);
-    std::cout << "\nMotions that map the model onto itself\n";
+    std::cout << "\nTurns after which the model looks the same (joints at rest; axes of the base, "
+                 "through "
+                 "the model's middle)\n";
     print_symmetries(model);
     if (!picture_.empty()) draw(model.tree);
     return ExitStatus::done;

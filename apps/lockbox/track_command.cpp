@@ -16,6 +16,7 @@
 #include "progress.hpp"
 #include "snapshots.hpp"
 #include "source_options.hpp"
+#include "symmetry_note.hpp"
 #include "tracking_run.hpp"
 
 namespace lockbox::app {
@@ -62,6 +63,7 @@ class TrackCommand : public Command {
     if (!settings_.quiet) {
       std::cerr << "source: " << source->description() << '\n';
       if (settings_.output.empty()) std::cerr << "no --output: results are not written\n";
+      print_symmetries(model);
     }
     RunDescription description;
     description.origin = run_origin();
@@ -87,6 +89,13 @@ class TrackCommand : public Command {
       const LockedFolder folder(settings_.output);
       require_new(settings_.output / "states.csv", settings_.overwrite);
     }
+  }
+
+  static void print_symmetries(const ArticulatedModel& model) {
+    const EqualPoses equal(model);
+    if (!equal.any()) return;
+    std::cerr << "lockbox: " << symmetry_text(model.tree, equal)
+              << ": these poses cannot be told apart, any of them may be found\n";
   }
 
   ArticulatedModel load() const {

@@ -104,5 +104,22 @@ TEST_F(EvaluateTool, AReferenceInMillimetresIsSaidToBe) {
   }
 }
 
+TEST_F(EvaluateTool, PosesThatLookTheSameCountAsEqualWhereNoJointMoves) {
+  const std::string pose = std::string(kPose) + ",slide,status\n0,0,0,1,";
+  write_text(folder_ / "states.csv", pose + "1,0,0,0,0,tracking\n");
+  write_text(folder_ / "truth.csv", pose + "0,0,0,1,0,tracking\n");
+  const auto compare = [&](const std::string& model) {
+    return run_tool(
+        {"evaluate", "-e", folder_ / "states.csv", "-r", folder_ / "truth.csv", "--model", model});
+  };
+  const auto rigid = compare("carton");
+  EXPECT_THAT(rigid.output, HasSubstr("of these wrong: 0"));
+  EXPECT_THAT(rigid.errors, AllOf(HasSubstr("180 degrees about x"), HasSubstr("nearest of these")));
+  const auto jointed = compare("carton_pair");
+  EXPECT_THAT(jointed.output, HasSubstr("of these wrong: 1"));
+  EXPECT_THAT(jointed.errors, AllOf(HasSubstr("with its joints at rest"), HasSubstr("as wrong")));
+  EXPECT_THAT(compare("rigid_block").errors, Not(HasSubstr("looks the same")));
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -9,27 +9,12 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/symmetry.hpp"
 #include "lockbox/mesh/primitives.hpp"
-#include "lockbox/sdf/build_field.hpp"
+#include "rigid_model.hpp"
 
 namespace lockbox {
 namespace {
 
 const PinholeCamera kCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
-
-/// A body without joints.
-ArticulatedModel rigid(const TriangleMesh& mesh) {
-  ArticulatedModel model;
-  model.tree.name = "rigid";
-  Body body;
-  body.name = "body";
-  body.mesh = mesh;
-  body.visuals.push_back({mesh, Eigen::Vector4f::Ones()});
-  model.tree.bodies.push_back(body);
-  FieldOptions options;
-  options.voxel = 0.002;
-  model.fields.emplace_back(build_field(mesh, options, Executor(1)));
-  return model;
-}
 
 TEST(RandomScene, KeepsToItsRanges) {
   const ArticulatedModel model = rigid(make_box({0.4, 0.3, 0.1}));

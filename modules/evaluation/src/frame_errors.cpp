@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/lie.hpp"
@@ -37,8 +38,8 @@ double sigma_of(const State& estimate, int column, const std::string& joint) {
 }  // namespace
 
 FrameComparison::FrameComparison(const KinematicTree& tree,
-                                 const std::vector<std::string>& extra_columns)
-    : tree_(tree) {
+                                 const std::vector<std::string>& extra_columns, EqualPoses equal)
+    : tree_(tree), equal_(std::move(equal)) {
   for (const Joint& joint : tree.joints) {
     const auto found = std::find(extra_columns.begin(), extra_columns.end(), joint.name + ".sigma");
     sigma_columns_.push_back(
@@ -62,7 +63,8 @@ FrameErrors FrameComparison::compare(const State& estimate, const State& referen
   frame.status = estimate.status;
   if (!estimate.known || !reference.known) return frame;
   const Eigen::Isometry3d& T_estimate = estimate.configuration.T_camera_base;
-  const Eigen::Isometry3d& T_reference = reference.configuration.T_camera_base;
+  const Eigen::Isometry3d T_reference =
+      equal_.nearest(reference.configuration.T_camera_base, T_estimate);
   frame.translation = (T_estimate.translation() - T_reference.translation()).norm();
   frame.rotation = log_so3(T_reference.linear().transpose() * T_estimate.linear()).norm();
   for (std::size_t j = 0; j < tree_.joints.size(); ++j) {

@@ -102,14 +102,14 @@ void summarize_base(Evaluation& evaluation) {
 Evaluation evaluate(const KinematicTree& tree, const StatesFile& estimate,
                     const StatesFile& reference,
                     const std::optional<std::vector<FrameBound>>& bounds,
-                    const Tolerances& tolerances) {
+                    const Tolerances& tolerances, const EqualPoses& equal) {
   const std::vector<double> estimate_stamps = stamps_of(estimate, "estimate");
   const double tolerance = half_frame(stamps_of(reference, "reference"));
   std::vector<double> bound_stamps;
   if (bounds) {
     for (const FrameBound& bound : *bounds) bound_stamps.push_back(bound.stamp);
   }
-  const FrameComparison comparison(tree, estimate.extra_columns);
+  const FrameComparison comparison(tree, estimate.extra_columns, equal);
   Evaluation evaluation;
   for (const State& truth : reference.states) {
     const auto nearest = nearest_stamp(estimate_stamps, truth.stamp, tolerance);

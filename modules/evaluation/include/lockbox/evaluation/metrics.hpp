@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lockbox/evaluation/bounds_file.hpp"
+#include "lockbox/evaluation/equal_poses.hpp"
 #include "lockbox/evaluation/judgement_count.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "lockbox/evaluation/tolerances.hpp"
@@ -54,11 +55,11 @@ struct Evaluation {
 /// Joint sigmas come from the estimate's columns `<joint>.sigma`; a joint counts as flagged
 /// unobservable if its sigma is infinite or at least a quarter of the joint's range (of pi for
 /// continuous joints). bounds: for the reference's stamps; frames without a bound count as
-/// determining nothing. Throws InputError if either file has no states, or stamps that do not
-/// increase.
+/// determining nothing. equal: of the true pose, that which is nearest to the estimate counts.
+/// Throws InputError if either file has no states, or stamps that do not increase.
 Evaluation evaluate(const KinematicTree& tree, const StatesFile& estimate,
                     const StatesFile& reference,
                     const std::optional<std::vector<FrameBound>>& bounds = std::nullopt,
-                    const Tolerances& tolerances = {});
+                    const Tolerances& tolerances = {}, const EqualPoses& equal = {});
 
 }  // namespace lockbox

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/sdf/build_field.hpp"
+
+namespace lockbox {
+
+/// A body without joints.
+inline ArticulatedModel rigid(const TriangleMesh& mesh) {
+  ArticulatedModel model;
+  model.tree.name = "rigid";
+  Body body;
+  body.name = "body";
+  body.mesh = mesh;
+  body.visuals.push_back({mesh, Eigen::Vector4f::Ones()});
+  model.tree.bodies.push_back(body);
+  FieldOptions options;
+  options.voxel = 0.002;
+  model.fields.emplace_back(build_field(mesh, options, Executor(1)));
+  return model;
+}
+
+}  // namespace lockbox
