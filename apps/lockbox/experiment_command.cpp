@@ -6,6 +6,7 @@
 #include "lockbox/simulation/sensor_model.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
+#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -26,6 +27,7 @@ class ExperimentCommand : public Command {
   }
 
   ExitStatus run() override {
+    for (const auto& model : settings_.models) find_model(model);
     make_folder(settings_.output);
     for (const Choice& choice : choices_) {
       if (!choice.options->parsed()) continue;

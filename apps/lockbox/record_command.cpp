@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "counted.hpp"
 #include "interruption.hpp"
+#include "lockbox/capture/frame_source.hpp"
 #include "lockbox/capture/oni_writer.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
@@ -30,6 +31,7 @@ class RecordCommand : public Command {
   }
 
   ExitStatus run() override {
+    require_source(source_);
     require_different(output_, source_);
     require_new(output_, overwrite_);
     make_folder_of(output_);

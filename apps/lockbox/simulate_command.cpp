@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iostream>
 
@@ -8,7 +6,6 @@
 #include "interruption.hpp"
 #include "lockbox/capture/camera_info.hpp"
 #include "lockbox/capture/depth_folder.hpp"
-#include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/run_bounds.hpp"
@@ -26,42 +23,13 @@
 #include "run_origin.hpp"
 #include "shipped_files.hpp"
 #include "simulation_record.hpp"
+#include "simulation_states.hpp"
 #include "visibility_report.hpp"
 
 namespace lockbox::app {
 namespace {
 
-constexpr int kUsualRate = 30;  // frames a second
-
 using FrameSink = std::function<void(const DepthFrame&)>;
-
-void require_increasing_stamps(const std::string& file, const std::vector<State>& states) {
-  if (states.empty()) throw InputError(file, "holds no states");
-  for (std::size_t i = 1; i < states.size(); ++i) {
-    if (states[i].stamp <= states[i - 1].stamp) {
-      throw InputError(file, "timestamps must increase, that of state " + std::to_string(i + 1) +
-                                 " (" + std::to_string(states[i].stamp) + ") does not");
-    }
-  }
-}
-
-/// The nominal rate of a recording of these states.
-int frames_per_second(const std::vector<State>& states) {
-  if (states.size() < 2) return kUsualRate;
-  const double duration = states.back().stamp - states.front().stamp;
-  const double rate = static_cast<double>(states.size() - 1) / duration;
-  return static_cast<int>(std::lround(std::clamp(rate, 1.0, 120.0)));
-}
-
-/// Stamps of the frames as a player of the recording sees them.
-void take_recorded_stamps(const std::filesystem::path& recording, std::vector<State>& states) {
-  OniPlayer player(recording);
-  DepthFrame frame;
-  for (State& state : states) {
-    if (!player.next(frame)) throw DeviceError(recording.string() + ": frames are missing");
-    state.stamp = frame.stamp;
-  }
-}
 
 class SimulateCommand : public Command {
  public:
@@ -112,17 +80,13 @@ class SimulateCommand : public Command {
   }
 
   ExitStatus run() override {
+    require_known_inputs();
     const bool is_recording = output_.extension() == ".oni";
     const auto folder = is_recording ? output_.parent_path() : output_;
     const auto truth = folder / "groundtruth.csv";
     const auto apparent = folder / "groundtruth_apparent.csv";
     const auto record = deviation_file_.empty() ? std::filesystem::path() : folder / "run.yaml";
-    require_different(truth, trajectory_);
-    for (const auto& file :
-         {is_recording ? output_ : output_ / "depth.txt", truth, record, bounds_}) {
-      require_new(file, overwrite_);
-    }
-    if (!deviation_file_.empty()) deviation_ = read_deviation(deviation_file_);
+    require_free(is_recording ? output_ : output_ / "depth.txt", {truth, record});
     const KinematicTree tree = model_.load_tree();
     const KinematicTree built =
         deviating_model(tree, deviation_.object, deviation_.seed, Executor(threads_));
@@ -155,6 +119,39 @@ class SimulateCommand : public Command {
   }
 
  private:
+  /// Whether what the command line names is there, before anything is said of the output.
+  void require_known_inputs() {
+    model_.file();
+    sensor_model(sensor_);
+    camera();
+    if (!scene_.empty()) read_scene(find_scene(scene_));
+    if (!deviation_file_.empty()) deviation_ = read_deviation(deviation_file_);
+    if (trajectory_ != "auto" && !std::filesystem::exists(trajectory_)) {
+      throw InputError(trajectory_, "there is no such file; give a states file, or auto");
+    }
+  }
+
+  /// beside: files of fixed names; empty: none.
+  void require_free(const std::filesystem::path& frames,
+                    const std::vector<std::filesystem::path>& beside) const {
+    for (const auto& file : beside) require_different(file, trajectory_);
+    require_new(frames, overwrite_);
+    require_new(bounds_, overwrite_);
+    for (const auto& file : beside) {
+      if (!overwrite_ && std::filesystem::exists(file)) {
+        throw InputError(file.string(),
+                         "belongs to another recording; give this one a folder of its own, such as "
+                         "--output " +
+                             own_folder().string() + " (--overwrite would replace it)");
+      }
+    }
+  }
+
+  /// Of the same recording, but with nothing else beside it.
+  std::filesystem::path own_folder() const {
+    return output_.parent_path() / (output_.stem().string() + "_recording") / output_.filename();
+  }
+
   void write_record(const std::filesystem::path& file) const {
     write_simulation_record(file, run_origin(), model_.file(),
                             {{"trajectory", trajectory_},

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "interruption.hpp"
+#include "lockbox/capture/camera_info.hpp"
 #include "option_checks.hpp"
 
 namespace lockbox::app {
@@ -36,6 +37,11 @@ CLI::Option* SourceArguments::add_source(CLI::App& options) {
           "of clouds (else 1)")
       ->check(positive());
   return source;
+}
+
+void SourceArguments::require_existing() const {
+  require_source(source_);
+  if (!camera_info_.empty()) read_camera_info(camera_info_);
 }
 
 std::unique_ptr<FrameSource> SourceArguments::open() const {

@@ -21,6 +21,9 @@ class SourceArguments {
   bool is_given() const { return !source_.empty(); }
   const std::string& name() const { return source_; }
 
+  /// Throws InputError if it is a file or folder that is missing, or if the calibration is.
+  void require_existing() const;
+
   /// Warnings go to standard error.
   std::unique_ptr<FrameSource> open() const;
 

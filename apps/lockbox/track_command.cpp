@@ -50,6 +50,7 @@ class TrackCommand : public Command {
   }
 
   ExitStatus run() override {
+    require_known_inputs();
     require_free_output();
     const ArticulatedModel model = load();
     const auto source = open();
@@ -75,6 +76,15 @@ class TrackCommand : public Command {
   }
 
  private:
+  /// Whether what the command line names is there, before anything is said of the output.
+  void require_known_inputs() const {
+    model_.file();
+    source_.require_existing();
+    if (initial_state_ != "auto" && !std::filesystem::exists(initial_state_)) {
+      throw InputError(initial_state_, "there is no such file; give a states file, or auto");
+    }
+  }
+
   /// Before the user waits for anything.
   void require_free_output() const {
     if (!settings_.recording.empty()) {

@@ -195,6 +195,44 @@ TEST(Trajectory, IsNotOverwrittenByItsTruth) {
   EXPECT_EQ(read_text(folder / "groundtruth.csv"), states);
 }
 
+/// Whoever mends the output first would hear of the typo only then.
+TEST(CommandLine, IsJudgedBeforeTheFilesOfEarlierRuns) {
+  const TemporaryFolder folder;
+  simulate_block(folder);
+  std::filesystem::create_directory(folder / "run");
+  write_text(folder / "run/states.csv", "");
+  const auto errors_of = [](std::vector<std::string> arguments) {
+    const auto result = run_tool(arguments);
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(result.errors, testing::Not(HasSubstr("--overwrite")));
+    return result.errors;
+  };
+  const auto simulated = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"simulate", "--output", folder / "new/block.oni"});
+    return errors_of(more);
+  };
+  const std::string state = folder / "state.csv";
+  EXPECT_THAT(simulated({"-m", "rigid_blok", "-t", state}), HasSubstr("rigid_blok"));
+  EXPECT_THAT(simulated({"-m", "rigid_block", "-t", "stat.csv"}), HasSubstr("stat.csv"));
+  EXPECT_THAT(simulated({"-m", "rigid_block", "-t", state, "--scene", "rom"}), HasSubstr("rom"));
+  EXPECT_THAT(simulated({"-m", "rigid_block", "-t", state, "--sensor", "idel"}), HasSubstr("idel"));
+  const auto tracked = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"track", "--output", folder / "run"});
+    return errors_of(more);
+  };
+  const std::string recording = folder / "new/block.oni";
+  EXPECT_THAT(tracked({"-m", "rigid_blok", "-s", recording}), HasSubstr("rigid_blok"));
+  EXPECT_THAT(tracked({"-m", "rigid_block", "-s", "blok.oni"}), HasSubstr("blok.oni"));
+  EXPECT_THAT(tracked({"-m", "rigid_block", "-s", recording, "--initial-state", "stat.csv"}),
+              HasSubstr("stat.csv"));
+  EXPECT_THAT(tracked({"-m", "rigid_block", "-s", recording, "--camera-info", "camra.yaml"}),
+              HasSubstr("camra.yaml"));
+  EXPECT_THAT(errors_of({"record", "-s", "blok.oni", "-o", recording}), HasSubstr("blok.oni"));
+  EXPECT_THAT(errors_of({"experiment", "order", "-m", "lokbox", "-o", folder / "order"}),
+              HasSubstr("lokbox"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "order"));
+}
+
 TEST(OutputFolder, ThatCannotBeIsNamed) {
   const TemporaryFolder folder;
   simulate_block(folder);

@@ -258,6 +258,7 @@ TEST_F(RunEnds, BeforeItBeginsWhereARecordingWouldBeOverwrittenUnasked) {
   const auto other = simulate(start_, "new/other.oni");
   EXPECT_EQ(other.status, 3);
   EXPECT_THAT(other.errors, HasSubstr("groundtruth.csv")) << "it is that of the other recording";
+  EXPECT_THAT(other.errors, HasSubstr("--output " + path("new/other_recording/other.oni")));
   EXPECT_EQ(run_tool(following("recorded", {"--record", path("new/block.oni")})).status, 3);
   EXPECT_EQ(run_tool({"record", "--source", "openni2:", "--output", path("new/block.oni")}).status,
             3);

@@ -15,6 +15,8 @@
 namespace lockbox {
 namespace {
 
+constexpr std::string_view kLive = "openni2:";
+
 void warn_of_unused_scale(const SourceOptions& options) {
   if (options.depth_scale && options.warn) {
     options.warn(
@@ -37,11 +39,6 @@ std::unique_ptr<FrameSource> open_folder(const std::filesystem::path& folder,
 std::unique_ptr<FrameSource> open_recording(const std::string& source,
                                             const SourceOptions& options) {
   const std::filesystem::path path(source);
-  if (!std::filesystem::exists(path)) {
-    throw InputError(source,
-                     "no such file or folder; a source is openni2:, openni2:<uri>, an .oni file, a "
-                     "folder with depth.txt, or a folder of .pcd files");
-  }
   if (std::filesystem::is_directory(path)) {
     return open_folder(path, options);
   }
@@ -54,9 +51,16 @@ std::unique_ptr<FrameSource> open_recording(const std::string& source,
 
 }  // namespace
 
+void require_source(const std::string& source) {
+  if (source.starts_with(kLive) || std::filesystem::exists(source)) return;
+  throw InputError(source,
+                   "no such file or folder; a source is openni2:, openni2:<uri>, an .oni file, a "
+                   "folder with depth.txt, or a folder of .pcd files");
+}
+
 std::unique_ptr<FrameSource> open_source(const std::string& source, const SourceOptions& options) {
-  constexpr std::string_view kLive = "openni2:";
-  if (source.compare(0, kLive.size(), kLive) == 0) {
+  require_source(source);
+  if (source.starts_with(kLive)) {
     warn_of_unused_scale(options);
     return std::make_unique<SteadyStamps>(
         std::make_unique<LiveDevice>(source.substr(kLive.size()), options), options.warn);

@@ -55,6 +55,9 @@ struct SourceOptions {
   std::function<bool()> stop;
 };
 
+/// Throws InputError if the source is a file or a folder that is not there.
+void require_source(const std::string& source);
+
 /// Opens `openni2:`, `openni2:<uri>`, a .oni file, a folder with depth.txt, or a folder of .pcd.
 /// The stamps of frames increase: one that is not later than the last, or is no number, is advanced
 /// to the last plus the frame period (at least 1 us), told once to options.warn, and counted.

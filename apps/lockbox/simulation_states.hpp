@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The states that a simulation renders, and the stamps that they get.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lockbox/model/states_file.hpp"
+
+namespace lockbox::app {
+
+/// Throws InputError, naming the file, if there are none, or if one does not come after the one
+/// before it.
+void require_increasing_stamps(const std::string& file, const std::vector<State>& states);
+
+/// The nominal rate of a recording of these states.
+int frames_per_second(const std::vector<State>& states);
+
+/// Gives the states the stamps of the frames as a player of the recording sees them. Throws
+/// DeviceError if frames are missing.
+void take_recorded_stamps(const std::filesystem::path& recording, std::vector<State>& states);
+
+}  // namespace lockbox::app
