@@ -53,6 +53,7 @@ void emit_totals(YAML::Emitter& out, const RunTotals& totals, const std::string&
   out << YAML::Key << "unreadable" << YAML::Value << totals.faults().unreadable;
   out << YAML::Key << "restamped" << YAML::Value << totals.faults().restamped;
   out << YAML::EndMap;
+  if (totals.frames() == 0) return;  // nothing was measured
   out << YAML::Key << "latency_ms" << YAML::Value << YAML::Flow << YAML::BeginMap;
   for (const int percent : {50, 95, 99, 100}) {
     out << YAML::Key << std::string("p").append(std::to_string(percent)) << YAML::Value
@@ -74,7 +75,6 @@ std::size_t RunTotals::frames_with(TrackingStatus status) const {
 }
 
 double RunTotals::latency_percentile(double share) const {
-  if (latencies_.empty()) return 0.0;
   auto sorted = latencies_;
   std::sort(sorted.begin(), sorted.end());
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));

@@ -34,7 +34,7 @@ class RunTotals {
   const SourceFaults& faults() const { return faults_; }
   bool ended_lost() const { return !statuses_.empty() && statuses_.back() == TrackingStatus::lost; }
 
-  /// Milliseconds that this share of the frames does not exceed; 0 without frames.
+  /// Milliseconds that this share of the frames does not exceed. There must be frames.
   double latency_percentile(double share) const;
 
  private:

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "lockbox/visualization/scene_composer.hpp"
-#include "output_paths.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -19,7 +18,7 @@ RunOutputs::RunOutputs(const ArticulatedModel& model, RunDescription description
   if (settings.view) view_.emplace(model);
   if (!settings.output.empty()) {
     folder_.emplace(settings.output);
-    require_new(settings.output / "states.csv", settings.overwrite);
+    require_no_rows(settings.output, settings.overwrite);
     states_.emplace(settings.output, model.tree, settings.covariance);
   }
   if (!settings.snapshots.empty()) {

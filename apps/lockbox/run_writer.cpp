@@ -61,7 +61,23 @@ void write_covariance_header(std::ofstream& stream, const KinematicTree& tree) {
   stream << '\n' << std::flush;
 }
 
+/// Whether it holds nothing but the header of a states file.
+bool is_without_rows(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string header;
+  std::getline(stream, header);
+  const bool is_ours = header.empty() || header.starts_with("timestamp,");
+  return is_ours && stream.peek() == std::ifstream::traits_type::eof();
+}
+
 }  // namespace
+
+bool require_no_rows(const std::filesystem::path& folder, bool overwrite) {
+  const auto file = folder / "states.csv";
+  const bool is_empty_run = std::filesystem::is_regular_file(file) && is_without_rows(file);
+  if (!is_empty_run) require_new(file, overwrite);
+  return is_empty_run;
+}
 
 RunWriter::RunWriter(const std::filesystem::path& folder, const KinematicTree& tree,
                      bool with_covariance)

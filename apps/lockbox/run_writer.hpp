@@ -9,6 +9,10 @@
 
 namespace lockbox::app {
 
+/// Throws InputError if the folder holds the rows of a run, unless it is to be overwritten. True if
+/// it holds a run without a row, which nobody misses.
+bool require_no_rows(const std::filesystem::path& folder, bool overwrite);
+
 /// Writes what a run estimates, flushed frame by frame: a crash loses nothing computed before it.
 ///   states.csv      one row a frame (docs/file-formats.md)
 ///   base.tum        the base's pose where it is known, as a TUM trajectory

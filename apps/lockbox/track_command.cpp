@@ -14,6 +14,7 @@
 #include "output_paths.hpp"
 #include "parameters.hpp"
 #include "progress.hpp"
+#include "run_writer.hpp"
 #include "snapshots.hpp"
 #include "source_options.hpp"
 #include "symmetry_note.hpp"
@@ -97,7 +98,10 @@ class TrackCommand : public Command {
     }
     if (std::filesystem::is_directory(settings_.output)) {
       const LockedFolder folder(settings_.output);
-      require_new(settings_.output / "states.csv", settings_.overwrite);
+      if (require_no_rows(settings_.output, settings_.overwrite) && !settings_.quiet) {
+        std::cerr << "lockbox: " << settings_.output.string()
+                  << " holds a run that ended before its first row; it is replaced\n";
+      }
     }
   }
 

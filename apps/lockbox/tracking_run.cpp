@@ -66,15 +66,23 @@ void print_summary(const RunTotals& totals, const RunSettings& settings) {
       std::cout << ", " << totals.frames_with(status) << ' ' << to_string(status);
     }
   }
-  std::cout << std::fixed << std::setprecision(1) << "; latency " << totals.latency_percentile(0.5)
-            << " ms (median), " << totals.latency_percentile(0.95) << " ms (95 %)\n";
+  if (totals.frames() > 0) {
+    std::cout << std::fixed << std::setprecision(1) << "; latency "
+              << totals.latency_percentile(0.5) << " ms (median), "
+              << totals.latency_percentile(0.95) << " ms (95 %)";
+  }
+  std::cout << '\n';
   if (totals.faults().unreadable > 0) {
     std::cout << counted(totals.faults().unreadable, "frame") << " could not be read\n";
   }
   if (totals.faults().restamped > 0) {
     std::cout << counted(totals.faults().restamped, "time stamp") << " advanced\n";
   }
-  if (!settings.output.empty()) std::cout << "results: " << settings.output.string() << '\n';
+  if (!settings.output.empty()) {
+    std::cout << (totals.frames() > 0 ? "results: "
+                                      : "no results; the same command begins anew in ")
+              << settings.output.string() << '\n';
+  }
   std::cout.flush();  // while a closed pipe is still noted
 }
 

@@ -113,9 +113,17 @@ TEST_F(RunEnds, WithinASecondWhereTheObjectIsSought) {
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   const auto signalled = std::chrono::steady_clock::now();
   tool.send_signal(SIGTERM);
-  EXPECT_EQ(tool.wait().status, 128 + SIGTERM);
+  const auto result = tool.wait();
+  EXPECT_EQ(result.status, 128 + SIGTERM);
   EXPECT_LT(std::chrono::steady_clock::now() - signalled, std::chrono::seconds(2));
-  EXPECT_THAT(read_text(path("searching/run.yaml")), HasSubstr("end: signal SIGTERM"));
+  const auto description = read_text(path("searching/run.yaml"));
+  EXPECT_THAT(description, HasSubstr("end: signal SIGTERM"));
+  EXPECT_THAT(result.output, HasSubstr("0 frames\nno results"));
+  EXPECT_THAT(result.output + description, Not(HasSubstr("latency"))) << "none was measured";
+  const auto again = run_tool(following("searching", {"--max-frames", "1"}));
+  EXPECT_EQ(again.status, 0) << again.errors;
+  EXPECT_THAT(again.errors, HasSubstr("before its first row; it is replaced"));
+  EXPECT_EQ(run_tool(following("searching", {"--max-frames", "1"})).status, 3) << "it has a row";
 }
 
 TEST_F(RunEnds, WithTheStatusOfTheSignalAndNothingWrittenWhereAModelIsBeingLoaded) {
