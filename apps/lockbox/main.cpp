@@ -2,6 +2,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -127,5 +128,6 @@ ExitStatus dispatch(std::span<char*> arguments) {
 
 int main(int argc, char** argv) {
   using namespace lockbox::app;
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // whoever reads a pipe sees each line at once
   return static_cast<int>(require_output(dispatch({argv, static_cast<std::size_t>(argc)})));
 }

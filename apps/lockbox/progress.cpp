@@ -70,6 +70,7 @@ void Progress::update(std::size_t done, std::string_view status) {
   status_ = status;
   phase_.clear();
   if (!ticker_ || !shown_.is_due()) return;
+  has_begun_ = true;
   shown_done_ = done;
   shown_.show(line());
 }
@@ -83,7 +84,10 @@ void Progress::finish() {
 
 void Progress::tick() {
   const std::lock_guard lock(mutex_);
-  if (!phase_.empty() && is_silent(shown_)) shown_.show(line());
+  const bool says_more = !phase_.empty() || !has_begun_;
+  if (!says_more || !is_silent(shown_)) return;
+  has_begun_ = true;
+  shown_.show(line());
 }
 
 std::string Progress::line() const {
@@ -100,6 +104,7 @@ std::string Progress::line() const {
     text << ", " << with_seconds(phase_, phase_start_);
     return text.str();
   }
+  if (done_ == 0) return text.str();
   text << ", " << std::fixed << std::setprecision(1) << rate << ' ' << unit_ << "/s";
   if (!status_.empty()) text << ", " << status_;
   if (total_ && done_ < *total_ && rate > 0.0) {

@@ -14,8 +14,8 @@
 namespace lockbox::app {
 
 /// Says on standard error how far a loop over frames (or other units) is: a bar that is redrawn on
-/// a terminal, a line every few seconds elsewhere. On a terminal it is never still for more than a
-/// second while something was begun.
+/// a terminal, a line within a second and every few seconds then elsewhere. On a terminal it is
+/// never still for more than a second while something was begun.
 class Progress {
  public:
   /// total: number of units, if known. quiet: says nothing at all.
@@ -47,6 +47,7 @@ class Progress {
   Clock::time_point start_;
   std::mutex mutex_;  ///< of all below
   StatusLine shown_;
+  bool has_begun_ = false;  ///< to say anything
   std::size_t done_ = 0;
   std::optional<std::size_t> shown_done_;
   std::string status_;

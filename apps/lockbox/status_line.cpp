@@ -10,6 +10,7 @@ namespace lockbox::app {
 namespace {
 
 constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
+constexpr auto kFirstLine = std::chrono::milliseconds(750);  // then it is known what goes on
 constexpr auto kLineInterval = std::chrono::seconds(5);
 constexpr auto kErase = "\r\x1b[K";
 
@@ -25,11 +26,13 @@ std::string cut_to_terminal(const std::string& text) {
 StatusLine::StatusLine() : on_terminal_(isatty(STDERR_FILENO) != 0), shown_(Clock::now()) {}
 
 bool StatusLine::is_due() const {
-  return age() >= (on_terminal_ ? Clock::duration(kRedrawInterval) : kLineInterval);
+  if (on_terminal_) return age() >= kRedrawInterval;
+  return age() >= (is_first_ ? Clock::duration(kFirstLine) : kLineInterval);
 }
 
 void StatusLine::show(const std::string& text) {
   shown_ = Clock::now();
+  is_first_ = false;
   if (on_terminal_) {
     // What others write then takes its place.
     std::cerr << kErase << cut_to_terminal(text) + '\r' << std::flush;

@@ -7,7 +7,7 @@
 namespace lockbox::app {
 
 /// The line on standard error that says how things stand: redrawn in its place on a terminal, one
-/// after the other elsewhere.
+/// after the other elsewhere, the first within a second.
 class StatusLine {
  public:
   StatusLine();
@@ -32,7 +32,8 @@ class StatusLine {
   using Clock = std::chrono::steady_clock;
 
   bool on_terminal_;
-  Clock::time_point shown_;
+  Clock::time_point shown_;  ///< or begun
+  bool is_first_ = true;     ///< the line to come
 };
 
 }  // namespace lockbox::app

@@ -126,6 +126,18 @@ TEST_F(RunEnds, WithinASecondWhereTheObjectIsSought) {
   EXPECT_EQ(run_tool(following("searching", {"--max-frames", "1"})).status, 3) << "it has a row";
 }
 
+TEST_F(RunEnds, AreAwaitedWithALineWithinASecondWhereNobodySeesATerminal) {
+  auto arguments = tracking("block", "told");
+  arguments[2] = "cabinet";
+  Tool tool(arguments);
+  while (read_lines(path("told/states.csv")).empty()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+  tool.send_signal(SIGKILL);
+  EXPECT_THAT(tool.wait().errors, HasSubstr("0/30 frames, searching for the object: 1 s"));
+}
+
 TEST_F(RunEnds, WithTheStatusOfTheSignalAndNothingWrittenWhereAModelIsBeingLoaded) {
   // Its field takes seconds to build.
   write_text(path("fine.urdf"),
