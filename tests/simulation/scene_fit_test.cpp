@@ -96,6 +96,30 @@ TEST(SceneFit, StandsUprightAroundAModelWhoseZAxisIsUp) {
   EXPECT_NEAR(fit.boxes[0].pose.translation().y(), -0.6 - 0.02, 1e-9);
 }
 
+/// As cameras have it, and models whose frame is the camera's.
+TEST(SceneFit, StandsUprightAroundAModelWhoseYAxisIsDown) {
+  const KinematicTree carton = block({0.3, 0.2, 0.25});
+  const State state = state_of(carton, Eigen::Isometry3d(Eigen::Translation3d(0.03, 0.02, 0.9)));
+  const Scene fit = fitted(room(), carton, state);
+  EXPECT_EQ(hidden(fit, carton, state), 0.0);
+  EXPECT_EQ(fit.R_base_scene.col(1), Eigen::Vector3d(-Eigen::Vector3d::UnitY())) << "up";
+  EXPECT_EQ(fit.R_base_scene.col(2), Eigen::Vector3d(-Eigen::Vector3d::UnitZ()));
+}
+
+TEST(SceneFit, ShowsEveryShippedModelWhereItBegins) {
+  for (const std::string name :
+       {"lockbox", "cabinet", "rigid_block", "board_door_block", "carton", "carton_pair"}) {
+    SCOPED_TRACE(name);
+    LoadOptions options;
+    options.cache_directory = LOCKBOX_CACHE;
+    const ArticulatedModel model =
+        load_model(kShare + "/models/" + name + "/" + name + ".urdf", options);
+    State state;
+    state.configuration = model.parameters.initial_configuration.value();
+    EXPECT_LT(hidden(fitted(room(), model.tree, state), model.tree, state), 0.01);
+  }
+}
+
 TEST(SceneFit, LeavesScenesAloneThatAreNotAboutAModel) {
   const KinematicTree tall = block({0.3, 0.3, 1.2});
   Scene scene = room();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "lockbox/simulation/model_bounds.hpp"
 
@@ -26,8 +27,8 @@ Eigen::Matrix3d upright_frame(const Eigen::Isometry3d& T_camera_base) {
   const Eigen::Matrix3d R_base_camera = T_camera_base.linear().transpose();
   const Eigen::Vector3d image_up = R_base_camera * -y;
   const Eigen::Vector3d to_camera = R_base_camera * -T_camera_base.translation();
-  const Eigen::Vector3d up = best_along<2>(image_up, {y, z});
-  const Eigen::Vector3d level = up == y ? z : y;
+  const Eigen::Vector3d up = best_along<4>(image_up, {y, z, -y, -z});
+  const Eigen::Vector3d level = std::abs(up.y()) > 0.5 ? z : y;
   const Eigen::Vector3d front = best_along<4>(to_camera, {level, x, -x, -level});
   Eigen::Matrix3d frame;
   frame << up.cross(front), up, front;
