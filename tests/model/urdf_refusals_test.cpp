@@ -229,5 +229,27 @@ TEST_F(VisualRefusals, AddressesThatLeaveTheirPackage) {
   EXPECT_EQ(refusal_of_address("package://a/linked.obj"), "no error");
 }
 
+/// How often the text holds the part.
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(UrdfRefusals, NameTheMissingPackageAndEachSearchedFolderOnce) {
+  const std::string robot =
+      link("a", "<visual><geometry><mesh filename=\"package://arms/a.obj\"/></geometry></visual>");
+  LoadOptions options;
+  options.package_paths = {folder_ / "packages", folder_ / "packages/"};
+  const auto refused = [&] { return message_of<InputError>([&] { load_robot(robot, options); }); };
+  const std::string missing = refused();
+  EXPECT_THAT(missing,
+              AllOf(HasSubstr("the package 'arms' is missing"), HasSubstr("--package-path")));
+  EXPECT_EQ(count_of((folder_ / "packages").string(), missing), 1U);
+  write("packages/arms/b.obj", "");
+  EXPECT_THAT(refused(), AllOf(HasSubstr("no such mesh file in the package 'arms'"),
+                               HasSubstr((folder_ / "packages/arms").string())));
+}
+
 }  // namespace
 }  // namespace lockbox

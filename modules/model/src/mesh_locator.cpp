@@ -3,6 +3,7 @@
 
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
@@ -44,14 +45,27 @@ bool is_package_called(const fs::path& folder, const std::string& name) {
   return given != nullptr && given->GetText() != nullptr && given->GetText() == name;
 }
 
-/// Where the file could be if folder holds the package, or is the package.
-std::vector<fs::path> package_candidates(const fs::path& folder, const fs::path& in_package) {
-  std::vector<fs::path> candidates{folder / in_package};
-  const fs::path package = *in_package.begin();
-  if (folder.filename() == package || is_package_called(folder, package.string())) {
-    candidates.push_back(folder / in_package.lexically_relative(package));
-  }
+/// Where the package could be, if folder holds it, or is it.
+std::vector<fs::path> package_candidates(const fs::path& folder, const std::string& name) {
+  std::vector<fs::path> candidates{folder / name};
+  if (folder.filename() == name || is_package_called(folder, name)) candidates.push_back(folder);
   return candidates;
+}
+
+std::string listed(const std::vector<fs::path>& folders) {
+  std::string text;
+  for (const fs::path& folder : folders) text += (text.empty() ? "" : ", ") + folder.string();
+  return text;
+}
+
+std::vector<fs::path> each_once(const std::vector<fs::path>& folders) {
+  std::vector<fs::path> unique;
+  for (const fs::path& folder : folders) {
+    fs::path whole = fs::absolute(folder).lexically_normal();
+    if (whole.filename().empty() && whole.has_relative_path()) whole = whole.parent_path();
+    if (std::find(unique.begin(), unique.end(), whole) == unique.end()) unique.push_back(whole);
+  }
+  return unique;
 }
 
 /// Symbolic links may lead anywhere: who made them has access to the machine, a URDF may come from
@@ -83,6 +97,31 @@ MeshLocator::MeshLocator(const fs::path& urdf, const std::vector<fs::path>& pack
   for (const char* prefixes : {"AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"}) {
     append_listed(prefixes, "share", folders_);
   }
+  folders_ = each_once(folders_);
+}
+
+fs::path MeshLocator::locate_in_package(const std::string& address,
+                                        const fs::path& in_package) const {
+  require_within_package(address, in_package);
+  const std::string name = in_package.begin()->string();
+  const fs::path rest = in_package.lexically_relative(name);
+  std::vector<fs::path> packages;
+  for (const fs::path& folder : folders_) {
+    for (const fs::path& package : package_candidates(folder, name)) {
+      if (is_file(package / rest)) return package / rest;
+      std::error_code unreadable;
+      if (fs::is_directory(package, unreadable)) packages.push_back(package);
+    }
+  }
+  if (!packages.empty()) {
+    throw InputError(address, "no such mesh file in the package '" + name + "' (" +
+                                  listed(packages) +
+                                  "); is it another one of that name? Name the folder that holds "
+                                  "the right one (--package-path)");
+  }
+  throw InputError(address, "the package '" + name +
+                                "' is missing; name the folder that holds it " +
+                                "(--package-path). Searched were " + listed(folders_));
 }
 
 fs::path MeshLocator::locate(const std::string& address) const {
@@ -93,21 +132,15 @@ fs::path MeshLocator::locate(const std::string& address) const {
   if (path.string().find("://") != std::string::npos) {
     throw InputError(address, "only file:// and package:// addresses are read");
   }
-  if (in_package) require_within_package(address, path);
+  if (in_package) return locate_in_package(address, path);
   if (path.is_absolute()) {
     if (is_file(path)) return path;
     throw InputError(path.string(), "no such mesh file");
   }
-  std::string searched;
   for (const fs::path& folder : folders_) {
-    const auto candidates =
-        in_package ? package_candidates(folder, path) : std::vector<fs::path>{folder / path};
-    for (const fs::path& candidate : candidates) {
-      if (is_file(candidate)) return candidate;
-    }
-    searched += (searched.empty() ? "" : ", ") + folder.string();
+    if (is_file(folder / path)) return folder / path;
   }
-  throw InputError(address, "no such mesh file in " + searched +
+  throw InputError(address, "no such mesh file in " + listed(folders_) +
                                 "; name the folder that holds it (--package-path)");
 }
 

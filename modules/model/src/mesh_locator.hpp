@@ -16,12 +16,16 @@ class MeshLocator {
   MeshLocator(const std::filesystem::path& urdf,
               const std::vector<std::filesystem::path>& package_paths);
 
-  /// Throws InputError saying where was searched, and for a package:// address that leaves its
-  /// package.
+  /// Throws InputError saying where was searched and which package is missing, and for a package://
+  /// address that leaves its package.
   std::filesystem::path locate(const std::string& address) const;
 
  private:
-  std::vector<std::filesystem::path> folders_;
+  /// in_package: the address without `package://`.
+  std::filesystem::path locate_in_package(const std::string& address,
+                                          const std::filesystem::path& in_package) const;
+
+  std::vector<std::filesystem::path> folders_;  ///< absolute, each once
 };
 
 }  // namespace lockbox
