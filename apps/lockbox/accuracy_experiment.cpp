@@ -150,6 +150,8 @@ Figure accuracy_figure(const KinematicTree& tree, const ErrorsByUnknown& all) {
 
 class Accuracy : public Experiment {
  public:
+  bool continues() const override { return true; }
+
   void add_options(CLI::App& options) override {
     options.add_option("--scenes", scenes_, "Number of random scenes, one frame each")
         ->check(positive());

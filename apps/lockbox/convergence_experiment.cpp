@@ -68,6 +68,8 @@ using Followers = std::map<std::string, Follower>;  ///< by variant
 
 class Convergence : public Experiment {
  public:
+  bool continues() const override { return true; }
+
   void add_options(CLI::App& options) override {
     options.add_option("--samples", samples_, "Runs a cell")->check(CLI::Range(1, 99999));
     options.add_option("--step", step_, "From one cell to the next, cm and degrees")

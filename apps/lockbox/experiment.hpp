@@ -33,6 +33,10 @@ class Experiment {
   /// Declares its own options.
   virtual void add_options(CLI::App& options) = 0;
 
+  /// Whether each run is written as it is done, and the same command goes on from there. Else the
+  /// results of a model are written when all its runs are done.
+  virtual bool continues() const { return false; }
+
   /// Model after model. False if the user stopped it; the same command then picks it up again.
   bool run(const ExperimentSettings& settings);
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
+#include <optional>
 
 #include "commands.hpp"
 #include "experiments.hpp"
+#include "interruption.hpp"
 #include "lockbox/simulation/sensor_model.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
@@ -30,10 +32,7 @@ class ExperimentCommand : public Command {
     for (const auto& model : settings_.models) find_model(model);
     make_folder(settings_.output);
     for (const Choice& choice : choices_) {
-      if (!choice.options->parsed()) continue;
-      const bool finished = choice.experiment->run(settings_);
-      std::cout << "\nwritten: " << settings_.output.string() << '\n';
-      if (!finished) std::cout << "interrupted; the same command continues\n";
+      if (choice.options->parsed()) run(*choice.experiment);
     }
     return ExitStatus::done;
   }
@@ -43,6 +42,21 @@ class ExperimentCommand : public Command {
     CLI::App* options;
     std::unique_ptr<Experiment> experiment;
   };
+
+  void run(Experiment& experiment) const {
+    std::optional<LastWords> words;
+    if (!experiment.continues()) {
+      words.emplace(
+          ": the runs of the model at hand are lost, for they are written when all are done; the "
+          "same command makes them anew, fewer of them take less time (see its --help)");
+      if (!settings_.quiet) {
+        std::cerr << "results are written when all runs of a model are done; Ctrl-C loses them\n";
+      }
+    }
+    const bool finished = experiment.run(settings_);
+    std::cout << "\nwritten: " << settings_.output.string() << '\n';
+    if (!finished) std::cout << "interrupted; each run is written, the same command continues\n";
+  }
 
   void add_common_options(CLI::App& options) {
     options

@@ -85,6 +85,8 @@ Figure global_figure(const std::string& name, const std::vector<GlobalResult>& r
 
 class GlobalSearch : public Experiment {
  public:
+  bool continues() const override { return true; }
+
   void add_options(CLI::App& options) override {
     options.add_option("--scenes", scenes_, "Number of random scenes")->check(positive());
     shard_.add_to(options);

@@ -15,6 +15,7 @@ constexpr std::array kEndingSignals = {SIGHUP, SIGINT, SIGPIPE, SIGTERM};
 
 // A signal handler gets no argument of ours: nothing but a variable of this kind can hear it.
 std::atomic<int> noted{0};
+std::atomic<const char*> last_words{nullptr};
 static_assert(std::atomic<int>::is_always_lock_free, "else signal handlers may not touch it");
 
 void note(int signal) {
@@ -34,6 +35,7 @@ void end_at_once(int signal) {
     say(isatty(STDERR_FILENO) != 0 ? "\r\x1b[K" : "");  // takes a status line away
     say("lockbox: ended by SIG");
     say(sigabbrev_np(signal));
+    if (const char* const words = last_words) say(words);
     say("\n");
   }
   _exit(interruption::exit_status(signal));
@@ -58,6 +60,14 @@ SignalHandlers::SignalHandlers(void (*handler)(int)) {
 
 SignalHandlers::~SignalHandlers() {
   for (std::size_t i = 0; i < kSignals; ++i) std::signal(kEndingSignals[i], before_[i]);
+}
+
+LastWords::LastWords(const char* text) {
+  last_words = text;
+}
+
+LastWords::~LastWords() {
+  last_words = nullptr;
 }
 
 EndAtSignal::EndAtSignal() : handlers_(end_at_once) {}

@@ -34,6 +34,16 @@ class EndAtSignal {
   SignalHandlers handlers_;
 };
 
+/// While it lives, an end at once says this, too: what is lost, and how to go on.
+class LastWords {
+ public:
+  /// text: a literal.
+  explicit LastWords(const char* text);
+  ~LastWords();
+  LastWords(const LastWords&) = delete;
+  LastWords& operator=(const LastWords&) = delete;
+};
+
 /// While it lives, the first SIGHUP, SIGINT, SIGPIPE or SIGTERM is only noted. The next one ends
 /// the process at once, as usual; but for SIGPIPE, which comes with every line that nobody reads.
 /// At most one lives at a time.

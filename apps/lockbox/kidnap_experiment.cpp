@@ -128,8 +128,13 @@ Panel error_panel(const std::string& kind, const std::vector<KidnapRun>& runs) {
 class Kidnap : public Experiment {
  public:
   void add_options(CLI::App& options) override {
-    options.add_option("--runs", runs_, "Of each kind")->check(positive());
-    options.add_option("--live-runs", live_runs_, "By the clock, as from a camera")
+    options
+        .add_option("--runs", runs_,
+                    "Runs of each of two kinds, camera covered and estimate thrown: twice as many")
+        ->check(positive());
+    options
+        .add_option("--live-runs", live_runs_,
+                    "Further runs by the clock, as from a camera, of up to half a minute each")
         ->check(not_negative());
   }
 

@@ -36,6 +36,8 @@ struct MismatchRun {
 
 class Mismatch : public Experiment {
  public:
+  bool continues() const override { return true; }
+
   void add_options(CLI::App& options) override {
     options.add_option("--severity", severity_, "moderate or severe")
         ->check(CLI::IsMember({"moderate", "severe"}));

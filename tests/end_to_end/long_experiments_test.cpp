@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The smallest version of each experiment that continues where it was stopped.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "small_experiment.hpp"
+#include "tool.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::HasSubstr;
+
+const std::vector<std::string> kFewStarts = {"--samples", "1",  "--step",   "45",
+                                             "--frames",  "12", "--joints", "free"};
+
+TEST(Convergence, HasARowForEachStartAndSumsThemUp) {
+  const TemporaryFolder folder;
+  const auto summary = run_experiment("convergence", "rigid_block", folder / "out", kFewStarts);
+  const auto rows = read_rows(folder / "out/convergence_rigid_block_primesense_12frames_seed1.csv");
+  ASSERT_EQ(rows.size(), 8U);  // 2 trackers, 2 translations, 2 rotations
+  for (const NamedRow& row : rows) {
+    if (number(row, "start_translation_cm") > 0 || number(row, "start_rotation_degrees") > 0) {
+      continue;
+    }
+    EXPECT_LT(number(row, "translation"), 0.003);
+    EXPECT_EQ(row.at("searches"), "0");
+    EXPECT_EQ(row.at("status"), "tracking");
+  }
+  EXPECT_THAT(summary, HasSubstr("whole tracker, joints free"));
+  EXPECT_THAT(summary, HasSubstr("re-initialised from within 5 cm and 5 degrees: 0 of 1"));
+  EXPECT_THAT(summary, HasSubstr("half of the runs succeed up to"));
+}
+
+TEST(Convergence, ContinuesWhereItWasCutOff) {
+  const TemporaryFolder folder;
+  const auto file = folder / "out/convergence_rigid_block_primesense_12frames_seed1.csv";
+  run_experiment("convergence", "rigid_block", folder / "out", kFewStarts);
+  const std::string whole = read_text(file);
+  std::filesystem::resize_file(file, whole.size() - 10);
+  run_experiment("convergence", "rigid_block", folder / "out", kFewStarts);
+  EXPECT_EQ(read_text(file), whole);
+}
+
+TEST(Convergence, ShardsSumUpToTheWhole) {
+  const TemporaryFolder folder;
+  std::string summary;
+  for (const char* shard : {"1/2", "2/2"}) {
+    auto options = kFewStarts;
+    options.insert(options.end(), {"--shard", shard, "--tracker", "registration"});
+    summary = run_experiment("convergence", "rigid_block", folder / "out", options);
+  }
+  EXPECT_THAT(summary, HasSubstr("of 4 ("));
+}
+
+TEST(Accuracy, HasARowForEachUnknownAndContinuesWhereItWasCutOff) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& scenes) {
+    return run_experiment("accuracy", "cabinet", folder / "out", {"--scenes", scenes});
+  };
+  run("1");
+  const auto file = folder / "out/accuracy_cabinet_primesense_20000points_seed1.csv";
+  const auto first = read_text(file);
+  EXPECT_THAT(run("2"), HasSubstr("error/allowed"));
+  EXPECT_EQ(read_text(file).substr(0, first.size()), first);
+  const auto rows = read_rows(file);
+  ASSERT_EQ(rows.size(), 2U * 10U);
+  for (const NamedRow& row : rows) {
+    if (row.at("observable") == "0") continue;
+    EXPECT_GT(number(row, "bound"), 0.0);
+    EXPECT_LT(std::abs(number(row, "error")), 5.0 * number(row, "sigma")) << row.at("unknown");
+  }
+}
+
+TEST(Mismatch, HasARowForEachFrameAndContinuesWhereItWasStopped) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& seeds) {
+    return run_experiment("mismatch", "rigid_block", folder / "out",
+                          {"--kind", "none", "--kind", "centre", "--kind", "joints", "--severity",
+                           "severe", "--seeds", seeds, "--frames", "3"});
+  };
+  run("1");
+  const auto file = folder / "out/mismatch_rigid_block_severe_primesense_3frames.csv";
+  const auto first = read_text(file);
+  const auto summary = run("2");
+  EXPECT_EQ(read_text(file).substr(0, first.size()), first);
+  const auto rows = read_rows(file);
+  ASSERT_EQ(rows.size(), 12U);  // the block has no joints
+  for (const NamedRow& row : rows) {
+    EXPECT_EQ(row.at("right"), "1");
+    EXPECT_LT(number(row, "translation"), 0.01);
+    // 12 pixels at about a metre: what no tracker can know is not judged, but told.
+    if (row.at("kind") != "centre") continue;
+    EXPECT_GT(number(row, "plain_translation"), 0.012);
+  }
+  EXPECT_THAT(summary, HasSubstr("rigid_block, severe"));
+  EXPECT_THAT(
+      read_text(folder / "out/mismatch_rigid_block_severe_primesense_3frames_centre_seed2.yaml"),
+      HasSubstr("principal_point: ["));
+}
+
+}  // namespace
+}  // namespace lockbox
