@@ -19,6 +19,10 @@ void SourceArguments::add_optional_to(CLI::App& options) {
   add_source(options);
 }
 
+void SourceArguments::add_peaceful_to(CLI::App& options) {
+  add_source(options)->required();
+}
+
 CLI::Option* SourceArguments::add_source(CLI::App& options) {
   CLI::Option* const source =
       options
@@ -44,14 +48,18 @@ void SourceArguments::require_existing() const {
   if (!camera_info_.empty()) read_camera_info(camera_info_);
 }
 
-std::unique_ptr<FrameSource> SourceArguments::open() const {
+SourceOptions SourceArguments::options() const {
   SourceOptions options;
   if (!camera_info_.empty()) options.camera_info = camera_info_;
   options.depth_scale = depth_scale_;
   options.realtime = realtime_;
   options.stop = interruption::requested;
   options.warn = [](const std::string& text) { std::cerr << "lockbox: warning: " << text << '\n'; };
-  return open_source(source_, options);
+  return options;
+}
+
+std::unique_ptr<FrameSource> SourceArguments::open() const {
+  return open_source(source_, options());
 }
 
 }  // namespace lockbox::app

@@ -15,8 +15,11 @@ class SourceArguments {
  public:
   void add_to(CLI::App& options);
 
-  /// The same for a command that can do without a source, and that looks at every frame in peace.
+  /// The same for a command that can do without a source, and that takes every frame in peace.
   void add_optional_to(CLI::App& options);
+
+  /// The same for a command that cannot do without a source.
+  void add_peaceful_to(CLI::App& options);
 
   bool is_given() const { return !source_.empty(); }
   const std::string& name() const { return source_; }
@@ -25,6 +28,7 @@ class SourceArguments {
   void require_existing() const;
 
   /// Warnings go to standard error.
+  SourceOptions options() const;
   std::unique_ptr<FrameSource> open() const;
 
  private:

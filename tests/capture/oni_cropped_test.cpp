@@ -82,7 +82,7 @@ TEST(CroppedRecording, IsFollowedWithoutItsEndToo) {
 TEST(CroppedRecording, IsRecordedAgainAsAWholeImage) {
   const TemporaryFolder folder;
   record_streams(folder / "a.oni", kCroppedDepth, kRecorded, tiny_camera());
-  record((folder / "a.oni").string(), folder / "b.oni", [] { return false; });
+  record((folder / "a.oni").string(), folder / "b.oni", {[] { return false; }});
   const OniImage image = validate_oni(folder / "b.oni").images.front();
   EXPECT_EQ(image.recorded_width, 32);
   expect_cropped_frames(folder / "b.oni", kRegion);

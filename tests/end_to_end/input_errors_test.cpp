@@ -53,6 +53,30 @@ TEST(Recording, ThatIsTruncatedIsPlayedUpToTheCut) {
   expect_refused(folder / "truncated.oni");
 }
 
+/// As track takes it.
+TEST(Folder, OfWhichTheCameraIsGivenIsRecorded) {
+  const TemporaryFolder folder;
+  write_text(folder / "state.csv", "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0,0,1,0,0,0,1\n");
+  ASSERT_EQ(run_tool({"simulate", "--model", "rigid_block", "--trajectory", folder / "state.csv",
+                      "--output", folder / "images"})
+                .status,
+            0);
+  std::filesystem::rename(folder / "images/camera_info.yaml", folder / "camera.yaml");
+  const auto record = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"record", "--source", folder / "images", "--output",
+                                          folder / "a.oni"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_tool(arguments);
+  };
+  const auto refused = record({});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_THAT(refused.errors, HasSubstr("--camera-info"));
+  const auto fifths = record({"--camera-info", folder / "camera.yaml", "--depth-scale", "5000"});
+  EXPECT_EQ(fifths.status, 3);
+  EXPECT_THAT(fifths.errors, HasSubstr("not of 0.2 mm; a depth folder can"));
+  EXPECT_EQ(record({"--camera-info", folder / "camera.yaml"}).status, 0);
+}
+
 TEST(Folder, WithoutDepthImagesIsRefused) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "nothing");

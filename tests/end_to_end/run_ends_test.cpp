@@ -318,6 +318,12 @@ TEST_F(RunEnds, BeforeItBeginsWhereTemporaryFilesHaveNoFolder) {
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.errors, HasSubstr("TMPDIR"));
   EXPECT_THAT(result.errors, HasSubstr(path("gone")));
+  const auto recorded =
+      run_tool({"record", "--source", path("block"), "--output", path("temporary/again.oni")},
+               {"TMPDIR=" + path("gone")});
+  EXPECT_EQ(recorded.status, 3);
+  EXPECT_THAT(recorded.errors, HasSubstr("TMPDIR"));
+  EXPECT_FALSE(std::filesystem::exists(path("temporary/again.oni")));
 }
 
 TEST_F(RunEnds, AreAwaitedWithALineThatMovesOnATerminal) {

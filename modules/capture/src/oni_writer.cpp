@@ -43,6 +43,11 @@ std::size_t digest(const std::vector<std::uint16_t>& depth) {
                                                         depth.size() * sizeof(std::uint16_t)));
 }
 
+/// For what is compared at the end; it is better to hear of it before.
+void require_temporary_folder() {
+  static_cast<void>(std::filesystem::temp_directory_path());
+}
+
 /// The recording will take the place of what has this name, and no other recording meanwhile.
 void lock_replaceable(const std::filesystem::path& file, std::optional<RecordingLock>& lock) {
   if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file)) {
@@ -91,6 +96,7 @@ struct OniWriter::Impl {
         unit(metres_per_unit),
         sender(std::in_place, ends[0], pinhole, frames_per_second, metres_per_unit, true) {
     try {
+      require_temporary_folder();
       lock_replaceable(path, lock);
       recorder.emplace(
           std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(RecorderProcess::kSocket), path,
@@ -208,11 +214,14 @@ std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& ca
 namespace {
 
 std::size_t record_device(const std::string& uri, const std::filesystem::path& file,
-                          const std::function<bool()>& stop) {
+                          const RecordingEnd& end) {
+  using Seconds = std::chrono::duration<double>;
   std::optional<RecordingLock> lock;
   lock_replaceable(file, lock);
   RecorderProcess recorder(uri, file, *lock);
-  while (recorder.is_running() && !stop()) {
+  const auto start = std::chrono::steady_clock::now();
+  while (recorder.is_running() && !end.stop() &&
+         Seconds(std::chrono::steady_clock::now() - start).count() < end.seconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   recorder.finish();
@@ -223,27 +232,29 @@ std::size_t record_device(const std::string& uri, const std::filesystem::path& f
 }  // namespace
 
 std::size_t record(const std::string& source, const std::filesystem::path& file,
-                   const std::function<bool()>& stop,
-                   const std::function<void(const std::string&)>& warn) {
+                   const RecordingEnd& end, const SourceOptions& options) {
   constexpr std::string_view kLive = "openni2:";
-  if (source.compare(0, kLive.size(), kLive) == 0) {
-    return record_device(source.substr(kLive.size()), file, stop);
+  if (source.starts_with(kLive)) {
+    if (options.warn && (options.camera_info || options.depth_scale)) {
+      options.warn(
+          "a device is recorded as it is: calibration and depth scale (--camera-info, "
+          "--depth-scale) are not used");
+    }
+    return record_device(source.substr(kLive.size()), file, end);
   }
-  SourceOptions options;
-  options.stop = stop;
-  options.warn = warn;
   const std::unique_ptr<FrameSource> recording = open_source(source, options);
   DepthFrame frame;
   if (!recording->next(frame)) {
     throw InputError(source, "delivered no frame");
   }
   constexpr int kNominalRate = 30;  // frames per second; the stamps say when they really came
+  const double last_stamp = frame.stamp + end.seconds;
   OniWriter writer(file, frame.camera, kNominalRate, frame.metres_per_unit);
   std::size_t count = 0;
   do {
     writer.write(frame);
     ++count;
-  } while (!stop() && recording->next(frame));
+  } while (!end.stop() && recording->next(frame) && frame.stamp < last_stamp);
   writer.finish();
   return count;
 }

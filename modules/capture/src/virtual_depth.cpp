@@ -12,10 +12,15 @@
 
 #include "lockbox/capture/virtual_depth_protocol.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "openni_session.hpp"
 
 namespace lockbox {
 namespace {
+
+constexpr auto kHeldByFolders =
+    "; a depth folder can (docs/file-formats.md): write into one, or leave these frames where they "
+    "are, every command takes them from there, too";
 
 std::uint32_t unit_of(float metres_per_unit) {
   if (metres_per_unit == 0.001F) {
@@ -24,8 +29,9 @@ std::uint32_t unit_of(float metres_per_unit) {
   if (metres_per_unit == 0.0001F) {
     return 100;
   }
-  throw InputError("depth unit", "OpenNI2 knows 1 mm and 0.1 mm only, not " +
-                                     std::to_string(metres_per_unit) + " m; write a depth folder");
+  throw InputError("depth unit", "an .oni file holds units of 1 mm and 0.1 mm, not of " +
+                                     number_text(std::round(1e9 * metres_per_unit) / 1e6) + " mm" +
+                                     kHeldByFolders);
 }
 
 VirtualDepthHeader header_of(const PinholeCamera& camera, int frames_per_second,
@@ -33,10 +39,11 @@ VirtualDepthHeader header_of(const PinholeCamera& camera, int frames_per_second,
   constexpr double kTolerance = 1e-6;  // pixels
   if (std::abs(camera.cx - 0.5 * (camera.width - 1)) > kTolerance ||
       std::abs(camera.cy - 0.5 * (camera.height - 1)) > kTolerance) {
-    throw InputError("camera", "its principal point (" + std::to_string(camera.cx) + ", " +
-                                   std::to_string(camera.cy) +
-                                   ") is not the middle of the image, which OpenNI2 cannot "
-                                   "describe; write a depth folder instead of an .oni file");
+    throw InputError("camera", "its principal point (" + number_text(camera.cx) + ", " +
+                                   number_text(camera.cy) +
+                                   ") is not the middle of the image, and an .oni file cannot tell "
+                                   "of another one" +
+                                   kHeldByFolders);
   }
   VirtualDepthHeader header;
   header.width = static_cast<std::uint32_t>(camera.width);

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 
+#include "lockbox/capture/frame_source.hpp"
 #include "lockbox/core/depth_frame.hpp"
 
 namespace lockbox {
@@ -24,9 +26,10 @@ namespace lockbox {
 /// come back exactly if they have at most four decimals, else to 1e-4 pixels.
 class OniWriter {
  public:
-  /// Throws InputError if the file cannot be written, or is not a regular one, if another recorder
-  /// is at it, in this process or another, or if OpenNI2 cannot describe the camera (the principal
-  /// point must be the middle of the image, the unit 1 mm or 0.1 mm).
+  /// Throws std::filesystem::filesystem_error if there is no folder for temporary files, which
+  /// finish() needs. Throws InputError if the file cannot be written, or is not a regular one, if
+  /// another recorder is at it, in this process or another, or if OpenNI2 cannot describe the
+  /// camera (the principal point must be the middle of the image, the unit 1 mm or 0.1 mm).
   OniWriter(const std::filesystem::path& file, const PinholeCamera& camera, int frames_per_second,
             float metres_per_unit = 0.001F);
 
@@ -51,13 +54,19 @@ class OniWriter {
 std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& camera,
                       int frames_per_second, const std::function<bool(DepthFrame&)>& next_frame);
 
-/// Records the depth of a live device (`openni2:` or `openni2:<uri>`) until stop returns true,
-/// asked every 50 ms, or the device is unplugged; or that of a recording of any kind, from its
-/// beginning, until stop returns true, asked after each frame, or its end. Returns the number of
-/// frames. What looks wrong but is usable is told to warn. Throws InputError or DeviceError; the
+/// When record() ends, if the source does not end before.
+struct RecordingEnd {
+  /// Asked every 50 ms of a device, after each frame of a recording.
+  std::function<bool()> stop;
+  /// Of a device by the clock, of a recording by its stamps.
+  double seconds = std::numeric_limits<double>::infinity();
+};
+
+/// Records the depth of a live device (`openni2:` or `openni2:<uri>`) as it comes, or that of a
+/// recording of any kind, from its beginning, opened with these options; those of a device are not
+/// used. Returns the number of frames, which is 1 at least. Throws InputError or DeviceError; the
 /// latter, with the recording complete, if the disk is full.
 std::size_t record(const std::string& source, const std::filesystem::path& file,
-                   const std::function<bool()>& stop,
-                   const std::function<void(const std::string&)>& warn = {});
+                   const RecordingEnd& end, const SourceOptions& options = {});
 
 }  // namespace lockbox
