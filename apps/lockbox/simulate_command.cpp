@@ -72,9 +72,12 @@ class SimulateCommand : public Command {
         ->check(table_name())
         ->excludes(deviation)
         ->type_name("FILE.csv");
-    options.add_option("--frames", frames_, "Number of frames of an auto trajectory")
-        ->check(positive())
-        ->check(whole_number());
+    frames_option_ = options
+                         .add_option("--frames", frames_,
+                                     "Number of frames of an auto trajectory; of a states file, "
+                                     "the first so many (all, if it is not given)")
+                         ->check(positive())
+                         ->check(whole_number());
     add_threads_option(options, threads_);
     options.add_flag("-q,--quiet", quiet_, "Say nothing but errors");
   }
@@ -176,6 +179,8 @@ class SimulateCommand : public Command {
     if (trajectory_ == "auto") return generated_trajectory();
     std::vector<State> states = read_states(trajectory_, tree).states;
     require_increasing_stamps(trajectory_, states);
+    const auto most = static_cast<std::size_t>(frames_);
+    if (frames_option_->count() > 0 && states.size() > most) states.resize(most);
     return states;
   }
 
@@ -270,6 +275,7 @@ class SimulateCommand : public Command {
   std::vector<Eigen::Isometry3d> apparent_bases_;  ///< by frame that was rendered
   std::filesystem::path bounds_;
   int frames_ = 300;
+  const CLI::Option* frames_option_ = nullptr;
   int threads_ = 0;
   bool overwrite_ = false;
   bool quiet_ = false;

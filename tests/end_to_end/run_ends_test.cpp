@@ -194,6 +194,14 @@ TEST_F(RunEnds, OfASimulationIsACompleteFolder) {
             read_lines(path("cut_short/groundtruth.csv")).size());
 }
 
+TEST_F(RunEnds, OfASimulationComesAfterTheFramesThatWereAskedFor) {
+  const auto result = run_tool({"simulate", "--model", "rigid_block", "--trajectory", start_,
+                                "--frames", "3", "--output", path("three")});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(read_lines(path("three/depth.txt")), SizeIs(4));
+  EXPECT_THAT(read_lines(path("three/groundtruth.csv")), SizeIs(4));
+}
+
 TEST_F(RunEnds, AsFailedWhereTheObjectIsNeverTrackedAndSayWhatTheDepthsTell) {
   write_text(path("aside.csv"),
              "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,4,0,0.9,1,0,0,0\n0.1,4,0,0.9,1,0,0,0\n");
