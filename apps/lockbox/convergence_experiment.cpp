@@ -71,15 +71,14 @@ class Convergence : public Experiment {
   bool continues() const override { return true; }
 
   void add_options(CLI::App& options) override {
-    options.add_option("--samples", samples_, "Runs a cell")->check(CLI::Range(1, 99999));
+    options.add_option("--samples", samples_, "Runs a cell")->check(between(1, 99999));
     options.add_option("--step", step_, "From one cell to the next, cm and degrees")
-        ->check(CLI::Range(1, 45));
+        ->check(between(1, 45));
     options.add_option("--frames", frames_, "Of each run, at most; it ends when it rests")
         ->check(positive());
     options.add_option("--tracker", trackers_, "whole, registration (alone), or both")
-        ->check(CLI::IsMember({"whole", "registration"}));
-    options.add_option("--joints", joints_, "held, free, or both")
-        ->check(CLI::IsMember({"held", "free"}));
+        ->check(one_of({"whole", "registration"}));
+    options.add_option("--joints", joints_, "held, free, or both")->check(one_of({"held", "free"}));
     options.add_option("--success-translation", success_cm_, "Largest error of a success, cm");
     options.add_option("--success-rotation", success_degrees_, "Largest error, degrees");
     shard_.add_to(options);

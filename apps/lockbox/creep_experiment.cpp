@@ -12,6 +12,7 @@
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/table.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "option_checks.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -100,7 +101,7 @@ class CreepExperiment : public Experiment {
  public:
   void add_options(CLI::App& options) override {
     options.add_option("--frames", frames_, "How often the image is shown")
-        ->check(CLI::Range(kFramesToRest + 1, 100000));
+        ->check(between(kFramesToRest + 1, 100000));
   }
 
  private:

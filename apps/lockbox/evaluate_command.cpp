@@ -135,6 +135,9 @@ class EvaluateCommand : public Command {
   }
 
   ExitStatus run() override {
+    for (const auto& file : {estimate_, reference_}) {
+      if (!std::filesystem::exists(file)) throw InputError(file, "there is no such file");
+    }
     if (is_tum_trajectory(estimate_)) {
       throw InputError(estimate_, "is a TUM trajectory; give the states.csv that stands beside it");
     }

@@ -2,14 +2,15 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
-#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -28,7 +29,8 @@ void print_overview(std::ostream& out) {
   for (const auto& entry : commands()) {
     out << "  " << entry.name << std::string(12 - entry.name.size(), ' ') << entry.summary << '\n';
   }
-  out << "\n`lockbox COMMAND --help` explains the options of a command, with an example.\n";
+  out << "\n`lockbox COMMAND --help` (or `lockbox help COMMAND`) explains the options of a "
+         "command, with an example.\n";
 }
 
 ExitStatus fail(ExitStatus status, const std::string& message) {
@@ -37,15 +39,20 @@ ExitStatus fail(ExitStatus status, const std::string& message) {
 }
 
 /// Reads the options; returns nothing if the command shall run.
-std::optional<ExitStatus> parse(CLI::App& options, std::span<char*> arguments) {
+std::optional<ExitStatus> parse(CLI::App& options, std::vector<std::string> arguments) {
   try {
-    options.parse(static_cast<int>(arguments.size()), arguments.data());
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+    options.parse(std::move(arguments));
     return std::nullopt;
   } catch (const CLI::Success& request) {  // --help
     options.exit(request);
     return ExitStatus::done;
-  } catch (const CLI::FileError& error) {
-    return fail(ExitStatus::invalid_input, std::string("--config: ") + error.what());
+  } catch (const CLI::FileError&) {
+    const auto file = options.get_config_ptr()->as<std::string>();
+    return fail(
+        ExitStatus::invalid_input,
+        "--config " + file +
+            (std::filesystem::exists(file) ? ": cannot be read" : ": there is no such file"));
   } catch (const CLI::ConfigError& error) {
     return fail(ExitStatus::invalid_input, options.get_config_ptr()->as<std::string>() + ": " +
                                                configuration_problem(options, error));
@@ -67,7 +74,7 @@ ExitStatus signal_status() {
   return static_cast<ExitStatus>(interruption::exit_status(interruption::signal_number()));
 }
 
-ExitStatus run(const CommandEntry& entry, std::span<char*> arguments) {
+ExitStatus run(const CommandEntry& entry, const std::vector<std::string>& arguments) {
   const auto command = entry.make();
   CLI::App options(entry.summary, "lockbox " + entry.name);
   options.footer("Example:\n  " + entry.example + "\n\n" + kStatusHelp);
@@ -100,19 +107,11 @@ ExitStatus require_output(ExitStatus status) {
   return fail(ExitStatus::invalid_input, "standard output cannot be written; is the disk full?");
 }
 
-ExitStatus dispatch(std::span<char*> arguments) {
-  const std::string name = arguments.size() > 1 ? arguments[1] : "";
-  if (name == "--help" || name == "-h" || name == "help") {
-    print_overview(std::cout);
-    return ExitStatus::done;
-  }
-  if (name == "--version") {
-    std::cout << "lockbox " << kVersion << '\n';
-    return ExitStatus::done;
-  }
-  for (const auto& entry : commands()) {
-    if (entry.name == name) return run(entry, arguments.subspan(1));
-  }
+bool asks_for_help(const std::string& argument) {
+  return argument == "--help" || argument == "-h" || argument == "help";
+}
+
+ExitStatus refuse_command(const std::string& name) {
   if (!name.empty()) {
     std::vector<std::string> names;
     for (const auto& entry : commands()) names.push_back(entry.name);
@@ -123,11 +122,35 @@ ExitStatus dispatch(std::span<char*> arguments) {
   return ExitStatus::wrong_usage;
 }
 
+/// `lockbox track ...`; `lockbox help track` and `lockbox track help` mean `lockbox track --help`.
+ExitStatus dispatch(const std::vector<std::string>& arguments) {
+  std::string name = arguments.empty() ? "" : arguments.front();
+  std::vector<std::string> options(arguments.begin() + (arguments.empty() ? 0 : 1),
+                                   arguments.end());
+  if (asks_for_help(name)) {
+    if (options.empty()) {
+      print_overview(std::cout);
+      return ExitStatus::done;
+    }
+    name = options.front();
+    options.front() = "--help";
+  }
+  if (name == "--version") {
+    std::cout << "lockbox " << kVersion << '\n';
+    return ExitStatus::done;
+  }
+  if (options == std::vector<std::string>{"help"}) options.front() = "--help";
+  for (const auto& entry : commands()) {
+    if (entry.name == name) return run(entry, options);
+  }
+  return refuse_command(name);
+}
+
 }  // namespace
 }  // namespace lockbox::app
 
 int main(int argc, char** argv) {
   using namespace lockbox::app;
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // whoever reads a pipe sees each line at once
-  return static_cast<int>(require_output(dispatch({argv, static_cast<std::size_t>(argc)})));
+  return static_cast<int>(require_output(dispatch({argv + std::min(argc, 1), argv + argc})));
 }

@@ -40,12 +40,12 @@ class Mismatch : public Experiment {
 
   void add_options(CLI::App& options) override {
     options.add_option("--severity", severity_, "moderate or severe")
-        ->check(CLI::IsMember({"moderate", "severe"}));
+        ->check(one_of({"moderate", "severe"}));
     options
         .add_option("--kind", kinds_,
                     "What deviates (repeatable): none, scale, sizes, bend, joints, added, missing, "
                     "focal, centre, distortion, depth-scale, depth-bend, frames or all")
-        ->check(CLI::IsMember(deviation_kinds()))
+        ->check(one_of(deviation_kinds()))
         ->default_str("each of them");
     options.add_option("--seeds", seeds_, "Of each kind")->check(positive());
     options.add_option("--frames", frames_, "Of each run")->check(positive());

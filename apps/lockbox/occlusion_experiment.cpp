@@ -11,6 +11,7 @@
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/run_bounds.hpp"
 #include "lockbox/evaluation/table.hpp"
+#include "option_checks.hpp"
 #include "possible_motion.hpp"
 #include "primesense_camera.hpp"
 #include "progress.hpp"
@@ -125,7 +126,7 @@ Figure error_figure(const KinematicTree& tree, const OcclusionRuns& runs) {
 class Occlusion : public Experiment {
  public:
   void add_options(CLI::App& options) override {
-    options.add_option("--frames", frames_, "Of each run")->check(CLI::Range(2, 100000));
+    options.add_option("--frames", frames_, "Of each run")->check(between(2, 100000));
     options.add_option("--scene", scene_, "Scene with an arm: file, or name of a shipped one")
         ->type_name("FILE");
   }

@@ -10,6 +10,7 @@
 #include "lockbox/core/file_kind.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/parallel.hpp"
+#include "nearest_name.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -70,6 +71,27 @@ CLI::Validator whole_number() {
             return is_whole ? "" : in_quotes(text) + " is not a whole number below 2e9";
           },
           "INT"};
+}
+
+CLI::Validator between(double least, double most) {
+  const std::string limits = fixed_number_text(least) + " and " + fixed_number_text(most);
+  return {[=](std::string& text) -> std::string {
+            const auto value = parse_number(text);
+            return value && *value >= least && *value <= most
+                       ? ""
+                       : in_quotes(text) + " is not a number between " + limits;
+          },
+          ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  return {[=](std::string& text) -> std::string {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return "";
+            std::string list;
+            for (const auto& name : names) list.append(list.empty() ? "" : ", ").append(name);
+            return in_quotes(text) + " is none of " + list + did_you_mean(text, names);
+          },
+          ""};
 }
 
 CLI::Validator picture_name() {

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <string>
+#include <vector>
 
 namespace lockbox::app {
 
 /// Refuse values of options with a message that says what they must be.
 CLI::Validator positive();
 CLI::Validator not_negative();
-CLI::Validator whole_number();    ///< also as 1e3
+CLI::Validator whole_number();  ///< also as 1e3
+CLI::Validator between(double least, double most);
+CLI::Validator one_of(const std::vector<std::string>& names);
 CLI::Validator picture_name();    ///< ends in .png
 CLI::Validator table_name();      ///< ends in .csv
 CLI::Validator recording_name();  ///< ends in .oni, or no source would know it again

@@ -105,7 +105,7 @@ class Order : public Experiment {
  public:
   void add_options(CLI::App& options) override {
     options.add_option("--runs", runs_, "Random orders, and as many renamings")->check(positive());
-    options.add_option("--frames", frames_, "Of the recording")->check(CLI::Range(2, 100000));
+    options.add_option("--frames", frames_, "Of the recording")->check(between(2, 100000));
   }
 
  private:

@@ -25,11 +25,11 @@ class Peers : public Experiment {
  public:
   void add_options(CLI::App& options) override {
     options.add_option("--sequence", sequences_, "Those to run (repeatable)")
-        ->check(CLI::IsMember(sequence_names()));
+        ->check(one_of(sequence_names()));
     options.add_option("--seeds", seeds_, "Of noise, from --seed on: runs of each sequence")
-        ->check(CLI::Range(1, 1000));
+        ->check(between(1, 1000));
     options.add_option("--frames", frames_, "Of each sequence: the first so many")
-        ->check(CLI::Range(2, kPeerFrames));
+        ->check(between(2, kPeerFrames));
     options.add_option("--trials", trials_, "Wrong starts of each kind on frame 30")
         ->check(not_negative());
     options.add_option("--fast-points", fast_points_, "Point budget of the fast setting")

@@ -91,7 +91,7 @@ class Rigid : public Experiment {
   void add_options(CLI::App& options) override {
     options.add_option("--frames", frames_, "Of each run")->check(positive());
     options.add_option("--step", step_, "From one start to the next, cm")
-        ->check(CLI::Range(1.0, 90.0));
+        ->check(between(1.0, 90.0));
   }
 
  private:

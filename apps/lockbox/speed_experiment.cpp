@@ -16,7 +16,7 @@ namespace {
 class Speed : public Experiment {
  public:
   void add_options(CLI::App& options) override {
-    options.add_option("--frames", frames_, "Of the slowest run")->check(CLI::Range(2, 100000));
+    options.add_option("--frames", frames_, "Of the slowest run")->check(between(2, 100000));
     options.add_option("--fastest", fastest_, "Factor of the fastest run")->check(positive());
     options.add_option("--runs", runs_, "Steps of each of two kinds, of the base and of a hinge")
         ->check(not_negative());

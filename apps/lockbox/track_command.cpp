@@ -10,6 +10,7 @@
 #include "lockbox/model/states_file.hpp"
 #include "locked_folder.hpp"
 #include "model_options.hpp"
+#include "nearest_name.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
 #include "parameters.hpp"
@@ -33,6 +34,15 @@ Configuration first_state(const std::string& file, const KinematicTree& tree) {
     throw InputError(file, "the first row must hold the state to start from");
   }
   return states.states.front().configuration;
+}
+
+/// Throws InputError with the name that was meant.
+int index_of_joint(const KinematicTree& tree, const std::string& name) try {
+  return joint_index(tree, name);
+} catch (const InputError& error) {
+  std::vector<std::string> names;
+  for (const Joint& joint : tree.joints) names.push_back(joint.name);
+  throw InputError("--lock-joint", error.what() + did_you_mean(name, names));
 }
 
 class TrackCommand : public Command {
@@ -169,7 +179,7 @@ class TrackCommand : public Command {
         ->type_name("NAME")
         ->default_str("");
     options.add_option("--collision", collision_, "off, literal or eroded")
-        ->check(CLI::IsMember({"off", "literal", "eroded"}).description(""))
+        ->check(one_of({"off", "literal", "eroded"}))
         ->type_name("MODE");
   }
 
@@ -180,7 +190,7 @@ class TrackCommand : public Command {
       options.registration.locked.assign(static_cast<std::size_t>(tree.variables()), false);
     }
     for (const auto& name : locked_joints_) {
-      const Joint& joint = tree.joints[static_cast<std::size_t>(joint_index(tree, name))];
+      const Joint& joint = tree.joints[static_cast<std::size_t>(index_of_joint(tree, name))];
       options.registration.locked[static_cast<std::size_t>(joint.variable)] = true;
     }
     return options;

@@ -67,21 +67,73 @@ std::string unexpected(const CLI::App& options, const std::string& argument) {
   return stray_value(options, argument);
 }
 
+/// Of the command, or of its subcommand that was chosen; null if there is none.
+const CLI::Option* option_called(const CLI::App& options, const std::string& name) {
+  const CLI::Option* option = options.get_option_no_throw(name);
+  for (const CLI::App* chosen : options.get_subcommands()) {
+    if (option == nullptr) option = chosen->get_option_no_throw(name);
+  }
+  return option;
+}
+
+/// `problem` is what CLI11 says: "--model: 1 required FILE missing", "--model: At Most 1 ...".
+std::string wrong_count(const CLI::App& options, const std::string& problem) {
+  const std::string name = problem.substr(0, problem.find(':'));
+  const CLI::Option* const option = option_called(options, name);
+  if (option == nullptr) return problem;
+  if (problem.find("received") != std::string::npos) return name + " can be given only once";
+  const std::string type = option->get_type_name();
+  return name + " needs a value" + (type.empty() ? "" : ": " + name + ' ' + type);
+}
+
+/// "Could not convert: --seed = 1.5".
+std::string wrong_kind(const CLI::App& options, const std::string& problem) {
+  const std::size_t colon = problem.find(": ");
+  const std::size_t equals = problem.find(" = ");
+  if (colon == std::string::npos || equals == std::string::npos) return problem;
+  const std::string name = problem.substr(colon + 2, equals - colon - 2);
+  const std::string value = problem.substr(equals + 3);
+  const CLI::Option* const option = option_called(options, name);
+  if (option == nullptr) return problem;
+  const bool is_flag = option->get_expected_max() == 0;
+  return name + ": " + in_quotes(value) +
+         (is_flag ? " is neither true nor false" : " is not a whole number, or too large");
+}
+
+/// "--deviation excludes --bounds".
+std::string wrong_pair(const std::string& problem) {
+  const std::string verb = " excludes ";
+  const std::size_t at = problem.find(verb);
+  if (at == std::string::npos) return problem;
+  return problem.substr(0, at) + " and " + problem.substr(at + verb.size()) +
+         " cannot be given together";
+}
+
 }  // namespace
 
 std::string usage_problem(const CLI::App& options, const CLI::ParseError& error) {
   constexpr bool kOfSubcommandsToo = true;
   const auto unused = options.remaining(kOfSubcommandsToo);
-  if (unused.empty()) return error.what();
+  if (unused.empty()) {
+    const std::string problem = error.what();
+    if (error.get_name() == "ArgumentMismatch") return wrong_count(options, problem);
+    if (error.get_name() == "ConversionError") return wrong_kind(options, problem);
+    if (error.get_name() == "ExcludesError") return wrong_pair(problem);
+    return problem;
+  }
   const auto option = std::find_if(unused.begin(), unused.end(), is_option);
   return unexpected(options, option != unused.end() ? *option : unused.front());
 }
 
 std::string configuration_problem(const CLI::App& options, const CLI::ConfigError& error) {
   const std::string problem = error.what();
-  const std::string last_word = problem.substr(problem.rfind(' ') + 1);
-  return "keys are the long names of this command's options; " + problem +
-         did_you_mean(last_word, long_names(options));
+  const std::string key = problem.substr(problem.rfind(' ') + 1);
+  if (key.ends_with("++") || key.ends_with("--") || key.starts_with('[')) {
+    return "[sections] are not read; give the options of one command as lines `name = value`";
+  }
+  return "there is no option " + in_quotes(key) +
+         "; keys are the long names of this command's options, without dashes" +
+         did_you_mean(key, long_names(options));
 }
 
 }  // namespace lockbox::app

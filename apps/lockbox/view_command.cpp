@@ -54,7 +54,7 @@ class ViewCommand : public Command {
         ->type_name("FILE.png");
     options.add_option("--size", size_, "Of window or picture, pixels")
         ->delimiter('x')
-        ->check(CLI::Range(kSmallest, kLargest))
+        ->check(between(kSmallest, kLargest))
         ->type_name("WIDTHxHEIGHT")
         ->default_str("1280x800");
     options.footer(std::string(options.get_footer()) + "\n\nKeys in the window:\n  " +

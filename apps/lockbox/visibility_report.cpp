@@ -19,8 +19,13 @@ void VisibilityReport::Part::add(std::size_t frame, double share) {
 void VisibilityReport::Part::print(const std::string& what) const {
   if (most == 0.0) return;
   std::cerr << "lockbox: warning: " << what << " up to " << std::lround(100.0 * most)
-            << " % of the object (frame " << frame_of_most << "; frames " << first << " to " << last
-            << " are concerned)\n";
+            << " % of the object (";
+  if (first == last) {
+    std::cerr << "frame " << first << ")\n";
+  } else {
+    std::cerr << "most in frame " << frame_of_most << " of frames " << first << " to " << last
+              << ")\n";
+  }
 }
 
 void VisibilityReport::add(std::size_t frame, const State& state) {

@@ -29,6 +29,16 @@ TEST(Help, OfEachCommandShowsItsOptionsAndAnExample) {
   }
 }
 
+TEST(Help, OfACommandIsGivenHoweverItIsAskedFor) {
+  const std::string help = run_tool({"track", "--help"}).output;
+  EXPECT_EQ(run_tool({"help", "track"}).output, help);
+  EXPECT_EQ(run_tool({"track", "help"}).output, help);
+  EXPECT_EQ(run_tool({"--help", "track"}).output, help);
+  const auto mistyped = run_tool({"help", "trakc"});
+  EXPECT_EQ(mistyped.status, 2);
+  EXPECT_THAT(mistyped.errors, HasSubstr("did you mean track?"));
+}
+
 TEST(Help, OfTrackSaysWhenNothingWasTracked) {
   EXPECT_THAT(run_tool({"track", "--help"}).output,
               testing::ContainsRegex("5: done, but no frame"));
@@ -75,6 +85,30 @@ TEST(Usage, WhatWasMistypedIsNamedWithWhatWasMeant) {
     for (const auto& word : words) EXPECT_THAT(result.errors, HasSubstr(word));
   }
   EXPECT_THAT(run_tool({"track", "--qqqqqq"}).errors, testing::Not(HasSubstr("did you mean")));
+}
+
+/// Those of the library that reads options are for its programmers.
+TEST(Usage, MessagesAreOurs) {
+  const std::vector<std::string> track = {"track", "--model", "lockbox", "--source", "x.oni"};
+  const std::vector<std::string> simulate = {"simulate", "-m", "rigid_block", "-t",
+                                             "auto",     "-o", "out"};
+  const auto errors_of = [](std::vector<std::string> arguments,
+                            const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto result = run_tool(arguments);
+    EXPECT_EQ(result.status, 2) << result.errors;
+    return result.errors;
+  };
+  EXPECT_THAT(errors_of({"track"}, {"--model"}), HasSubstr("--model needs a value: --model FILE"));
+  EXPECT_THAT(errors_of(track, {"--model", "x"}), HasSubstr("--model can be given only once"));
+  EXPECT_THAT(errors_of(track, {"--collision", "of"}),
+              HasSubstr("'of' is none of off, literal, eroded; did you mean off?"));
+  EXPECT_THAT(errors_of(track, {"--quiet=maybe"}), HasSubstr("'maybe' is neither true nor false"));
+  EXPECT_THAT(errors_of(simulate, {"--seed", "1.5"}), HasSubstr("--seed: '1.5' is not a whole"));
+  EXPECT_THAT(errors_of(simulate, {"--bounds", "b.csv", "--deviation", "d.yaml"}),
+              HasSubstr("--deviation and --bounds cannot be given together"));
+  EXPECT_THAT(errors_of({"view", "--model", "lockbox"}, {"--size", "9x9"}),
+              HasSubstr("'9' is not a number between 100 and 8192"));
 }
 
 TEST(Usage, FilesAreNotTakenForFolders) {

@@ -163,7 +163,11 @@ TEST(Configuration, WithUnknownKeysOrMissingIsRefused) {
   const auto result = run_tool({"inspect", "--config", file});
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.errors, HasSubstr(file));
-  EXPECT_THAT(result.errors, HasSubstr("modle"));
+  EXPECT_THAT(result.errors, HasSubstr("there is no option 'modle'"));
+  EXPECT_THAT(result.errors, HasSubstr("did you mean model?"));
+  write_text(file, "[inspect]\nmodel = \"rigid_block\"\n");
+  EXPECT_THAT(run_tool({"inspect", "--config", file}).errors, HasSubstr("[sections] are not read"));
+  EXPECT_THAT(run_tool({"inspect", "--config", "no.toml"}).errors, HasSubstr("no such file"));
 }
 
 TEST(Configuration, GivesOptionsTheirValues) {
@@ -264,6 +268,26 @@ TEST(OutputFolder, ThatCannotBeIsNamed) {
                                 folder / "new/block.oni", "--output", folder / "state.csv/run"});
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.errors, HasSubstr("state.csv/run: cannot be made a folder"));
+}
+
+TEST(Joint, ThatIsUnknownIsAnsweredWithTheNearest) {
+  const TemporaryFolder folder;
+  simulate_block(folder);
+  const auto result = run_tool(
+      {"track", "--model", "cabinet", "--source", folder / "new/block.oni", "--lock-joint", "dor"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("--lock-joint"));
+  EXPECT_THAT(result.errors, HasSubstr("did you mean door?"));
+}
+
+TEST(Estimate, ThatIsMissingOrItsReferenceIsNamed) {
+  const TemporaryFolder folder;
+  simulate_block(folder);
+  const std::string there = folder / "new/groundtruth.csv";
+  EXPECT_THAT(run_tool({"evaluate", "-e", "nope.csv", "-r", there}).errors,
+              HasSubstr("nope.csv: there is no such file"));
+  EXPECT_THAT(run_tool({"evaluate", "-e", there, "-r", "nope.csv"}).errors,
+              HasSubstr("nope.csv: there is no such file"));
 }
 
 TEST(Estimate, OfARunWhoseModelNeedsAPackagePathIsComparedWithIt) {
