@@ -24,7 +24,9 @@ void Snapshots::add(const DepthFrame& frame, const Configuration& configuration)
   if (count_++ % interval_ != 0) return;
   RgbImage picture = depth_picture(frame);
   if (configuration.T_camera_base.matrix().allFinite()) {
-    if (!painter_ || !(frame.camera == camera_)) painter_.emplace(tree_, frame.camera, executor_);
+    if (!painter_ || !(frame.camera == camera_)) {
+      painter_.emplace(tree_, frame.camera, executor_, GreyModel::in_orange);
+    }
     camera_ = frame.camera;
     painter_->paint(configuration, kOpacity, picture);
   }

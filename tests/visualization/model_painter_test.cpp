@@ -61,5 +61,21 @@ TEST(ModelPainter, ShadesFacesByTheirDirection) {
   EXPECT_GT(color_at(image, 34, 30)[0], color_at(image, 45, 30)[0] + 20);
 }
 
+TEST(ModelPainter, DrawsWhatHasNoColorInOrangeWhereItIsAskedTo) {
+  const auto color_of = [](const Eigen::Vector4f& rgba, GreyModel grey) {
+    const auto tree = block_tree({0.2, 0.2, 0.1}, rgba);
+    RgbImage image(kCamera.width, kCamera.height, 100);
+    ModelPainter(tree, kCamera, Executor(1), grey).paint(one_metre_away(), 0.65F, image);
+    return color_at(image, 40, 30);
+  };
+  const Eigen::Vector4f grey(0.7F, 0.7F, 0.7F, 1.0F);
+  const auto kept = color_of(grey, GreyModel::as_it_is);
+  EXPECT_EQ(kept[0], kept[2]);
+  const auto orange = color_of(grey, GreyModel::in_orange);
+  EXPECT_GT(orange[0], orange[2] + 60);
+  const auto blue = color_of({0.2F, 0.2F, 0.9F, 1.0F}, GreyModel::in_orange);
+  EXPECT_GT(blue[2], blue[0]) << "it has a colour";
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -55,6 +55,11 @@ bool is_edge(const RenderedDepth& rendered, int u, int v) {
   return std::max(bend_u, bend_v) > kDepthStep * here;
 }
 
+bool is_grey(const Eigen::Vector3f& color) {
+  constexpr float kLeastSaturation = 0.1F;  // that is seen over grey
+  return color.maxCoeff() - color.minCoeff() < kLeastSaturation;
+}
+
 PinholeCamera supersampled(const PinholeCamera& camera) {
   constexpr double kShift = 0.5 * (kSamplesAPixel - 1);  // of a pixel's centre among its samples
   return {camera.width * kSamplesAPixel,       camera.height * kSamplesAPixel,
@@ -65,7 +70,7 @@ PinholeCamera supersampled(const PinholeCamera& camera) {
 }  // namespace
 
 ModelPainter::ModelPainter(const KinematicTree& tree, const PinholeCamera& camera,
-                           const Executor& executor)
+                           const Executor& executor, GreyModel grey)
     : tree_(tree), renderer_(supersampled(camera), executor) {
   for (std::size_t body = 0; body < tree.bodies.size(); ++body) {
     for (const auto& visual : tree.bodies[body].visuals) {
@@ -74,6 +79,10 @@ ModelPainter::ModelPainter(const KinematicTree& tree, const PinholeCamera& camer
       body_of_item_.push_back(static_cast<int>(body));
       color_of_item_.push_back(visual.rgba.head<3>());
     }
+  }
+  if (grey == GreyModel::in_orange &&
+      std::all_of(color_of_item_.begin(), color_of_item_.end(), is_grey)) {
+    std::fill(color_of_item_.begin(), color_of_item_.end(), Eigen::Vector3f(1.0F, 0.6F, 0.2F));
   }
 }
 

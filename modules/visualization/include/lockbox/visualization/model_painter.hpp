@@ -11,12 +11,19 @@
 
 namespace lockbox {
 
+/// Of a model in which nothing has a colour, as in bare meshes.
+enum class GreyModel {
+  as_it_is,
+  in_orange  ///< so that it stands out from what is grey behind it
+};
+
 /// Draws a model in its own colours, shaded by its surface's normals, with dark outlines. Works
 /// without a display.
 class ModelPainter {
  public:
   /// The tree is referred to, not copied.
-  ModelPainter(const KinematicTree& tree, const PinholeCamera& camera, const Executor& executor);
+  ModelPainter(const KinematicTree& tree, const PinholeCamera& camera, const Executor& executor,
+               GreyModel grey = GreyModel::as_it_is);
 
   /// Paints over the image (of the camera's size); opacity 1 hides what was there.
   void paint(const Configuration& configuration, float opacity, RgbImage& image);
