@@ -18,6 +18,7 @@
 #include "run_writer.hpp"
 #include "snapshots.hpp"
 #include "source_options.hpp"
+#include "states_in_metres.hpp"
 #include "symmetry_note.hpp"
 #include "tracking_run.hpp"
 
@@ -33,6 +34,7 @@ Configuration first_state(const std::string& file, const KinematicTree& tree) {
   if (states.states.empty() || !states.states.front().known) {
     throw InputError(file, "the first row must hold the state to start from");
   }
+  require_metres(file, {states.states.front()});
   return states.states.front().configuration;
 }
 

@@ -15,6 +15,7 @@
 #include "progress.hpp"
 #include "run_viewer.hpp"
 #include "source_options.hpp"
+#include "states_in_metres.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -85,6 +86,7 @@ class ViewCommand : public Command {
     if (states_.empty()) return {};
     auto states = read_states(states_, tree).states;
     if (states.empty()) throw InputError(states_, "holds no rows");
+    require_metres(states_, states);
     return states;
   }
 

@@ -190,6 +190,26 @@ TEST(States, WithWrongColumnsAreRefusedWithFileAndLine) {
   EXPECT_THAT(result.errors, HasSubstr("states.csv:3"));
 }
 
+TEST(States, InMillimetresAreRefused) {
+  const TemporaryFolder folder;
+  const std::string header = "timestamp,tx,ty,tz,qx,qy,qz,qw\n";
+  write_text(folder / "m.csv", header + "0,0,0,1,0,0,0,1\n");
+  write_text(folder / "mm.csv", header + "0,0,0,1000,0,0,0,1\n");
+  const auto simulate = [&](const std::string& states) {
+    return run_tool({"simulate", "--model", "rigid_block", "--trajectory", folder / states,
+                     "--output", folder / ("out_" + states + "/")});
+  };
+  ASSERT_EQ(simulate("m.csv").status, 0);
+  const auto simulated = simulate("mm.csv");
+  EXPECT_EQ(simulated.status, 3);
+  EXPECT_THAT(simulated.errors, HasSubstr("mm.csv: state 1 puts the base 1000 m away"));
+  EXPECT_THAT(simulated.errors, HasSubstr("divide them by 1000"));
+  const auto tracked = run_tool({"track", "--model", "rigid_block", "--source",
+                                 folder / "out_m.csv/", "--initial-state", folder / "mm.csv"});
+  EXPECT_EQ(tracked.status, 3);
+  EXPECT_THAT(tracked.errors, HasSubstr("in millimetres"));
+}
+
 /// One state of a rigid block, and a recording of it.
 void simulate_block(const TemporaryFolder& folder) {
   write_text(folder / "state.csv", "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0,0,1,0,0,0,1\n");

@@ -85,6 +85,16 @@ TEST_F(Units, OfABareMeshAreMendedByTheOption) {
       AllOf(HasSubstr("micrometres (then it is 200 mm"), HasSubstr("--mesh-scale 0.000001")));
 }
 
+TEST_F(Units, OfABareMeshFarFromItsOriginAreToldWithoutWordsOfAUrdf) {
+  std::string vertices;
+  for (const char* place : {"9 0 0", "9.2 0 0", "9 0.2 0", "9 0 0.2"}) {
+    vertices += std::string("v ") + place + "\n";
+  }
+  const auto file = write("far.obj", vertices + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  EXPECT_THAT(warnings_of_mesh(file, 1.0), AllOf(HasSubstr("the mesh lies 9.1 m away"),
+                                                 HasSubstr("its origin"), Not(HasSubstr("<"))));
+}
+
 TEST_F(Units, AreGuessedByTheOtherLinks) {
   mesh_of(40.0);  // inches of a thing of 1 m; 40 mm beside others of 20 m would be odd
   const std::string others =

@@ -103,6 +103,13 @@ std::string place_advice(const std::string& what, double distance, double usual)
                : "");
 }
 
+/// There is no URDF in which an origin could be written.
+std::string advice_on_bare_mesh(const VisualExtent& visual) {
+  return "the mesh lies " + readable_length(visual.distance()) +
+         " away from its origin, far beyond its size; poses are those of the origin: move the "
+         "vertices there, unless that is meant";
+}
+
 /// Whether all visuals of a body together are larger than any link may be.
 bool is_beyond_all_links(const std::vector<VisualExtent>& visuals, int body) {
   Eigen::AlignedBox3d box;
@@ -112,8 +119,8 @@ bool is_beyond_all_links(const std::vector<VisualExtent>& visuals, int body) {
   return box.sizes().maxCoeff() > kLargestLink;
 }
 
-void check_places(const std::vector<VisualExtent>& visuals, const KinematicTree& tree, double usual,
-                  const SizeComplaints& complaints) {
+void check_places(const std::vector<VisualExtent>& visuals, const KinematicTree& tree,
+                  const SizeContext& context, const SizeComplaints& complaints) {
   std::vector<double> sizes;
   sizes.reserve(visuals.size());
   for (const VisualExtent& visual : visuals) sizes.push_back(visual.size());
@@ -121,8 +128,10 @@ void check_places(const std::vector<VisualExtent>& visuals, const KinematicTree&
   Named links;
   for (const VisualExtent& visual : visuals) {
     if (visual.distance() <= farthest) continue;
-    const std::string advice = place_advice(
-        "its <origin>, or that of a fixed joint, puts its geometry", visual.distance(), usual);
+    const std::string advice =
+        context.is_bare ? advice_on_bare_mesh(visual)
+                        : place_advice("its <origin>, or that of a fixed joint, puts its geometry",
+                                       visual.distance(), context.usual);
     const bool is_apart = is_beyond_all_links(visuals, visual.body);
     if (is_apart) complaints.refuse_link(visual.link, advice);
     links.emplace_back(visual.link, advice);
@@ -133,7 +142,7 @@ void check_places(const std::vector<VisualExtent>& visuals, const KinematicTree&
     const double distance = joint.T_parent_joint.translation().norm();
     const Body& parent = tree.bodies[static_cast<std::size_t>(joint.parent_body)];
     if (parent.visuals.empty() || distance <= farthest) continue;  // a frame may be anywhere
-    joints.emplace_back(joint.name, place_advice("its <origin> puts it", distance, usual));
+    joints.emplace_back(joint.name, place_advice("its <origin> puts it", distance, context.usual));
   }
   warn_of_first(joints, complaints.warn_of_joint);
 }
@@ -148,7 +157,7 @@ void check_sizes(const std::vector<VisualExtent>& visuals, const KinematicTree& 
   const SizeContext context{usual_length(std::move(lengths)), mesh_scale, is_bare};
   check_large(visuals, others, context, complaints);
   check_small(visuals, context, complaints);
-  check_places(visuals, tree, context.usual, complaints);
+  check_places(visuals, tree, context, complaints);
 }
 
 }  // namespace lockbox

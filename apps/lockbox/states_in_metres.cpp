@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "states_in_metres.hpp"
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/core/readable_text.hpp"
+#include "lockbox/core/units.hpp"
+
+namespace lockbox::app {
+namespace {
+
+/// Metres, as for `initial_state` of a model. Depth cameras reach half as far; of an object as near
+/// as 2 cm millimetres would be taken for metres.
+constexpr double kFarthest = 20.0;
+
+}  // namespace
+
+void require_metres(const std::string& file, const std::vector<State>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (!states[i].known) continue;
+    const double distance = states[i].configuration.T_camera_base.translation().norm();
+    if (distance <= kFarthest) continue;
+    const bool may_be_millimetres = distance / kMillimetres <= kFarthest;
+    throw InputError(
+        file,
+        "state " + std::to_string(i + 1) + " puts the base " + readable_length(distance) +
+            " away from the camera, where no depth camera sees it; positions are in metres" +
+            (may_be_millimetres ? ", these seem to be in millimetres: divide them by 1000" : ""));
+  }
+}
+
+}  // namespace lockbox::app
