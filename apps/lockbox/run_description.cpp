@@ -52,6 +52,7 @@ void emit_totals(YAML::Emitter& out, const RunTotals& totals, const std::string&
   }
   out << YAML::Key << "unreadable" << YAML::Value << totals.faults().unreadable;
   out << YAML::Key << "restamped" << YAML::Value << totals.faults().restamped;
+  out << YAML::Key << "dropped" << YAML::Value << totals.faults().dropped;
   out << YAML::EndMap;
   if (totals.frames() == 0) return;  // nothing was measured
   out << YAML::Key << "latency_ms" << YAML::Value << YAML::Flow << YAML::BeginMap;

@@ -78,6 +78,10 @@ void print_summary(const RunTotals& totals, const RunSettings& settings) {
   if (totals.faults().restamped > 0) {
     std::cout << counted(totals.faults().restamped, "time stamp") << " advanced\n";
   }
+  if (totals.faults().dropped > 0) {
+    std::cout << counted(totals.faults().dropped, "frame")
+              << " dropped: they came while the one before was worked on\n";
+  }
   if (!settings.output.empty()) {
     std::cout << (totals.frames() > 0 ? "results: "
                                       : "no results; the same command begins anew in ")

@@ -89,6 +89,7 @@ TEST(LiveDevice, ASlowConsumerGetsTheNewestFrame) {
   std::this_thread::sleep_for(200ms);
   ASSERT_TRUE(device.next(second));
   EXPECT_GT(second.index, first.index + 5);
+  EXPECT_EQ(device.faults().dropped, second.index - first.index - 1);
 }
 
 TEST(LiveDevice, UnpluggingIsNoticed) {

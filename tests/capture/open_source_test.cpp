@@ -191,6 +191,7 @@ TEST(OpenSource, RealTimeDropsWhatASlowConsumerMisses) {
   std::this_thread::sleep_for(150ms);
   ASSERT_TRUE(source->next(frame));
   EXPECT_GE(frame.index, 4U);
+  EXPECT_EQ(source->faults().dropped, frame.index - 1);
 }
 
 /// Two frames, an hour apart.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/capture/live_device.hpp"
 
+#include <algorithm>
+
 #include "lockbox/core/error.hpp"
 #include "openni_device.hpp"
 #include "openni_session.hpp"
@@ -71,6 +73,8 @@ struct LiveDevice::Impl {
   std::string name;
   PinholeCamera camera;
   std::optional<int> first_index;
+  std::optional<int> last_index;
+  std::size_t dropped = 0;
 };
 
 LiveDevice::LiveDevice(const std::string& uri, const SourceOptions& options)
@@ -88,12 +92,20 @@ bool LiveDevice::next(DepthFrame& frame) {
   }
   frame.camera = impl_->camera;
   copy_frame(read, impl_->depth.getMirroringEnabled(), frame);
+  const int index = read.getFrameIndex();
   if (!impl_->first_index) {
-    impl_->first_index = read.getFrameIndex();
+    impl_->first_index = index;
   }
-  frame.index = static_cast<std::uint64_t>(read.getFrameIndex() - *impl_->first_index);
+  frame.index = static_cast<std::uint64_t>(index - *impl_->first_index);
+  const int missed = index - impl_->last_index.value_or(index - 1) - 1;
+  impl_->dropped += static_cast<std::size_t>(std::max(missed, 0));
+  impl_->last_index = index;
   impl_->rectification.apply(frame);
   return true;
+}
+
+SourceFaults LiveDevice::faults() const {
+  return {.dropped = impl_->dropped};
 }
 
 std::string LiveDevice::description() const {

@@ -41,11 +41,20 @@ bool RealtimeSource::next(DepthFrame& frame) {
   if (!has_pending_ || !wait_until(due(pending_))) {
     return false;
   }
-  do {
+  std::swap(frame, pending_);
+  has_pending_ = recording_->next(pending_);
+  while (has_pending_ && due(pending_) <= Clock::now()) {
     std::swap(frame, pending_);
     has_pending_ = recording_->next(pending_);
-  } while (has_pending_ && due(pending_) <= Clock::now());
+    ++dropped_;
+  }
   return true;
+}
+
+SourceFaults RealtimeSource::faults() const {
+  SourceFaults faults = recording_->faults();
+  faults.dropped += dropped_;
+  return faults;
 }
 
 }  // namespace lockbox

@@ -20,7 +20,7 @@ class RealtimeSource : public FrameSource {
   std::optional<std::size_t> frame_count() const override { return recording_->frame_count(); }
   bool is_realtime() const override { return true; }
   bool is_unit_stated() const override { return recording_->is_unit_stated(); }
-  SourceFaults faults() const override { return recording_->faults(); }
+  SourceFaults faults() const override;
   std::string description() const override { return recording_->description() + ", in real time"; }
 
  private:
@@ -34,6 +34,7 @@ class RealtimeSource : public FrameSource {
   DepthFrame pending_;  ///< read, not yet delivered
   bool started_ = false;
   bool has_pending_ = false;
+  std::size_t dropped_ = 0;
   Clock::time_point start_;
   double first_stamp_ = 0.0;
 };

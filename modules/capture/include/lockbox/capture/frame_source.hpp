@@ -13,10 +13,11 @@
 
 namespace lockbox {
 
-/// What a source had to mend in the frames delivered so far.
+/// What a source had to mend or to leave out in the frames delivered so far.
 struct SourceFaults {
   std::size_t unreadable = 0;  ///< file missing, damaged, of another size: came without any depth
   std::size_t restamped = 0;   ///< stamp not later than that of the frame before: was advanced
+  std::size_t dropped = 0;     ///< came while the consumer was busy, in real time
 };
 
 /// Delivers frames one after the other, on demand. Not thread-safe.

@@ -7,7 +7,7 @@
 namespace lockbox {
 
 /// Delivers the newest frame, as a whole image if the device crops it; a slow consumer misses
-/// frames, which shows as gaps in the index.
+/// frames, which shows as gaps in the index, and is counted.
 class LiveDevice : public FrameSource {
  public:
   /// Opens the device with this URI, or the first one if it is empty, un-mirrored and, where there
@@ -20,6 +20,7 @@ class LiveDevice : public FrameSource {
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override { return std::nullopt; }
   bool is_realtime() const override { return true; }
+  SourceFaults faults() const override;
   std::string description() const override;
 
  private:
