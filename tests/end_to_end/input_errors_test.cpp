@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "block_recording.hpp"
 #include "tool.hpp"
 
 namespace lockbox {
@@ -180,44 +181,6 @@ TEST(Configuration, GivesOptionsTheirValues) {
   EXPECT_TRUE(std::filesystem::exists(picture));
 }
 
-TEST(States, WithWrongColumnsAreRefusedWithFileAndLine) {
-  const TemporaryFolder folder;
-  const auto file = (folder / "states.csv").string();
-  write_text(file, "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0,0,1,0,0,0,1\n0.1,0,0,one,0,0,0,1\n");
-  const auto result = run_tool({"simulate", "--model", "rigid_block", "--trajectory", file,
-                                "--output", (folder / "out").string()});
-  EXPECT_EQ(result.status, 3);
-  EXPECT_THAT(result.errors, HasSubstr("states.csv:3"));
-}
-
-TEST(States, InMillimetresAreRefused) {
-  const TemporaryFolder folder;
-  const std::string header = "timestamp,tx,ty,tz,qx,qy,qz,qw\n";
-  write_text(folder / "m.csv", header + "0,0,0,1,0,0,0,1\n");
-  write_text(folder / "mm.csv", header + "0,0,0,1000,0,0,0,1\n");
-  const auto simulate = [&](const std::string& states) {
-    return run_tool({"simulate", "--model", "rigid_block", "--trajectory", folder / states,
-                     "--output", folder / ("out_" + states + "/")});
-  };
-  ASSERT_EQ(simulate("m.csv").status, 0);
-  const auto simulated = simulate("mm.csv");
-  EXPECT_EQ(simulated.status, 3);
-  EXPECT_THAT(simulated.errors, HasSubstr("mm.csv: state 1 puts the base 1000 m away"));
-  EXPECT_THAT(simulated.errors, HasSubstr("divide them by 1000"));
-  const auto tracked = run_tool({"track", "--model", "rigid_block", "--source",
-                                 folder / "out_m.csv/", "--initial-state", folder / "mm.csv"});
-  EXPECT_EQ(tracked.status, 3);
-  EXPECT_THAT(tracked.errors, HasSubstr("in millimetres"));
-}
-
-/// One state of a rigid block, and a recording of it.
-void simulate_block(const TemporaryFolder& folder) {
-  write_text(folder / "state.csv", "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0,0,1,0,0,0,1\n");
-  const auto result = run_tool({"simulate", "--model", "rigid_block", "--trajectory",
-                                folder / "state.csv", "--output", folder / "new/block.oni"});
-  ASSERT_EQ(result.status, 0) << result.errors;
-}
-
 TEST(Recording, ThatIsTheSourceIsNotOverwritten) {
   const TemporaryFolder folder;
   simulate_block(folder);
@@ -230,17 +193,6 @@ TEST(Recording, ThatIsTheSourceIsNotOverwritten) {
     EXPECT_THAT(result.errors, HasSubstr(name));
   }
   EXPECT_EQ(read_text(folder / "new/block.oni"), before);
-}
-
-TEST(Trajectory, IsNotOverwrittenByItsTruth) {
-  const TemporaryFolder folder;
-  const std::string states = "timestamp,tx,ty,tz,qx,qy,qz,qw\n7,0,0,1,0,0,0,1\n";
-  write_text(folder / "groundtruth.csv", states);
-  const auto result = run_tool({"simulate", "--model", "rigid_block", "--trajectory",
-                                folder / "groundtruth.csv", "--output", folder / "block.oni"});
-  EXPECT_EQ(result.status, 3);
-  EXPECT_THAT(result.errors, HasSubstr("groundtruth.csv"));
-  EXPECT_EQ(read_text(folder / "groundtruth.csv"), states);
 }
 
 /// Whoever mends the output first would hear of the typo only then.
@@ -298,45 +250,6 @@ TEST(Joint, ThatIsUnknownIsAnsweredWithTheNearest) {
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.errors, HasSubstr("--lock-joint"));
   EXPECT_THAT(result.errors, HasSubstr("did you mean door?"));
-}
-
-TEST(Estimate, ThatIsMissingOrItsReferenceIsNamed) {
-  const TemporaryFolder folder;
-  simulate_block(folder);
-  const std::string there = folder / "new/groundtruth.csv";
-  EXPECT_THAT(run_tool({"evaluate", "-e", "nope.csv", "-r", there}).errors,
-              HasSubstr("nope.csv: there is no such file"));
-  EXPECT_THAT(run_tool({"evaluate", "-e", there, "-r", "nope.csv"}).errors,
-              HasSubstr("nope.csv: there is no such file"));
-}
-
-TEST(Estimate, OfARunWhoseModelNeedsAPackagePathIsComparedWithIt) {
-  const TemporaryFolder folder;
-  const TemporaryFolder packages;
-  std::filesystem::create_directory(packages / "blocks");
-  std::filesystem::copy(LOCKBOX_MODELS "/rigid_block/meshes", packages / "blocks/meshes");
-  const auto mesh = std::filesystem::directory_iterator(packages / "blocks/meshes")->path();
-  write_text(folder / "block.urdf",
-             "<robot name=\"r\"><link name=\"block\"><visual><geometry><mesh filename=\""
-             "package://blocks/meshes/" +
-                 mesh.filename().string() + "\"/></geometry></visual></link></robot>");
-  write_text(folder / "run.yaml", "model: " + (folder / "block.urdf").string() + "\n");
-  const auto file = folder / "states.csv";
-  write_text(file, "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0,0,1,0,0,0,1\n");
-  EXPECT_EQ(run_tool({"evaluate", "--estimate", file, "--reference", file}).status, 3);
-  const auto result = run_tool(
-      {"evaluate", "--estimate", file, "--reference", file, "--package-path", packages / "."});
-  EXPECT_EQ(result.status, 0) << result.errors;
-}
-
-TEST(Estimate, WhoseModelIsUnknownIsComparedWithAWarning) {
-  const TemporaryFolder folder;
-  const std::string states = "timestamp,tx,ty,tz,qx,qy,qz,qw,slide\n0,0,0,1,0,0,0,1,0.1\n";
-  write_text(folder / "states.csv", states);
-  const auto file = folder / "states.csv";
-  const auto result = run_tool({"evaluate", "--estimate", file, "--reference", file});
-  EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.errors, HasSubstr("--model"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How runs end, what they say then, and what they leave alone.
+// How runs end, and what they say then.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -8,12 +8,9 @@
 
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <thread>
 
-#include "lockbox/capture/oni_validator.hpp"
-#include "lockbox/capture/oni_writer.hpp"
-#include "tool.hpp"
+#include "block_runs.hpp"
 
 namespace lockbox {
 namespace {
@@ -23,65 +20,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
-constexpr std::size_t kFrames = 30;
-
-class RunEnds : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder_ = std::make_unique<TemporaryFolder>();
-    write_text(path("camera.yaml"),
-               "image_width: 160\nimage_height: 120\ncamera_matrix: {rows: 3, cols: 3, data: "
-               "[144, 0, 79.5, 0, 144, 59.5, 0, 0, 1]}\ndistortion_model: plumb_bob\n"
-               "distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}\n");
-    simulated_ = simulate("auto", "block");
-    start_ = path("block/groundtruth.csv");
-  }
-  static void TearDownTestSuite() { folder_.reset(); }
-
-  void SetUp() override { ASSERT_EQ(simulated_.status, 0) << simulated_.errors; }
-
-  static std::string path(const std::string& name) { return (*folder_ / name).string(); }
-
-  static ToolResult simulate(const std::string& trajectory, const std::string& output,
-                             const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments = {
-        "simulate", "--model",       "rigid_block",       "--trajectory", trajectory,  "--frames",
-        "30",       "--camera-info", path("camera.yaml"), "--output",     path(output)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_tool(arguments);
-  }
-
-  static std::vector<std::string> tracking(const std::string& source, const std::string& run,
-                                           const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments = {"track",      "--model",  "rigid_block", "--source",
-                                          path(source), "--output", path(run)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  }
-
-  /// Begins where it is, so that no time goes into a search.
-  static std::vector<std::string> following(const std::string& run,
-                                            const std::vector<std::string>& more = {}) {
-    auto arguments = tracking("block", run, {"--initial-state", start_});
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  }
-
-  static void wait_for_rows(const std::string& run, std::size_t rows) {
-    for (int waits = 0; waits < 2000 && read_lines(path(run + "/states.csv")).size() < rows + 1;
-         ++waits) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-  }
-
-  static std::unique_ptr<TemporaryFolder> folder_;
-  static ToolResult simulated_;
-  static std::string start_;
-};
-
-std::unique_ptr<TemporaryFolder> RunEnds::folder_;
-ToolResult RunEnds::simulated_;
-std::string RunEnds::start_;
+class RunEnds : public BlockRuns {};
 
 TEST_F(RunEnds, WithTheStatusOfTheSignalAndCompleteFiles) {
   const std::vector<std::pair<int, std::string>> signals = {
@@ -226,79 +165,6 @@ TEST_F(RunEnds, WithADoubtAboutADepthScaleThatPutsEverythingOutOfRange) {
   }
 }
 
-TEST_F(RunEnds, BeforeItBeginsWhereAnotherWritesIntoTheFolder) {
-  std::filesystem::copy(path("block"), path("paused"), std::filesystem::copy_options::recursive);
-  write_text(path("paused/depth.txt"),
-             "0 depth/000000.png\n0.1 depth/000001.png\n3600 depth/000002.png\n");
-  Tool first(tracking("paused", "shared", {"--realtime", "--initial-state", start_}));
-  wait_for_rows("shared", 2);
-  for (const bool overwrites : {false, true}) {
-    auto arguments = following("shared");
-    if (overwrites) arguments.emplace_back("--overwrite");
-    const auto second = run_tool(arguments);
-    EXPECT_EQ(second.status, 3);
-    EXPECT_THAT(second.errors, HasSubstr(path("shared") + ": another run"));
-  }
-  EXPECT_THAT(read_lines(path("shared/states.csv")), SizeIs(3));
-  first.send_signal(SIGKILL);
-  EXPECT_EQ(first.wait().status, -SIGKILL);
-  const auto after_crash = run_tool(following("shared", {"--overwrite"}));
-  EXPECT_EQ(after_crash.status, 0) << after_crash.errors;
-}
-
-TEST_F(RunEnds, BeforeItBeginsWhereAnotherRecordsIntoTheFile) {
-  const std::string file = path("recorded.oni");
-  const PinholeCamera camera{160, 120, 144.0, 144.0, 79.5, 59.5};
-  OniWriter first(file, camera, 30);
-  first.write({.camera = camera, .depth = std::vector<std::uint16_t>(160 * 120, 1000)});
-  const auto record = [&] {
-    return run_tool({"record", "--source", path("block"), "--output", file, "--overwrite"});
-  };
-  const auto recorded = record();
-  EXPECT_EQ(recorded.status, 3);
-  EXPECT_THAT(recorded.errors, HasSubstr(file + ": another run is recording"));
-  const auto simulated = simulate(start_, "recorded.oni", {"--overwrite"});
-  EXPECT_EQ(simulated.status, 3);
-  EXPECT_THAT(simulated.errors, HasSubstr(file + ": another run is recording"));
-  EXPECT_FALSE(std::filesystem::exists(path("groundtruth.csv")));
-  first.finish();
-  EXPECT_EQ(validate_oni(file).frame_count, 1U);
-}
-
-TEST_F(RunEnds, BeforeItBeginsWhereAnEarlierOneWouldBeOverwrittenUnasked) {
-  ASSERT_EQ(run_tool(following("twice", {"--covariance"})).status, 0);
-  const auto before = read_text(path("twice/states.csv"));
-  const auto refused = run_tool(following("twice", {"--max-frames", "2"}));
-  EXPECT_EQ(refused.status, 3);
-  EXPECT_THAT(refused.errors, HasSubstr("twice/states.csv"));
-  EXPECT_THAT(refused.errors, HasSubstr("--overwrite"));
-  EXPECT_EQ(read_text(path("twice/states.csv")), before);
-  const auto asked = run_tool(following("twice", {"--max-frames", "2", "--overwrite"}));
-  EXPECT_EQ(asked.status, 0) << asked.errors;
-  EXPECT_THAT(read_lines(path("twice/states.csv")), SizeIs(3));
-  EXPECT_FALSE(std::filesystem::exists(path("twice/covariance.csv"))) << "of the earlier run";
-}
-
-TEST_F(RunEnds, BeforeItBeginsWhereARecordingWouldBeOverwrittenUnasked) {
-  ASSERT_EQ(simulate(start_, "new/block.oni").status, 0);
-  const auto before = read_text(path("new/block.oni"));
-  EXPECT_EQ(simulate(start_, "new/block.oni").status, 3);
-  const auto other = simulate(start_, "new/other.oni");
-  EXPECT_EQ(other.status, 3);
-  EXPECT_THAT(other.errors, HasSubstr("groundtruth.csv")) << "it is that of the other recording";
-  EXPECT_THAT(other.errors, HasSubstr("--output " + path("new/other_recording/other.oni")));
-  EXPECT_EQ(run_tool(following("recorded", {"--record", path("new/block.oni")})).status, 3);
-  EXPECT_EQ(run_tool({"record", "--source", "openni2:", "--output", path("new/block.oni")}).status,
-            3);
-  EXPECT_EQ(read_text(path("new/block.oni")), before);
-  EXPECT_EQ(simulate(start_, "block").status, 3);
-  EXPECT_EQ(simulate(start_, "new/block.oni", {"--overwrite", "--seed", "2"}).status, 0);
-  EXPECT_NE(read_text(path("new/block.oni")), before);
-  ASSERT_EQ(simulate(start_, "images").status, 0);
-  EXPECT_EQ(simulate(start_, "images", {"--overwrite"}).status, 0);
-  EXPECT_THAT(read_lines(path("images/depth.txt")), SizeIs(kFrames + 1));
-}
-
 TEST_F(RunEnds, WithADescriptionOfHowItWasStarted) {
   const auto result = run_tool(following("described", {"--max-frames", "1"}));
   ASSERT_EQ(result.status, 0) << result.errors;
@@ -317,21 +183,6 @@ TEST_F(RunEnds, WithTheErrorInItsDescription) {
   const auto result = run_tool(following("failed"));
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(read_text(path("failed/run.yaml")), ContainsRegex("end: .?error: .*base.tum"));
-}
-
-TEST_F(RunEnds, BeforeItBeginsWhereTemporaryFilesHaveNoFolder) {
-  ASSERT_EQ(simulate(start_, "temporary/block.oni").status, 0);
-  const auto result =
-      run_tool(tracking("temporary/block.oni", "temporary/run"), {"TMPDIR=" + path("gone")});
-  EXPECT_EQ(result.status, 3);
-  EXPECT_THAT(result.errors, HasSubstr("TMPDIR"));
-  EXPECT_THAT(result.errors, HasSubstr(path("gone")));
-  const auto recorded =
-      run_tool({"record", "--source", path("block"), "--output", path("temporary/again.oni")},
-               {"TMPDIR=" + path("gone")});
-  EXPECT_EQ(recorded.status, 3);
-  EXPECT_THAT(recorded.errors, HasSubstr("TMPDIR"));
-  EXPECT_FALSE(std::filesystem::exists(path("temporary/again.oni")));
 }
 
 TEST_F(RunEnds, AreAwaitedWithALineThatMovesOnATerminal) {
