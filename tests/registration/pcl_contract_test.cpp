@@ -283,5 +283,15 @@ TEST_F(PclContractTest, ANullSearchTreeGivenToTheBaseIsMendedWithTheNextSourceOr
   EXPECT_TRUE(registration.hasConverged());
 }
 
+/// One that PCL is told never to fill: nothing but the alignment itself follows it.
+TEST_F(PclContractTest, ANullSearchTreeThatIsNotToBeFilledEndsNoAlignment) {
+  Registration::Base& base = registration;
+  base.setSearchMethodTarget(nullptr, true);
+  base.setSearchMethodSource(nullptr, true);
+  base.align(aligned, guess());
+  EXPECT_TRUE(registration.hasConverged());
+  EXPECT_LT(base.getFitnessScore(1e-3), 1e-4);
+}
+
 }  // namespace
 }  // namespace lockbox
