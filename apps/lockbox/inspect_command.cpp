@@ -125,8 +125,7 @@ class InspectCommand : public Command {
     std::cout << "\nContacts at rest\n";
     print_contacts(model);
     std::cout << "\nTurns after which the model looks the same (joints at rest; axes of the base, "
-                 "through "
-                 "the model's middle)\n";
+                 "through the model's middle)\n";
     print_symmetries(model);
     if (!picture_.empty()) draw(model.tree);
     return ExitStatus::done;

@@ -6,20 +6,13 @@
 #include "lockbox/core/units.hpp"
 
 namespace lockbox::app {
-namespace {
-
-/// Metres, as for `initial_state` of a model. Depth cameras reach half as far; of an object as near
-/// as 2 cm millimetres would be taken for metres.
-constexpr double kFarthest = 20.0;
-
-}  // namespace
 
 void require_metres(const std::string& file, const std::vector<State>& states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!states[i].known) continue;
     const double distance = states[i].configuration.T_camera_base.translation().norm();
-    if (distance <= kFarthest) continue;
-    const bool may_be_millimetres = distance / kMillimetres <= kFarthest;
+    if (distance <= kFarthestBase) continue;
+    const bool may_be_millimetres = distance / kMillimetres <= kFarthestBase;
     throw InputError(
         file,
         "state " + std::to_string(i + 1) + " puts the base " + readable_length(distance) +

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "camera_file.hpp"
 #include "tool.hpp"
 
 namespace lockbox {
@@ -20,10 +21,7 @@ class BlockRuns : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<TemporaryFolder>();
-    write_text(path("camera.yaml"),
-               "image_width: 160\nimage_height: 120\ncamera_matrix: {rows: 3, cols: 3, data: "
-               "[144, 0, 79.5, 0, 144, 59.5, 0, 0, 1]}\ndistortion_model: plumb_bob\n"
-               "distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}\n");
+    write_camera_file(path("camera.yaml"), 160);
     simulated_ = simulate("auto", "block");
     start_ = path("block/groundtruth.csv");
   }

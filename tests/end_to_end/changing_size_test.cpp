@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "camera_file.hpp"
 #include "lockbox/capture/oni_validator.hpp"
 #include "tool.hpp"
 
@@ -62,14 +63,8 @@ class ChangingSize : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  void simulate(const std::string& name, int width, int height, const std::string& focal,
-                const std::string& centre) const {
-    write_text(path(name + ".yaml"),
-               "image_width: " + std::to_string(width) +
-                   "\nimage_height: " + std::to_string(height) +
-                   "\ncamera_matrix: {rows: 3, cols: 3, data: [" + focal + ", 0, " + centre +
-                   ", 0, 0, 1]}\ndistortion_model: plumb_bob\n"
-                   "distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}\n");
+  void simulate(const std::string& name, int width) const {
+    write_camera_file(path(name + ".yaml"), width);
     const auto simulated = run_tool({"simulate", "--model", "rigid_block", "--trajectory", "auto",
                                      "--frames", std::to_string(kFrames), "--camera-info",
                                      path(name + ".yaml"), "--output", path(name + "/a.oni")});
@@ -77,8 +72,8 @@ class ChangingSize : public testing::Test {
   }
 
   void SetUp() override {
-    simulate("large", 320, 240, "288", "159.5, 0, 288, 119.5");
-    simulate("small", 160, 120, "144", "79.5, 0, 144, 59.5");
+    simulate("large", 320);
+    simulate("small", 160);
     write_text(path("changing.oni"),
                spliced(read_text(path("large/a.oni")), read_text(path("small/a.oni"))));
   }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 
+#include "camera_file.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/model/states_file.hpp"
 #include "tool.hpp"
@@ -25,10 +26,7 @@ class RigidBlock : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<TemporaryFolder>();
-    write_text(path("camera.yaml"),
-               "image_width: 320\nimage_height: 240\ncamera_matrix: {rows: 3, cols: 3, data: "
-               "[288, 0, 159.5, 0, 288, 119.5, 0, 0, 1]}\ndistortion_model: plumb_bob\n"
-               "distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}\n");
+    write_camera_file(path("camera.yaml"), 320);
     simulated_ = simulate("auto", "block.oni");
   }
   static void TearDownTestSuite() { folder_.reset(); }

@@ -19,8 +19,6 @@ namespace {
 /// Neither a voxel nor an erosion is that large, metres: a camera sees things of a few metres.
 /// Twice as much lets more pass that is in millimetres.
 constexpr double kLargestDetail = 0.1;
-/// No depth camera sees an object from so far away, metres.
-constexpr double kFarthestStart = 20.0;
 
 void require_metres(const YamlNode& node, double value, double most) {
   if (std::abs(value) <= most) return;
@@ -130,7 +128,7 @@ Configuration read_initial_state(const YamlNode& node, const KinematicTree& tree
     if (key == "position") {
       const auto [x, y, z] = numbers<3>(value);
       for (const YamlNode& item : value.items(3)) {
-        require_metres(item, item.number(), kFarthestStart);
+        require_metres(item, item.number(), kFarthestBase);
       }
       result.T_camera_base.translation() = Eigen::Vector3d(x, y, z);
     } else if (key == "quaternion") {

@@ -15,6 +15,10 @@ struct Configuration {
   Eigen::VectorXd q;  ///< one position per joint variable, radians or metres
 };
 
+/// Metres of the base from the camera: no depth camera sees an object from farther away, so that
+/// positions beyond are in millimetres. Doubled, objects nearer than 4 cm pass in millimetres.
+inline constexpr double kFarthestBase = 20.0;
+
 /// All joints at zero (or at the limit nearest to zero), base at the camera.
 Configuration rest_configuration(const KinematicTree& tree);
 
