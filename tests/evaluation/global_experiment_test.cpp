@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "lockbox/core/error.hpp"
-#include "lockbox/evaluation/symmetry.hpp"
 #include "lockbox/mesh/primitives.hpp"
+#include "lockbox/model/symmetry.hpp"
 #include "rigid_model.hpp"
 
 namespace lockbox {

@@ -73,7 +73,7 @@ TEST_P(DoubtfulScenes, StayUncertainWhileTheyAreFollowed) {
   for (int i = 0; i < 2; ++i) {
     const TrackingResult& result = tracker.process(frame);
     EXPECT_EQ(result.status, TrackingStatus::uncertain) << "frame " << i;
-    EXPECT_GT(result.sigma.head<3>().norm(), 0.05) << "frame " << i;
+    EXPECT_GT(result.sigma.head<3>().norm(), TrackerOptions().most_base_sigma) << "frame " << i;
     frame.stamp += 1.0 / 30.0;
   }
 }
@@ -86,16 +86,20 @@ TEST_P(BorderlineScenes, AreRight) {
   EXPECT_TRUE(result.right) << "wrong: " << result.wrong;
 }
 
-// Of the cabinet's frame a strip is in view, a quarter of which is contradicted; less may be.
-INSTANTIATE_TEST_SUITE_P(Initializer, BorderlineScenes,
-                         ::testing::Values(HardScene{"ConvincingAnswerBesideAnother", "cabinet", 1,
-                                                     409}),
-                         [](const auto& scene) { return std::string(scene.param.what); });
+// Of the cabinet's frame a strip is in view, a quarter of which is contradicted; less may be. Of
+// the lockbox little is in view. A box beside the block has nearly as much of what tells.
+INSTANTIATE_TEST_SUITE_P(
+    Initializer, BorderlineScenes,
+    ::testing::Values(HardScene{"ConvincingAnswerBesideAnother", "cabinet", 1, 409},
+                      HardScene{"DoorOfWhichLittleIsInView", "lockbox", 1, 352},
+                      HardScene{"LargerBoxesThatExplainMore", "rigid_block", 1, 442}),
+    [](const auto& scene) { return std::string(scene.param.what); });
 
 INSTANTIATE_TEST_SUITE_P(
     Initializer, DoubtfulScenes,
     ::testing::Values(HardScene{"BoxThatGoesOnBeyondABend", "rigid_block", 33, 5},
-                      HardScene{"LargerBoxesThatExplainMore", "rigid_block", 1, 442}),
+                      HardScene{"TableThatPullsFromAfar", "cabinet", 1, 141},
+                      HardScene{"AnswersToBeExactBeforeTheyAreCompared", "rigid_block", 1, 242}),
     [](const auto& scene) { return std::string(scene.param.what); });
 
 INSTANTIATE_TEST_SUITE_P(
@@ -108,7 +112,8 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"KnobThatWhatHidesItPassesFor", "cabinet", 1, 434},
                       HardScene{"TwoPlacesThatExplainTheSame", "cabinet", 1, 155},
                       HardScene{"BoxThatLooksLikeTheHiddenBlock", "rigid_block", 1, 228},
-                      HardScene{"ViewThatSaysNearlyNothing", "cabinet", 1, 468}),
+                      HardScene{"ViewThatSaysNearlyNothing", "cabinet", 1, 468},
+                      HardScene{"SmallBlockTurnedByADegree", "rigid_block", 1, 57}),
     [](const auto& scene) { return std::string(scene.param.what); });
 
 INSTANTIATE_TEST_SUITE_P(
@@ -120,7 +125,6 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"BoxThatPullsTheBoardAway", "lockbox", 11, 28},
                       HardScene{"TableThatPullsTheCabinetAway", "cabinet", 5, 8},
                       HardScene{"SliderLostInTheNoise", "lockbox", 1, 241},
-                      HardScene{"DoorOfWhichLittleIsInView", "lockbox", 1, 352},
                       HardScene{"BoardHalfHiddenByABox", "lockbox", 61, 5},
                       HardScene{"NearBoxThatIsNoRival", "rigid_block", 62, 0},
                       HardScene{"SmallSidesSeenInTheFinerView", "rigid_block", 82, 10},
@@ -129,12 +133,9 @@ INSTANTIATE_TEST_SUITE_P(
                       HardScene{"SliderAtTheImagesEdge", "lockbox", 1, 53},
                       HardScene{"DiskThatDrawingsTurnTooFar", "lockbox", 1, 304},
                       HardScene{"RivalsWithinARadius", "lockbox", 1, 402},
-                      HardScene{"SmallBlockTurnedByADegree", "rigid_block", 1, 57},
-                      HardScene{"AnswersToBeExactBeforeTheyAreCompared", "rigid_block", 1, 242},
                       HardScene{"CabinetThatSaysLittleAtFirst", "cabinet", 1, 121},
                       HardScene{"DrawerWithinTheDoorBeforeIt", "cabinet", 1, 84},
                       HardScene{"AnotherAnswerOnceTheRightOneIsPushedAway", "cabinet", 1, 70},
-                      HardScene{"TableThatPullsFromAfar", "cabinet", 1, 141},
                       HardScene{"BlockCutOffBesideLargerBoxes", "rigid_block", 1, 112},
                       HardScene{"ConvincingAnswerThatDriftsOff", "rigid_block", 1, 18}),
     [](const auto& scene) { return std::string(scene.param.what); });

@@ -95,7 +95,8 @@ TEST(Initializer, FindsASmallRigidBlock) {
 TEST(Initializer, RanksItsAnswersByScore) {
   const ArticulatedModel& model = shipped("rigid_block");
   const auto found = search(model, seen(model, placed(model, 1.0, 0.5, 1.0), wall_behind(0.5)));
-  for (std::size_t i = 1; i < found.size(); ++i) EXPECT_LE(found[i].score, found[i - 1].score);
+  for (std::size_t i = 1; i < found.size(); ++i)
+    EXPECT_LE(found[i].evidence, found[i - 1].evidence);
 }
 
 TEST(Initializer, FindsNothingWhereNothingIsMeasured) {

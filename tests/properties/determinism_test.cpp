@@ -75,7 +75,7 @@ TEST(Determinism, OfTheSearchWithoutAGuess) {
     const auto other = Initializer(model, {}, Executor(threads)).find(cloud);
     ASSERT_EQ(one.size(), other.size());
     for (std::size_t i = 0; i < one.size(); ++i) {
-      EXPECT_EQ(one[i].score, other[i].score);
+      EXPECT_EQ(one[i].evidence, other[i].evidence);
       expect_same_bits(one[i].configuration, other[i].configuration);
     }
   }

@@ -10,8 +10,8 @@
 
 #include "lockbox/core/lie.hpp"
 #include "lockbox/core/units.hpp"
-#include "lockbox/evaluation/symmetry.hpp"
 #include "lockbox/evaluation/tolerances.hpp"
+#include "lockbox/model/symmetry.hpp"
 
 namespace lockbox {
 namespace {

@@ -8,7 +8,7 @@
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/random_frame.hpp"
-#include "lockbox/evaluation/symmetry.hpp"
+#include "lockbox/model/symmetry.hpp"
 
 namespace lockbox {
 namespace {

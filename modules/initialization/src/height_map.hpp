@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "coarse_view.hpp"
+#include "lockbox/verification/coarse_view.hpp"
 #include "planar_regions.hpp"
 
 namespace lockbox {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <utility>
 
 #include "joint_scan.hpp"
 #include "lockbox/core/error.hpp"
@@ -16,9 +18,10 @@ constexpr int kFineColumns = 320;          // of the view that the best are comp
 constexpr double kFinePixels = 4.0;        // of it, in one of the coarser view
 constexpr std::size_t kLeastSamples = 20;  // of a planar region
 constexpr std::size_t kMostRegions = 32;
-/// What scores less is sought with the smaller planes of the finer view, too (kPossible: what is
-/// kept then).
-constexpr double kConvincing = 36.0;
+/// What is believed less is sought with the smaller planes of the finer view, too, and what still
+/// is with more of everything.
+constexpr double kConvincing = 0.99999;
+constexpr double kPossible = 0.99;
 constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, false};
 constexpr Breadth kWide{32, {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 4}, true};
 
@@ -67,6 +70,7 @@ std::vector<Candidate> Initializer::look(const TiledCloud& cloud,
   const CoarseView fine_view(cloud, kFineColumns, w.executor);
   for (ViewScore& half : w.halves) half.set_view(fine_view);
 
+  w.verifier.look_at(cloud, w.depth_noise(), w.executor);
   const PlanarScene scene = planes(view, w.view_noise());
   w.surroundings.set_scene(scene);
   std::vector<Candidate> candidates = w.seek_until_convinced(cloud, scene, fine_view, is_thorough);
@@ -80,19 +84,27 @@ std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledC
                                                                     const PlanarScene& scene,
                                                                     const CoarseView& fine_view,
                                                                     bool is_thorough) {
-  std::vector<Hypothesis> hypotheses;
-  std::vector<Candidate> candidates;
-  const auto best_score_in = [&](const PlanarScene& from, const Breadth& breadth) {
-    const auto sought = seek(cloud, from, breadth);
-    hypotheses.insert(hypotheses.end(), sought.begin(), sought.end());
-    candidates = rank(cloud, hypotheses);
-    return candidates.empty() ? 0.0 : candidates.front().score;
+  std::vector<Candidate> answers;
+  double most_evidence = -std::numeric_limits<double>::infinity();
+  const auto belief_in = [&](const PlanarScene& from, const Breadth& breadth) {
+    assess(cloud, seek(cloud, from, breadth), answers);
+    if (answers.empty()) return 0.0;
+    // Back to front or upside down, it may look nearly the same, and be passed over.
+    if (answers.front().evidence > most_evidence) {
+      assess(cloud, seek_turned(cloud, answers.front().configuration), answers);
+      most_evidence = answers.front().evidence;
+    }
+    return answers.front().belief;
   };
-  if (best_score_in(scene, kUsual) >= kConvincing || !is_thorough) return candidates;
-  const PlanarScene closer = planes(fine_view, fine_view_noise());
-  if (best_score_in(closer, kUsual) >= kPossible) return candidates;
-  if (best_score_in(scene, kWide) < kPossible) best_score_in(closer, kWide);
-  return candidates;
+  const auto seek_until = [&] {
+    if (belief_in(scene, kUsual) >= kConvincing || !is_thorough) return;
+    const PlanarScene closer = planes(fine_view, fine_view_noise());
+    if (belief_in(closer, kUsual) >= kPossible) return;
+    if (belief_in(scene, kWide) < kPossible) belief_in(closer, kWide);
+  };
+  seek_until();
+  answers.resize(std::min(answers.size(), options.most_candidates));
+  return answers;
 }
 
 SoughtJoints Initializer::find_joints(const TiledCloud& cloud, const Configuration& start,

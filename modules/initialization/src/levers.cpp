@@ -17,6 +17,7 @@ ModelLevers model_levers(const KinematicTree& tree) {
     if (!box.isEmpty()) whole.extend(box.transformed(poses[b]));
   }
   return {whole.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(whole.center()),
+          whole.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(whole.sizes()),
           whole.isEmpty() ? 1.0 : 0.5 * whole.diagonal().norm(),
           surface_levers(tree).tail(tree.variables())};
 }

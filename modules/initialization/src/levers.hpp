@@ -10,6 +10,7 @@ namespace lockbox {
 
 struct ModelLevers {
   Eigen::Vector3d centre;     ///< of the model at rest, base frame
+  Eigen::Vector3d sides;      ///< of the box around it, along the base's axes, metres
   double radius;              ///< of the model at rest, metres
   Eigen::VectorXd variables;  ///< metres that the farthest surface moves for a unit of each
 };

@@ -48,13 +48,11 @@ bool is_measured(const CoarseView& view, int u, int v) {
 /// Goes over the outline of what is drawn.
 class OutlineSurvey {
  public:
-  OutlineSurvey(const RenderedDepth& image, const CoarseView& view, double noise, double slack,
-                bool has_bends)
+  OutlineSurvey(const RenderedDepth& image, const CoarseView& view, double noise, double slack)
       : image_(image),
         view_(view),
         noise_(noise),
         slack_(slack),
-        has_bends_(has_bends),
         stretches_(stretch_count(image)) {}
 
   /// From a pixel of what is drawn to its neighbour in that direction (index into kNeighbours), if
@@ -64,8 +62,7 @@ class OutlineSurvey {
     if (!view_.contains(u + du, v + dv)) return;
     const std::size_t here = image_.index(u, v);
     const std::size_t next = image_.index(u + du, v + dv);
-    const bool is_beside_nothing = image_.id[next] == kNothing;
-    if (!is_beside_nothing && !has_bends_) return;
+    if (image_.id[next] != kNothing) return;
     const double pixel_size = double{image_.depth[here]} / view_.camera.fx;
     const int reach = 1 + static_cast<int>(std::ceil(slack_ / pixel_size));
     const int in_u = u - reach * du;
@@ -76,12 +73,10 @@ class OutlineSurvey {
     const std::size_t in = image_.index(in_u, in_v);
     const std::size_t out = image_.index(out_u, out_v);
     if (image_.id[in] != image_.id[here]) return;
-    if ((image_.id[out] == kNothing) != is_beside_nothing) return;
-    if (!is_beside_nothing && !bends_away(in, here, next, out, reach)) return;
+    if (image_.id[out] != kNothing) return;
     const auto z_in = static_cast<double>(view_.depth[in]);
     const auto z_out = static_cast<double>(view_.depth[out]);
-    if (is_beside_nothing && !(z_in > 0.0) &&
-        !is_measured(view_, u - 3 * reach * du, v - 3 * reach * dv)) {
+    if (!(z_in > 0.0) && !is_measured(view_, u - 3 * reach * du, v - 3 * reach * dv)) {
       unseen_ += 1.0;
     }
     if (!(z_in > 0.0 && z_out > 0.0)) return;
@@ -113,30 +108,19 @@ class OutlineSurvey {
   }
 
  private:
-  /// Whether what is drawn falls back behind its plane from pixel `here` on, at `out` by more than
-  /// the noise.
-  bool bends_away(std::size_t in, std::size_t here, std::size_t next, std::size_t out,
-                  int reach) const {
-    const double z = double{image_.depth[here]};
-    const double least = 3.0 * (slack_ + noise_ * z * z);
-    const double slope = (1.0 / z - 1.0 / double{image_.depth[in]}) / reach;
-    const double behind = 1.0 / z + slope * (reach + 1) - 1.0 / double{image_.depth[out]};
-    const double at_once = 1.0 / z + slope - 1.0 / double{image_.depth[next]};
-    return behind * z * z >= least && at_once >= 0.5 * behind / (reach + 1);
-  }
-
   const RenderedDepth& image_;
   const CoarseView& view_;
   double noise_;
   double slack_;
-  bool has_bends_;
   std::vector<Stretch> stretches_;
   double unseen_ = 0.0;  ///< pixels of the outline
 };
 
-double surveyed_share(const RenderedDepth& image, const CoarseView& view, double noise,
-                      double slack, bool has_bends) {
-  OutlineSurvey survey(image, view, noise, slack, has_bends);
+}  // namespace
+
+double share_that_continues(const RenderedDepth& image, const CoarseView& view, double noise,
+                            double slack) {
+  OutlineSurvey survey(image, view, noise, slack);
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
       if (image.id[image.index(u, v)] == kNothing) continue;
@@ -146,18 +130,6 @@ double surveyed_share(const RenderedDepth& image, const CoarseView& view, double
     }
   }
   return survey.share_that_continues();
-}
-
-}  // namespace
-
-double share_that_continues(const RenderedDepth& image, const CoarseView& view, double noise,
-                            double slack) {
-  return surveyed_share(image, view, noise, slack, false);
-}
-
-double share_that_continues_beyond_bends(const RenderedDepth& image, const CoarseView& view,
-                                         double noise, double slack) {
-  return surveyed_share(image, view, noise, slack, true);
 }
 
 }  // namespace lockbox

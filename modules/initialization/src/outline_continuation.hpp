@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "coarse_view.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
+#include "lockbox/verification/coarse_view.hpp"
 
 namespace lockbox {
 
@@ -13,10 +13,5 @@ namespace lockbox {
 /// surfaces may be off.
 double share_that_continues(const RenderedDepth& image, const CoarseView& view, double noise,
                             double slack);
-
-/// The same of outlines and bends: where the face of a box meets a side that falls back behind it,
-/// a surface that goes on in the face is another's.
-double share_that_continues_beyond_bends(const RenderedDepth& image, const CoarseView& view,
-                                         double noise, double slack);
 
 }  // namespace lockbox

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "coarse_view.hpp"
+#include "lockbox/verification/coarse_view.hpp"
 
 namespace lockbox {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "coarse_view.hpp"
 #include "lockbox/core/stop_request.hpp"
+#include "lockbox/verification/coarse_view.hpp"
 #include "model_relief.hpp"
 #include "planar_regions.hpp"
 

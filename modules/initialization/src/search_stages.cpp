@@ -2,9 +2,11 @@
 // The stages of the search without a guess (docs/initialization.md).
 #include <algorithm>
 
+#include "box_turns.hpp"
 #include "climb.hpp"
 #include "joint_scan.hpp"
 #include "levers.hpp"
+#include "lockbox/model/symmetry.hpp"
 #include "lockbox/model/variable_range.hpp"
 #include "search_workspace.hpp"
 
@@ -16,6 +18,8 @@ constexpr double kHardlyWorse = 0.01;  // of the visible surface
 constexpr int kAnchorSteps = 4;        // of a joint between base and a matched side
 
 constexpr bool kHoldJoints = true;
+constexpr Selection kEach{0.0, 24, 0.0, 1};
+constexpr Breadth kAll{1, kEach, kEach, kEach, false};
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
 
 // Coarse steps for a view of coarse pixels; fine ones, with what real objects differ from their
@@ -34,13 +38,16 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       options(given),
       executor(workers),
       levers(model_levers(model.tree)),
+      symmetries(find_symmetries(model)),
+      turns(box_turns(levers, symmetries)),
       surroundings(model.tree),
       held(rest_configuration(model.tree)),
       variables(options.registration.free_variables(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1),
       fine(model, options.registration, executor),
       low_relief(model, options.registration, executor),
-      overlap(model, fine.collision()) {
+      overlap(model, fine.collision()),
+      verifier(model.tree) {
   RegistrationOptions coarse_options = options.registration;
   coarse_options.refine_at_edges = false;
   coarse_options.collision = CollisionMode::off;
@@ -85,6 +92,21 @@ std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
   pose(hypotheses, breadth);
   fit(hypotheses, breadth);
   fit_closely(cloud, hypotheses, breadth);
+  return hypotheses;
+}
+
+std::vector<Hypothesis> Initializer::Workspace::seek_turned(const TiledCloud& cloud,
+                                                            const Configuration& found) {
+  std::vector<Hypothesis> hypotheses;
+  for (const Eigen::Isometry3d& turn : turns) {
+    hypotheses.push_back({held, all_bodies});
+    hypotheses.back().configuration.T_camera_base = found.T_camera_base * turn;
+  }
+  if (hypotheses.empty()) return hypotheses;
+  place(hypotheses, kAll);
+  pose(hypotheses, kAll);
+  fit(hypotheses, kAll);
+  fit_closely(cloud, hypotheses, kAll);
   return hypotheses;
 }
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "answer_comparison.hpp"
-#include "coarse_view.hpp"
 #include "hypothesis.hpp"
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/registration/low_relief.hpp"
+#include "lockbox/verification/coarse_view.hpp"
+#include "lockbox/verification/verifier.hpp"
 #include "overlap.hpp"
 #include "scene_relief.hpp"
 #include "surroundings.hpp"
@@ -34,6 +34,8 @@ struct Initializer::Workspace {
   Executor executor;
   std::optional<std::vector<ModelRelief>> reliefs;  ///< made when first matched
   ModelLevers levers;
+  std::vector<Eigen::Isometry3d> symmetries;  ///< of the model
+  std::vector<Eigen::Isometry3d> turns;       ///< of its box, which are none of the model
   Surroundings surroundings;
   Configuration held;          ///< in which locked joints stand
   std::vector<int> variables;  ///< of joints that are not locked
@@ -46,6 +48,7 @@ struct Initializer::Workspace {
   ArticulatedRegistration fine;
   LowRelief low_relief;
   OverlapFinder overlap;
+  Verifier verifier;
   TiledCloud coarse_cloud;
 
   Workspace(const ArticulatedModel& articulated_model, const InitializerOptions& given,
@@ -72,8 +75,11 @@ struct Initializer::Workspace {
   /// All stages up to rank.
   std::vector<Hypothesis> seek(const TiledCloud& cloud, const PlanarScene& scene,
                                const Breadth& breadth);
-  /// What stages sought, the most convincing first.
-  std::vector<Candidate> rank(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses);
+  /// What else the object may be that was taken for this: turned to where its box is the same.
+  std::vector<Hypothesis> seek_turned(const TiledCloud& cloud, const Configuration& found);
+  /// Adds what stages sought, made exact, the most convincing first.
+  void assess(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses,
+              std::vector<Candidate>& answers);
   std::vector<Hypothesis> match(const PlanarScene& scene, const Breadth& breadth);
   void place(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
   void pose(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "coarse_view.hpp"
 #include "lockbox/model/configuration.hpp"
+#include "lockbox/verification/coarse_view.hpp"
 #include "planar_regions.hpp"
 
 namespace lockbox {

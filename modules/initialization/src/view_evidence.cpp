@@ -7,9 +7,8 @@
 namespace lockbox {
 namespace {
 
-constexpr double kContinuing = 8.0;  // exponent: how fast an outline that goes on takes belief
-constexpr double kContinuingAtLast = 16.0;  // when answers are compared
-constexpr double kInViewEnough = 0.5;       // of the surface; with less in view, doubt grows
+constexpr double kContinuing = 8.0;    // exponent: how fast an outline that goes on takes belief
+constexpr double kInViewEnough = 0.5;  // of the surface; with less in view, doubt grows
 
 }  // namespace
 
@@ -24,13 +23,6 @@ double ViewEvidence::total(double tolerance) const {
           (1.0 - 0.7 * tolerance) * kSeenThrough * contradicted +
           (1.0 - tolerance) * kOccluded * occluded) *
          visible * visible;
-}
-
-double ViewEvidence::conviction(double distance) const {
-  const double share = measured > 0.0 ? explained / measured : 0.0;
-  const double pixels = explained * std::pow(1.0 - continues, kContinuingAtLast) +
-                        kSeenThrough * contradicted + kOccluded * occluded;
-  return std::sqrt(std::max(0.0, pixels * share * in_view * distance));
 }
 
 }  // namespace lockbox

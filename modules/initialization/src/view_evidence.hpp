@@ -22,12 +22,6 @@ struct ViewEvidence {
   /// The larger, the better, among guesses that are still to be refined; tolerance: 1 before
   /// anything is refined, 0 when all is.
   double total(double tolerance) const;
-
-  /// The larger, the more convincing an answer, among ones that have nothing to do with each other.
-  /// Pixels that go together are no independent witnesses, so their root counts: a near box of
-  /// which only a side is in view shows more of them than a far object that is seen entirely. And
-  /// distance: of what tells the model from a box, a near view shows no more than a far one.
-  double conviction(double distance) const;
 };
 
 }  // namespace lockbox

@@ -172,18 +172,6 @@ bool ViewScore::speaks(std::size_t pixel) const {
   return whole_.image.id[pixel] != kNothing && view_->depth[pixel] > 0.0F;
 }
 
-std::vector<std::uint8_t> ViewScore::explained_pixels(double slack) const {
-  const RenderedDepth& image = whole_.image;
-  std::vector<std::uint8_t> explained(image.depth.size(), 0);
-  for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
-      const std::size_t pixel = image.index(u, v);
-      explained[pixel] = speaks(pixel) && pixel_score(whole_, u, v, slack) > 0.0 ? 1 : 0;
-    }
-  }
-  return explained;
-}
-
 /// Of what whole_ shows.
 ViewEvidence ViewScore::count_pixels(double slack) const {
   const RenderedDepth& image = whole_.image;
@@ -214,13 +202,6 @@ ViewEvidence ViewScore::evidence(const Configuration& configuration, double slac
   evidence.continues = share_that_continues(whole_.image, *view_, noise_, slack);
   evidence.in_view = share_in_view(bodies);
   return evidence;
-}
-
-ViewEvidence ViewScore::last_evidence(const Configuration& configuration, double slack) {
-  const std::vector<std::uint8_t> all(tree_.bodies.size(), 1);
-  ViewEvidence of_whole = evidence(configuration, slack, all);
-  of_whole.continues = share_that_continues_beyond_bends(whole_.image, *view_, noise_, slack);
-  return of_whole;
 }
 
 double ViewScore::fit(const Configuration& configuration, double slack) {

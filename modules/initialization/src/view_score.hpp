@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "coarse_view.hpp"
 #include "lockbox/core/stop_request.hpp"
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
+#include "lockbox/verification/coarse_view.hpp"
 #include "view_evidence.hpp"
 
 namespace lockbox {
@@ -32,13 +32,6 @@ class ViewScore {
   /// is no matter.
   ViewEvidence evidence(const Configuration& configuration, double slack,
                         const std::vector<std::uint8_t>& bodies);
-
-  /// Of the whole model, once it is refined: bends count as the outline does. Of configurations
-  /// that are still wrong, many bends would pass for ends of what is seen.
-  ViewEvidence last_evidence(const Configuration& configuration, double slack);
-
-  /// Of what was drawn last: by pixel of the view, whether it is explained.
-  std::vector<std::uint8_t> explained_pixels(double slack) const;
 
   /// The larger, the better the whole model fits, for comparing near configurations.
   double fit(const Configuration& configuration, double slack);

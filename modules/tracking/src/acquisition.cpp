@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "lockbox/cloud/segmentation.hpp"
+#include "lockbox/verification/belief.hpp"
 
 namespace lockbox {
 
@@ -50,8 +51,9 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
 }
 
 void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
-  for (const Candidate& candidate : initializer().find(cloud_, guess)) {
-    if (candidate.score < options_.least_score) return;
+  const std::vector<Candidate> candidates = initializer().find(cloud_, guess);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.evidence < least_evidence()) return;
     if (ends_search(candidate)) {
       doubt_base(candidate.rival_distance, *best_);
       return;
@@ -81,7 +83,7 @@ bool Acquisition::ends_search(const Candidate& candidate) {
   RegistrationResult found = registration_.align(cloud_, sought, narrow());
   doubt_joints(candidate.margins, found);
   const bool stays = consider(found);
-  if (!stays && candidate.score < options_.convincing_score) return false;
+  if (!stays && candidate.belief < options_.convincing_belief) return false;
   // An answer before it may explain more, while something contradicts that: then neither is sure.
   if (stays && judge(*best_, options_) != TrackingStatus::tracking) return true;
   RegistrationResult kept =

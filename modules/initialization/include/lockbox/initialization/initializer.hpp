@@ -32,11 +32,12 @@ using JointMargins = std::vector<double>;
 /// One answer to where the model is.
 struct Candidate {
   Configuration configuration;
-  JointMargins margins;  ///< of the first candidate; empty for others
-  /// Of the first candidate: metres to the base in another one, of another place, that is nearly as
-  /// convincing, 0 if there is none.
+  JointMargins margins;   ///< of the first candidate; empty for others
+  double evidence = 0.0;  ///< nats, see lockbox/verification/evidence.hpp
+  double belief = 0.0;    ///< the probability that it is right, see lockbox/verification/belief.hpp
+  /// Metres by which the model's surface is somewhere else, in the root of the mean square over
+  /// what else may be right, weighted by its probability: another answer, or none.
   double rival_distance = 0.0;
-  double score = 0.0;  ///< the larger, the more convincing; compares within one frame
   Agreement agreement;
 };
 

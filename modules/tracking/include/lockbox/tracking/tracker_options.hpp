@@ -52,10 +52,9 @@ struct TrackerOptions {
   double most_last_move = 0.003;  ///< metres: surfaces that still move are not where they belong
   /// Metres, of the base's position as the frame tells it: the corner of a board in a wall fits.
   double most_base_sigma = 0.005;
-  /// Of Candidate: right answers score 28 and more, small blocks 14. What scores more than wrong
-  /// answers do is believed even where it would drift off if gates were wider.
-  double least_score = 10.0;
-  double convincing_score = 45.0;
+  /// What a search finds (Candidate) and believes more than that is kept even where it would drift
+  /// off if gates were wider.
+  double convincing_belief = 0.999;
   /// A joint that was sought over its whole range, while less than this share of what it moves is
   /// explained, is known only where so many pixels more (of JointMargins) speak for its position
   /// than for any other. Of five wrong joints in 1000 random scenes four were such, and one in

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "coarse_view.hpp"
+#include "lockbox/verification/coarse_view.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/evaluation/symmetry.hpp"
+#include "lockbox/model/symmetry.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A model turned to where its outline is nearly the same: back to front, upside down. What is taken
+// for one of them may be another, and is compared with all (docs/initialization.md).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+#include "levers.hpp"
+
+namespace lockbox {
+
+/// The motions, in the base's frame, that turn the box around the model at rest onto itself, about
+/// its middle, up to a quarter of each of its sides; without those after which the model looks the
+/// same. symmetries: these, the identity among them.
+std::vector<Eigen::Isometry3d> box_turns(const ModelLevers& levers,
+                                         std::span<const Eigen::Isometry3d> symmetries);
+
+}  // namespace lockbox

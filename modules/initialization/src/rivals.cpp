@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rivals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lockbox/verification/belief.hpp"
+
+namespace lockbox {
+namespace {
+
+/// Of the model's radius: answers that are nearer to each other come to the same rest.
+constexpr double kAnotherAnswer = 0.15;
+
+}  // namespace
+
+double farthest_move(const ModelLevers& levers, std::span<const Eigen::Isometry3d> symmetries,
+                     const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::Isometry3d& symmetry : symmetries) {
+    const Eigen::Isometry3d move = to.inverse() * from * symmetry;
+    double farthest = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Eigen::Array3d way((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5);
+      const Eigen::Vector3d p = levers.centre + (way * levers.sides.array()).matrix();
+      farthest = std::max(farthest, (move * p - p).norm());
+    }
+    least = std::min(least, farthest);
+  }
+  return least;
+}
+
+void sort_best_first(std::vector<Candidate>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
+}
+
+void compare(const ModelLevers& levers, std::span<const Eigen::Isometry3d> symmetries,
+             std::vector<Candidate>& candidates) {
+  std::vector<double> others;
+  for (Candidate& candidate : candidates) {
+    const Eigen::Isometry3d& pose = candidate.configuration.T_camera_base;
+    others.clear();
+    // What is not in view may be as far away as what is.
+    double squares =
+        std::exp(log_odds(least_evidence(), candidate.evidence)) * pose.translation().squaredNorm();
+    for (const Candidate& other : candidates) {
+      const double move =
+          farthest_move(levers, symmetries, pose, other.configuration.T_camera_base);
+      if (move < kAnotherAnswer * levers.radius) continue;
+      others.push_back(other.evidence);
+      squares += std::exp(log_odds(other.evidence, candidate.evidence)) * move * move;
+    }
+    candidate.belief = belief(candidate.evidence, others);
+    candidate.rival_distance = std::sqrt(candidate.belief * squares);
+  }
+}
+
+}  // namespace lockbox

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Is the object there? What an image says for a configuration, against the scene without it.
+#pragma once
+
+#include <memory>
+
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/model/configuration.hpp"
+#include "lockbox/model/kinematic_tree.hpp"
+#include "lockbox/verification/evidence.hpp"
+
+namespace lockbox {
+
+/// Not thread-safe. The tree must outlive it.
+class Verifier {
+ public:
+  explicit Verifier(const KinematicTree& tree);
+  ~Verifier();
+  Verifier(Verifier&&) noexcept;
+  Verifier& operator=(Verifier&&) noexcept;
+
+  /// What the evidence is sought in from now on. sensor_noise: the standard deviation of a pixel's
+  /// 1/depth, 1/metre.
+  void look_at(const TiledCloud& cloud, double sensor_noise, const Executor& executor);
+
+  /// In the image looked at last.
+  Evidence evidence(const Configuration& configuration);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
+};
+
+}  // namespace lockbox

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where surfaces end or bend in an image of inverse depths, joined to lines: a cell of a straight
+// edge is no news once the edge is known, so that an edge tells once, however many cells it has.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene_cells.hpp"
+
+namespace lockbox {
+
+/// Reuses its buffers.
+class ContourLines {
+ public:
+  /// Of cells of the scene's size, 1/metre, 0 in blank ones, at which what is beside them ends.
+  /// What deviates by no more than its noise and the model's tolerance is no contour.
+  void find(const SceneCells& scene, std::span<const float> cells);
+
+  /// A vector towards what the cell's surface does not go on to; zero where it goes on, and
+  /// where nothing is known.
+  const Eigen::Vector2f& direction(std::size_t cell) const { return directions_[cell]; }
+
+  /// Of the line through a cell that has a direction.
+  int cells_of_line(std::size_t cell) const {
+    return lengths_[static_cast<std::size_t>(lines_[cell])];
+  }
+
+  /// Whether one with about this direction passes within so many cells.
+  bool passes(const SceneCells& scene, int u, int v, int reach,
+              const Eigen::Vector2f& direction) const;
+
+ private:
+  void smooth(const SceneCells& scene);
+  void join(const SceneCells& scene, int u, int v);
+
+  std::vector<Eigen::Vector2f> directions_;
+  std::vector<Eigen::Vector2f> raw_;
+  std::vector<std::int32_t> lines_;  ///< -1: none yet
+  std::vector<int> lengths_;
+  std::vector<std::pair<int, int>> open_;
+};
+
+}  // namespace lockbox

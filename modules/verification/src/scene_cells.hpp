@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What was measured, in cells of inverse depth, in which planes are linear; and how likely a cell
+// is in a scene of surfaces that go on.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "lockbox/verification/coarse_view.hpp"
+
+namespace lockbox {
+
+/// Two cells in a row, at distances near and far, from which a plane through both foretells a
+/// third. They are too far to share its contour.
+struct Sight {
+  int du;
+  int dv;
+  int near;
+  int far;
+
+  constexpr double ratio() const { return static_cast<double>(near) / (far - near); }
+  /// Of the third cell's inverse depth.
+  constexpr double foretold(double at_near, double at_far) const {
+    return at_near + ratio() * (at_near - at_far);
+  }
+  /// Of a foretold value and of the cell's own, in variances of a cell.
+  constexpr double variances() const {
+    return (1.0 + ratio()) * (1.0 + ratio()) + ratio() * ratio();
+  }
+};
+
+inline constexpr std::array<Sight, 8> kSights{{{1, 0, 3, 5},
+                                               {-1, 0, 3, 5},
+                                               {0, 1, 3, 5},
+                                               {0, -1, 3, 5},
+                                               {1, 1, 2, 4},
+                                               {-1, -1, 2, 4},
+                                               {1, -1, 2, 4},
+                                               {-1, 1, 2, 4}}};
+
+class SceneCells {
+ public:
+  /// sensor_noise: as the sensor's profile has it, standard deviation of a pixel's 1/depth,
+  /// 1/metre. What the frame itself shows counts, but for an image without any noise.
+  SceneCells(const CoarseView& view, double sensor_noise);
+
+  const PinholeCamera& camera() const { return camera_; }
+  int width() const { return camera_.width; }
+  int height() const { return camera_.height; }
+  std::size_t index(int u, int v) const {
+    return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) +
+           static_cast<std::size_t>(u);
+  }
+  bool contains(int u, int v) const {
+    return u >= 0 && v >= 0 && u < camera_.width && v < camera_.height;
+  }
+  /// 1/metre; 0 where nothing was measured.
+  double at(int u, int v) const { return static_cast<double>(cells_[index(u, v)]); }
+
+  std::span<const float> cells() const { return cells_; }
+
+  /// The standard deviation of a cell's noise, 1/metre.
+  double noise() const { return noise_; }
+  /// Of what a model shows there: the cell's noise and the model's tolerance.
+  double deviation(double inverse_depth) const;
+  /// The same of what is foretold from two other cells.
+  double deviation(double inverse_depth, const Sight& sight) const;
+
+  /// The density of the cell's measurement, if nothing is known but its surroundings: surfaces go
+  /// on from there, or something else begins, anywhere.
+  double density(int u, int v) const;
+
+ private:
+  PinholeCamera camera_;
+  std::vector<float> cells_;
+  double noise_;
+};
+
+/// Of a normal distribution, at so far from its mean.
+double normal_density(double distance, double deviation);
+
+}  // namespace lockbox

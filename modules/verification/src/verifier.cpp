@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/verification/verifier.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "contour_lines.hpp"
+#include "evidence_constants.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/rendering/body_item.hpp"
+#include "scene_cells.hpp"
+
+namespace lockbox {
+namespace {
+
+enum class Seen : std::uint8_t { nothing, explained, occluder, behind };
+
+/// What the model shows within the tolerance of an outline around a cell, 1/metre.
+struct Around {
+  double farthest;
+  double nearest;
+  bool is_at_outline;  ///< it shows nothing in some of these cells
+
+  /// How much nearer a measurement is than all of them; negative: farther; 0: among them.
+  double beyond(double inverse_depth) const {
+    if (inverse_depth > nearest) return inverse_depth - nearest;
+    return std::min(0.0, inverse_depth - farthest);
+  }
+};
+
+/// Cells at a contour, to each side, that it tells by: those within the reach of a sight.
+constexpr double kBand = 5.0;
+
+/// Of a line of so many cells: less than a stretch of it may be noise.
+double worth(int cells) {
+  return evidence::kLine * std::min(1.0, cells / (evidence::kLeastLine * kBand));
+}
+
+/// What lies on the scene's own surface errs, too.
+double of_misfit(double misfit) {
+  constexpr double kUsual = 2.0;  // standard deviations
+  return -0.5 * std::max(0.0, misfit * misfit - kUsual * kUsual) / evidence::kFace;
+}
+
+}  // namespace
+
+struct Verifier::Workspace {
+  explicit Workspace(const KinematicTree& of) : tree(of) {}
+
+  void draw(const Configuration& configuration);
+  Evidence sum_up();
+  double shown(int u, int v) const { return static_cast<double>(cells[image.index(u, v)]); }
+  int outline_reach(double inverse_depth) const;
+  Around around(int u, int v) const;
+  Seen judge(int u, int v, Evidence& sum) const;
+  void compare_lines(int u, int v, Evidence& sum) const;
+  bool is_in_sight(int u, int v, const Eigen::Vector2f& direction) const;
+  double of_occluder(int u, int v) const;
+
+  const KinematicTree& tree;
+  std::optional<SceneCells> scene;
+  std::unique_ptr<DepthRenderer> renderer;
+  RenderedDepth image;
+  std::vector<float> cells;  ///< what the model shows, 1/metre; 0: nothing
+  ContourLines scene_lines;
+  ContourLines model_lines;
+  std::vector<Eigen::Isometry3d> poses;
+  std::vector<RenderItem> items;
+  std::vector<Seen> seen;
+};
+
+Verifier::Verifier(const KinematicTree& tree) : workspace_(std::make_unique<Workspace>(tree)) {}
+Verifier::~Verifier() = default;
+Verifier::Verifier(Verifier&&) noexcept = default;
+Verifier& Verifier::operator=(Verifier&&) noexcept = default;
+
+void Verifier::look_at(const TiledCloud& cloud, double sensor_noise, const Executor& executor) {
+  Workspace& w = *workspace_;
+  w.scene.emplace(CoarseView(cloud, evidence::kColumns, executor), sensor_noise);
+  if (!w.renderer || !(w.renderer->camera() == w.scene->camera())) {
+    w.renderer = std::make_unique<DepthRenderer>(w.scene->camera(), executor);
+  }
+  w.scene_lines.find(*w.scene, w.scene->cells());
+}
+
+Evidence Verifier::evidence(const Configuration& configuration) {
+  workspace_->draw(configuration);
+  return workspace_->sum_up();
+}
+
+void Verifier::Workspace::draw(const Configuration& configuration) {
+  forward_kinematics(tree, configuration, poses);
+  items.clear();
+  for (std::size_t b = 0; b < poses.size(); ++b) items.push_back(body_item(tree, b, poses[b]));
+  renderer->render(items, image);
+  cells.resize(image.id.size());
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    cells[cell] = image.id[cell] == kNothing ? 0.0F : 1.0F / image.depth[cell];
+  }
+  model_lines.find(*scene, cells);
+}
+
+Evidence Verifier::Workspace::sum_up() {
+  seen.assign(image.id.size(), Seen::nothing);
+  Evidence sum;
+  const ImageWindow& drawn = image.drawn;
+  for (int v = drawn.top; v < drawn.bottom(); ++v) {
+    for (int u = drawn.left; u < drawn.right(); ++u) {
+      if (!(shown(u, v) > 0.0) || !(scene->at(u, v) > 0.0)) continue;
+      ++sum.cells;
+      seen[image.index(u, v)] = judge(u, v, sum);
+    }
+  }
+  for (int v = drawn.top; v < drawn.bottom(); ++v) {
+    for (int u = drawn.left; u < drawn.right(); ++u) {
+      sum.occluded += of_occluder(u, v);
+      compare_lines(u, v, sum);
+    }
+  }
+  return sum;
+}
+
+/// Cells by which an outline may be off, all told.
+int Verifier::Workspace::outline_reach(double inverse_depth) const {
+  const double cells_a_metre = scene->camera().fx * inverse_depth;
+  return static_cast<int>(std::ceil(evidence::kOutlineTolerance * cells_a_metre +
+                                    evidence::kOutlinePixels * scene->width() / 640.0));
+}
+
+Around Verifier::Workspace::around(int u, int v) const {
+  const double here = shown(u, v);
+  const int reach = outline_reach(here);
+  Around found{here, here, false};
+  for (int dv = -reach; dv <= reach; ++dv) {
+    for (int du = -reach; du <= reach; ++du) {
+      if (du * du + dv * dv > reach * reach || !scene->contains(u + du, v + dv)) continue;
+      const double there = shown(u + du, v + dv);
+      found.is_at_outline |= !(there > 0.0);
+      if (there > 0.0) found.farthest = std::min(found.farthest, there);
+      found.nearest = std::max(found.nearest, there);
+    }
+  }
+  return found;
+}
+
+/// Whether what was measured beyond a contour is known, and does not hide what the model has there.
+bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direction) const {
+  const double nearest = scene->at(u, v) + evidence::kAgree * scene->deviation(scene->at(u, v));
+  const Eigen::Vector2f way = direction.normalized();
+  for (const int beyond : {kSights.front().near, kSights.front().far}) {
+    const int at_u = u + static_cast<int>(std::lround(static_cast<float>(beyond) * way.x()));
+    const int at_v = v + static_cast<int>(std::lround(static_cast<float>(beyond) * way.y()));
+    if (!scene->contains(at_u, at_v) || !(scene->at(at_u, at_v) > 0.0)) return false;
+    const bool is_hidden = shown(at_u, at_v) > 0.0 ? seen[image.index(at_u, at_v)] == Seen::occluder
+                                                   : scene->at(at_u, at_v) > nearest;
+    if (is_hidden) return false;
+  }
+  return true;
+}
+
+/// Each line of the scene tells for the model in so far as the model has it, too; and each line of
+/// the model against it in so far as the scene goes on there.
+void Verifier::Workspace::compare_lines(int u, int v, Evidence& sum) const {
+  const std::size_t cell = image.index(u, v);
+  if (seen[cell] != Seen::explained) return;
+  const Eigen::Vector2f& of_scene = scene_lines.direction(cell);
+  const Eigen::Vector2f& of_model = model_lines.direction(cell);
+  const int reach = outline_reach(shown(u, v));
+  if (!of_scene.isZero()) {
+    const int length = scene_lines.cells_of_line(cell);
+    const double share = worth(length) / length;
+    if (model_lines.passes(*scene, u, v, reach, of_scene)) {
+      sum.matched += share;
+    } else if (is_in_sight(u, v, of_scene)) {
+      sum.contradicted += std::log(evidence::kUnmodelled) / evidence::kLine * share;
+    }
+  }
+  if (!of_model.isZero() && is_in_sight(u, v, of_model) &&
+      !scene_lines.passes(*scene, u, v, reach, of_model)) {
+    const int length = model_lines.cells_of_line(cell);
+    sum.contradicted += std::log(evidence::kFlush) / evidence::kLine * worth(length) / length;
+  }
+}
+
+/// Adds what one cell says, unless it is hidden.
+Seen Verifier::Workspace::judge(int u, int v, Evidence& sum) const {
+  const double cell = scene->at(u, v);
+  const double here = shown(u, v);
+  const double deviation = scene->deviation(here);
+  const double misfit = (cell - here) / deviation;
+  if (std::abs(misfit) < evidence::kAgree) {
+    sum.misfit += of_misfit(misfit);
+    return Seen::explained;
+  }
+  const Around near = around(u, v);
+  const double beyond = near.beyond(cell);
+  if (std::abs(beyond) < evidence::kAgree * deviation) {
+    sum.misfit += of_misfit(beyond / deviation);
+    return Seen::explained;
+  }
+  if (beyond > 0.0) return Seen::occluder;
+  if (near.is_at_outline) return Seen::explained;  // what lies beside the model
+  const double anywhere = evidence::kOutliers / evidence::kInverseRange;
+  sum.seen_through += std::min(0.0, std::log(anywhere / scene->density(u, v))) / evidence::kWindow;
+  return Seen::behind;
+}
+
+/// Of an occluder's cell.
+double Verifier::Workspace::of_occluder(int u, int v) const {
+  if (seen[image.index(u, v)] != Seen::occluder) return 0.0;
+  double nats = 0.0;
+  for (const auto& [du, dv] :
+       {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0), std::pair(0, -1)}) {
+    if (!scene->contains(u + du, v + dv)) continue;
+    const Seen there = seen[image.index(u + du, v + dv)];
+    if (there == Seen::explained || there == Seen::behind) nats -= evidence::kOccluderEdge;
+  }
+  return nats;
+}
+
+}  // namespace lockbox

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "box_turns.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lockbox {
+namespace {
+
+const std::vector<Eigen::Isometry3d> kIdentityAlone{Eigen::Isometry3d::Identity()};
+
+ModelLevers box(double x, double y, double z) {
+  return {Eigen::Vector3d(0.3, -0.1, 0.2), Eigen::Vector3d(x, y, z), 0.5, {}};
+}
+
+TEST(BoxTurns, ABoxOfThreeSidesHasThree) {
+  EXPECT_EQ(box_turns(box(0.9, 0.5, 0.2), kIdentityAlone).size(), 3U);
+}
+
+TEST(BoxTurns, ASquareBoardHasSeven) {
+  EXPECT_EQ(box_turns(box(0.95, 0.95, 0.1), kIdentityAlone).size(), 7U);
+}
+
+TEST(BoxTurns, ACubeHasAllButOne) {
+  EXPECT_EQ(box_turns(box(0.4, 0.4, 0.4), kIdentityAlone).size(), 23U);
+}
+
+TEST(BoxTurns, TheyTurnAboutTheMiddleOfTheBox) {
+  const ModelLevers levers = box(0.4, 0.4, 0.4);
+  for (const Eigen::Isometry3d& turn : box_turns(levers, kIdentityAlone)) {
+    EXPECT_TRUE((turn * levers.centre).isApprox(levers.centre, 1e-12));
+    EXPECT_NEAR(turn.linear().determinant(), 1.0, 1e-12);
+  }
+}
+
+TEST(BoxTurns, WhatLooksTheSameIsNoOtherAnswer) {
+  Eigen::Isometry3d half_turn = Eigen::Isometry3d::Identity();
+  half_turn.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).matrix();
+  EXPECT_EQ(box_turns(box(0.9, 0.5, 0.2), std::vector{kIdentityAlone.front(), half_turn}).size(),
+            2U);
+}
+
+}  // namespace
+}  // namespace lockbox

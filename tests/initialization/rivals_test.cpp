@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rivals.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lockbox/verification/belief.hpp"
+
+namespace lockbox {
+namespace {
+
+const ModelLevers kLevers{Eigen::Vector3d(0.1, 0.0, 0.0), Eigen::Vector3d(0.2, 0.1, 0.1), 0.12, {}};
+const std::vector<Eigen::Isometry3d> kNone{Eigen::Isometry3d::Identity()};
+
+Candidate candidate(double evidence, double turn, double aside = 0.0) {
+  Candidate result;
+  result.evidence = evidence;
+  Eigen::Isometry3d& pose = result.configuration.T_camera_base;
+  pose = Eigen::Translation3d(aside, 0.0, 1.0) * Eigen::Translation3d(kLevers.centre) *
+         Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(-kLevers.centre);
+  return result;
+}
+
+std::vector<Candidate> compared(std::vector<Candidate> candidates,
+                                const std::vector<Eigen::Isometry3d>& symmetries = kNone) {
+  compare(kLevers, symmetries, candidates);
+  return candidates;
+}
+
+TEST(Rivals, TheOneWithMostEvidenceIsFirst) {
+  std::vector<Candidate> candidates{candidate(20.0, 3.1), candidate(96.0, 0.0),
+                                    candidate(-40.0, 0.0, 0.5)};
+  sort_best_first(candidates);
+  EXPECT_EQ(candidates[0].evidence, 96.0);
+  EXPECT_EQ(candidates[1].evidence, 20.0);
+  EXPECT_EQ(candidates[2].evidence, -40.0);
+}
+
+/// So that what is found does not depend on how a sort breaks ties.
+TEST(Rivals, EqualsKeepTheirOrder) {
+  std::vector<Candidate> candidates{candidate(100.0, 0.0, 0.1), candidate(100.0, 0.0, 0.2)};
+  sort_best_first(candidates);
+  EXPECT_EQ(candidates[0].configuration.T_camera_base.translation().x(), 0.1);
+}
+
+TEST(Rivals, WithMuchEvidenceAndNoRivalAnAnswerIsSure) {
+  const auto sure = compared({candidate(200.0, 0.0)});
+  EXPECT_GT(sure[0].belief, 0.999999);
+  EXPECT_LT(sure[0].rival_distance, 1e-6);
+}
+
+TEST(Rivals, WithTheLeastEvidenceItIsAsProbableAsNot) {
+  const auto even = compared({candidate(least_evidence(), 0.0)});
+  EXPECT_NEAR(even[0].belief, 0.5, 1e-12);
+  EXPECT_NEAR(even[0].rival_distance, std::sqrt(0.5), 0.01);  // a metre away, or not at all
+}
+
+/// Turned about the middle, the base's origin moves by 0.2 m, the corners by their diagonal.
+TEST(Rivals, ATurnedOneThatIsAsGoodIsAsProbable) {
+  const auto even = compared({candidate(200.0, 0.0), candidate(200.0, M_PI)});
+  EXPECT_NEAR(even[0].belief, 0.5, 1e-9);
+  EXPECT_NEAR(even[0].rival_distance, std::sqrt(0.5) * std::hypot(0.2, 0.1), 1e-6);
+}
+
+TEST(Rivals, WhatIsHardlyApartIsTheSameAnswer) {
+  EXPECT_GT(compared({candidate(200.0, 0.0), candidate(200.0, 0.05, 0.005)})[0].belief, 0.999999);
+}
+
+TEST(Rivals, WhatLooksTheSameIsTheSameAnswer) {
+  const Eigen::Isometry3d half_turn(Eigen::Translation3d(kLevers.centre) *
+                                    Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()) *
+                                    Eigen::Translation3d(-kLevers.centre));
+  const auto sure = compared({candidate(200.0, 0.0), candidate(200.0, M_PI)},
+                             {Eigen::Isometry3d::Identity(), half_turn});
+  EXPECT_GT(sure[0].belief, 0.999999);
+  EXPECT_GT(sure[1].belief, 0.999999);
+}
+
+TEST(Rivals, AWorseOneIsLessProbableTheMoreItLacks) {
+  double before = 0.5;
+  for (const double less : {1.0, 5.0, 20.0}) {
+    const auto two = compared({candidate(200.0, 0.0), candidate(200.0 - less, 0.0, 0.5)});
+    EXPECT_GT(two[0].belief, before);
+    EXPECT_LT(two[1].belief, 0.5);
+    before = two[0].belief;
+  }
+}
+
+}  // namespace
+}  // namespace lockbox

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/verification/verifier.hpp"
+
+#include <gtest/gtest.h>
+
+#include "initialization/seen_model.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/registration/registration_options.hpp"
+#include "lockbox/verification/belief.hpp"
+
+namespace lockbox {
+namespace {
+
+Configuration at(const ArticulatedModel& model, double distance, double yaw, double pitch) {
+  Configuration truth = rest_configuration(model.tree);
+  truth.T_camera_base = Eigen::Translation3d(0.02, -0.03, distance) *
+                        Eigen::AngleAxisd(M_PI + pitch, Eigen::Vector3d::UnitX()) *
+                        Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY());
+  return truth;
+}
+
+Configuration moved(const Configuration& truth, const Eigen::Isometry3d& motion) {
+  Configuration other = truth;
+  other.T_camera_base = truth.T_camera_base * motion;
+  return other;
+}
+
+/// With what a PrimeSense-class sensor sees of the model before a wall.
+class VerifierTest : public ::testing::TestWithParam<const char*> {
+ protected:
+  void look_at(const Configuration& truth, const Scene& scene) {
+    verifier_.look_at(seen(model_, truth, scene), SensorNoise{}.sigma_inverse_depth(), Executor(2));
+  }
+  double evidence(const Configuration& configuration) {
+    return verifier_.evidence(configuration).total();
+  }
+
+  const ArticulatedModel& model_ = shipped(GetParam());
+  const Configuration truth_ = at(model_, 1.3, 0.3, 0.25);
+  Verifier verifier_{model_.tree};
+};
+
+TEST_P(VerifierTest, WhatIsThereHasMoreThanItTakesToBeBelieved) {
+  look_at(truth_, wall_behind(0.6));
+  EXPECT_GT(evidence(truth_), 2.0 * least_evidence());
+}
+
+TEST_P(VerifierTest, WhatIsElsewhereHasNone) {
+  look_at(truth_, wall_behind(0.6));
+  for (const double aside : {-0.4, -0.15, 0.15, 0.4}) {
+    const Configuration other = moved(truth_, Eigen::Isometry3d(Eigen::Translation3d(aside, 0, 0)));
+    EXPECT_LT(evidence(other), 0.5 * evidence(truth_)) << aside;
+  }
+}
+
+TEST_P(VerifierTest, TheBackIsNotTheFront) {
+  look_at(truth_, wall_behind(0.6));
+  const double right = evidence(truth_);
+  for (const Eigen::Vector3d& axis :
+       {Eigen::Vector3d(Eigen::Vector3d::UnitX()), Eigen::Vector3d(Eigen::Vector3d::UnitY())}) {
+    EXPECT_LT(evidence(moved(truth_, Eigen::Isometry3d(Eigen::AngleAxisd(M_PI, axis)))),
+              0.5 * right)
+        << axis.transpose();
+  }
+}
+
+/// Everything is as a plate of the wall would be, but for contours.
+TEST_P(VerifierTest, ABareWallHasNone) {
+  Scene scene = wall_behind(0.0);
+  const Configuration far_off = moved(truth_, Eigen::Isometry3d(Eigen::Translation3d(5, 0, 0)));
+  scene.planes.front().point.x() = -5.0;
+  look_at(far_off, scene);
+  EXPECT_LT(evidence(truth_), 0.0);
+}
+
+TEST_P(VerifierTest, NothingMeasuredSaysNothing) {
+  TiledCloud cloud;
+  cloud.assign({640, 480, 575.8, 575.8, 319.5, 239.5}, std::vector<float>(640 * 480, 0.0F), {},
+               Executor(1));
+  verifier_.look_at(cloud, SensorNoise{}.sigma_inverse_depth(), Executor(1));
+  EXPECT_EQ(evidence(truth_), 0.0);
+}
+
+/// Half of it is hidden, by what is no part of it.
+TEST_P(VerifierTest, WhatStandsBeforeItTakesLessThanItHides) {
+  look_at(truth_, wall_behind(0.6));
+  const double alone = evidence(truth_);
+  Scene scene = wall_behind(0.6);
+  SceneBox screen;
+  screen.frame = SceneFrame::base;
+  Eigen::AlignedBox3d box;
+  std::vector<Eigen::Isometry3d> poses;
+  Configuration at_origin = truth_;
+  at_origin.T_camera_base.setIdentity();
+  forward_kinematics(model_.tree, at_origin, poses);
+  for (std::size_t b = 0; b < poses.size(); ++b) {
+    for (const Eigen::Vector3d& p : model_.tree.bodies[b].mesh.vertices) box.extend(poses[b] * p);
+  }
+  screen.size = {1.0, 2.0, 0.02};
+  screen.pose.translation() = Eigen::Vector3d(box.center().x() - 0.5, 0.0, box.max().z() + 0.05);
+  scene.boxes.push_back(screen);
+  look_at(truth_, scene);
+  EXPECT_GT(evidence(truth_), 0.15 * alone);
+  EXPECT_GT(evidence(truth_), least_evidence());
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, VerifierTest,
+                         ::testing::Values("lockbox", "cabinet", "rigid_block",
+                                           "board_door_block"));
+
+}  // namespace
+}  // namespace lockbox
