@@ -55,7 +55,9 @@ void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
   for (const Candidate& candidate : candidates) {
     if (candidate.evidence < least_evidence()) return;
     if (ends_search(candidate)) {
-      doubt_base(candidate.rival_distance, *best_);
+      if (candidate.rival_distance > options_.most_base_sigma) {
+        doubt_base(candidate.rival_distance, *best_);
+      }
       return;
     }
   }
