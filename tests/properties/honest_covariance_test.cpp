@@ -108,7 +108,8 @@ Calibration HonestCovariance::calibrate() {
     cloud.assign(frame, {}, Executor());
     const Configuration start = stepped(truth, random_step(0.003, 0.01));
     const RegistrationResult& found = registration.align(cloud, start, {0.005, 12, false, 6});
-    const Eigen::VectorXd normalised = error(found.configuration, truth).cwiseQuotient(found.sigma);
+    const Eigen::VectorXd normalised =
+        error(found.configuration, truth).cwiseQuotient(found.sigma_of_noise);
     for (Eigen::Index i = 0; i < unknowns_; ++i) {
       if (found.observable[static_cast<std::size_t>(i)]) {
         calibration.sum[i] += normalised[i] * normalised[i];

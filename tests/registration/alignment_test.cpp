@@ -68,10 +68,10 @@ TEST_F(AlignmentTest, RestsWithinASmallPartOfAPixel) {
 
 /// Squares of errors against the truth, in the reported standard deviations.
 double squared_errors(const RegistrationResult& found, const Configuration& truth) {
-  Eigen::VectorXd off(found.sigma.size());
+  Eigen::VectorXd off(found.sigma_of_noise.size());
   off << log_se3(truth.T_camera_base.inverse() * found.configuration.T_camera_base),
       found.configuration.q - truth.q;
-  return off.cwiseQuotient(found.sigma).squaredNorm();
+  return off.cwiseQuotient(found.sigma_of_noise).squaredNorm();
 }
 
 /// From a prediction a few points lead near, and the last step is that of all of them: near enough,
@@ -95,9 +95,9 @@ TEST_F(AlignmentTest, FromAPredictionErrsAndIsSureAsFromAnywhere) {
       const RegistrationResult& by_few =
           registration.align(seen, start, {.spread = off, .iterations = 3, .is_predicted = true});
       usual += squared_errors(whole, truth);
-      usual_sigma += whole.sigma;
+      usual_sigma += whole.sigma_of_noise;
       predicted += squared_errors(by_few, truth);
-      predicted_sigma += by_few.sigma;
+      predicted_sigma += by_few.sigma_of_noise;
       EXPECT_TRUE(by_few.converged);
       EXPECT_EQ(by_few.last_move, 0.0);
       EXPECT_NEAR(by_few.explained_points, whole.explained_points, 0.01 * whole.explained_points);

@@ -33,7 +33,7 @@ Outcome registered(std::size_t budget) {
     error << log_se3(truth.T_camera_base.inverse() * result.configuration.T_camera_base),
         result.configuration.q - truth.q;
     outcome.rmse += error.square() / kSeeds;
-    outcome.normalised += (error / result.sigma.array()).square() / kSeeds;
+    outcome.normalised += (error / result.sigma_of_noise.array()).square() / kSeeds;
   }
   outcome.rmse = outcome.rmse.sqrt();
   return outcome;

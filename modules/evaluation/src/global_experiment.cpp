@@ -66,7 +66,7 @@ void GlobalExperiment::compare_with_truth(const RegistrationResult& found, const
   TrackingResult answer;
   answer.status = result.status;
   answer.configuration = found.configuration;
-  answer.observable = found.observable;
+  answer.observable = known_unknowns(found, model_.tree, options_);
   result.rotation = std::numeric_limits<double>::infinity();
   for (const Eigen::Isometry3d& symmetry : symmetries_) {
     State equal = truth;

@@ -89,8 +89,9 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
   covariance_.add_floors(moves_.levers());
   result_.covariance = covariance_.covariance();
   result_.sigma = covariance_.sigma();
+  result_.sigma_of_noise = covariance_.sigma_of_noise();
   result_.observable = covariance_.observable();
-  result_.last_move = moves_.of_significant(last_step_, result_.observable, result_.sigma);
+  result_.last_move = moves_.of_significant(last_step_, result_.observable, result_.sigma_of_noise);
   result_.agreement = agreement_.total();
   result_.body_agreement = agreement_.bodies();
   result_.outline = agreement_.outline();

@@ -55,7 +55,7 @@ void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
   for (const Candidate& candidate : candidates) {
     if (candidate.evidence < least_evidence()) return;
     if (ends_search(candidate)) {
-      if (candidate.rival_distance > options_.most_base_sigma) {
+      if (candidate.rival_distance > options_.most_rival_distance) {
         doubt_base(candidate.rival_distance, *best_);
       }
       return;
@@ -83,6 +83,7 @@ SearchFailure Acquisition::explain(const DepthFrame& frame) {
 bool Acquisition::ends_search(const Candidate& candidate) {
   const Configuration& sought = candidate.configuration;
   RegistrationResult found = registration_.align(cloud_, sought, narrow());
+  found.belief = candidate.belief;
   doubt_joints(candidate.margins, found);
   const bool stays = consider(found);
   if (!stays && candidate.belief < options_.convincing_belief) return false;
@@ -90,6 +91,7 @@ bool Acquisition::ends_search(const Candidate& candidate) {
   if (stays && judge(*best_, options_) != TrackingStatus::tracking) return true;
   RegistrationResult kept =
       registration_.align(cloud_, sought, {0.0, options_.registration.max_iterations});
+  kept.belief = candidate.belief;
   doubt_joints(candidate.margins, kept);
   const bool is_kept = judge(kept, options_) == TrackingStatus::tracking;
   if (is_kept) best_ = kept;

@@ -50,6 +50,21 @@ bool is_doubtful(const RegistrationResult& registered, int variable, const Joint
   return is_hidden && margins[v] < options.least_margin_of_hidden;
 }
 
+std::vector<bool> known_unknowns(const RegistrationResult& registered, const KinematicTree& tree,
+                                 const TrackerOptions& options) {
+  std::vector<bool> known = registered.observable;
+  for (int v = 0; v < tree.variables(); ++v) {
+    const int joint = tree.variable_joint[static_cast<std::size_t>(v)];
+    const bool slides = tree.joints[static_cast<std::size_t>(joint)].type == JointType::prismatic;
+    const double most = slides ? options.most_sliding_sigma : options.most_turning_sigma;
+    if (!(registered.sigma[6 + v] <= most)) known[static_cast<std::size_t>(6 + v)] = false;
+  }
+  for (const int v : contradicted_variables(registered, tree, options)) {
+    known[static_cast<std::size_t>(6 + v)] = false;
+  }
+  return known;
+}
+
 double conviction(const RegistrationResult& registered, const TrackerOptions& options) {
   Agreement agreement = registered.agreement;
   if (registered.outline.continued() > options.most_continued) agreement.explained = 0.0;
@@ -57,11 +72,19 @@ double conviction(const RegistrationResult& registered, const TrackerOptions& op
 }
 
 bool agrees(const RegistrationResult& registered, const TrackerOptions& options) {
+  const auto& bodies = registered.body_agreement;
+  const bool is_believed = registered.belief >= options.convincing_belief;
+  return agrees_but_for_parts(registered, options) &&
+         (is_believed || std::none_of(bodies.begin(), bodies.end(), [&](const Agreement& body) {
+            return is_contradicted(body, options);
+          }));
+}
+
+bool agrees_but_for_parts(const RegistrationResult& registered, const TrackerOptions& options) {
   const Agreement& whole = registered.agreement;
   const auto& bodies = registered.body_agreement;
   return whole.explained >= options.least_explained && whole.consent() >= options.least_agreement &&
-         std::none_of(bodies.begin(), bodies.end(),
-                      [&](const Agreement& body) { return is_contradicted(body, options); });
+         (bodies.empty() || !is_contradicted(bodies.front(), options));
 }
 
 bool rests(const RegistrationResult& registered, const TrackerOptions& options) {
@@ -77,7 +100,8 @@ TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions&
   if (whole.explained < 0.5 * options.least_explained || whole.consent() < options.lost_agreement) {
     return TrackingStatus::lost;
   }
-  const bool is_known = registered.sigma.head<3>().norm() <= options.most_base_sigma;
+  const bool is_known = registered.sigma.head<3>().norm() <= options.most_base_sigma &&
+                        registered.rival_distance <= options.most_rival_distance;
   return rests(registered, options) && is_known && is_believable(registered, options)
              ? TrackingStatus::tracking
              : TrackingStatus::uncertain;

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/tracking/tracker.hpp"
 
+#include <algorithm>
+
+#include "lockbox/verification/belief.hpp"
+
 namespace lockbox {
 namespace {
 
 constexpr double kSuddenlyHidden = 0.15;  // of the visible surface, from one frame to the next
 constexpr int kFramesOfDoubt = 4;         // until the object is sought anywhere
 constexpr int kRepeatsToRest = 4;         // of an image, until what is found in it rests
+constexpr int kFramesToDoubtParts = 30;   // without seeking them; a second
 
 }  // namespace
 
@@ -16,7 +21,8 @@ Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
       executor_(options.threads),
       registration_(model, options.registration, executor_),
       acquisition_(model, options, executor_, registration_, cloud_),
-      predictor_(model.tree) {
+      predictor_(model.tree),
+      verifier_(model.tree) {
   result_.configuration = unknown_configuration(model.tree);
   options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
   frames_in_sight_.resize(options_.registration.locked.size(), 0);
@@ -83,7 +89,10 @@ void Tracker::follow(const DepthFrame& frame) {
                           {.spread = predictor_.spread(),
                            .iterations = options_.registration.max_iterations,
                            .is_predicted = result_.status == TrackingStatus::tracking});
-  const RegistrationResult& followed = has_leapt(registered)
+  const bool is_as_before = is_doubted_as_before(registered);
+  if (is_as_before) ++frames_doubted_;
+  const RegistrationResult& followed = is_as_before ? with_doubts_kept(prediction, registered)
+                                       : has_leapt(registered)
                                            ? with_leap_followed(frame, prediction, registered)
                                            : come_to_rest(prediction, registered);
   const RegistrationResult& found =
@@ -104,6 +113,28 @@ void Tracker::follow(const DepthFrame& frame) {
   }
 }
 
+/// Parts contradict the image that did so a frame ago, when all else was believed.
+bool Tracker::is_doubted_as_before(const RegistrationResult& registered) const {
+  if (doubted_.empty() || frames_doubted_ >= kFramesToDoubtParts) return false;
+  const std::vector<int> now = contradicted_variables(registered, model_.tree, options_);
+  return !now.empty() && std::includes(doubted_.begin(), doubted_.end(), now.begin(), now.end());
+}
+
+const RegistrationResult& Tracker::with_doubts_kept(const Configuration& prediction,
+                                                    const RegistrationResult& registered) {
+  best_ = come_to_rest(prediction, registered);
+  best_.belief = belief_;
+  return best_;
+}
+
+/// Asks the image whether it is the object, if that decides.
+void Tracker::verify(RegistrationResult& found) {
+  if (agrees(found, options_) || !agrees_but_for_parts(found, options_)) return;
+  verifier_.look_at(cloud_, options_.registration.noise.sigma_inverse_depth(), executor_);
+  found.belief = belief(verifier_.evidence(found.configuration).total(), {});
+  frames_doubted_ = 0;
+}
+
 /// One frame may mistake a stranger for the part that comes back; the second one tells.
 void Tracker::count_frames_in_sight(const RegistrationResult& found) {
   for (int v = 0; v < model_.tree.variables(); ++v) {
@@ -112,7 +143,7 @@ void Tracker::count_frames_in_sight(const RegistrationResult& found) {
     const bool is_in_sight =
         found.observable[unknown] && !is_doubtful(found, v, hidden_margins_, model_.tree, options_);
     frames = is_in_sight ? frames + 1 : 0;
-    result_.observable[unknown] = frames >= kFramesToKnowMotion;
+    result_.observable[unknown] = result_.observable[unknown] && frames >= kFramesToKnowMotion;
   }
 }
 
@@ -175,6 +206,7 @@ const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
     carry_parts(prediction, best_);
     seek_contradicted_joints(best_);
   }
+  verify(best_);
   if (is_hidden && !options_.background_search) {  // by itself, when the estimate lies behind it
     keep_better(acquisition_.find_near(frame, *guess_), options_, best_);
   }
@@ -244,12 +276,18 @@ void Tracker::report(const RegistrationResult& registered) {
   result_.configuration = registered.configuration;
   result_.covariance = registered.covariance;
   result_.sigma = registered.sigma;
-  result_.observable = registered.observable;
+  result_.observable = known_unknowns(registered, model_.tree, options_);
   result_.residual_rms = registered.residual_rms;
   result_.explained = registered.agreement.explained;
   result_.contradicted = registered.agreement.contradicted;
   result_.occluded = registered.agreement.occluded;
   result_.status = judge(registered, options_);
+  belief_ = registered.belief;
+  doubted_.clear();
+  if (result_.status == TrackingStatus::tracking) {
+    doubted_ = contradicted_variables(registered, model_.tree, options_);
+    std::sort(doubted_.begin(), doubted_.end());
+  }
   rival_distance_ = registered.rival_distance;
 }
 

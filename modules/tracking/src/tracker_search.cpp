@@ -96,6 +96,7 @@ std::optional<RegistrationResult> Tracker::brought_up_to_date(const Registration
   if (judge(answer, options_) == TrackingStatus::lost) return std::nullopt;
   RegistrationResult here = registration_.align(
       cloud_, answer.at_rest, {options_.start_joint_spread, options_.registration.max_iterations});
+  here.belief = answer.belief;
   const auto is_tracking = [this](const RegistrationResult& registered) {
     return judge(registered, options_) == TrackingStatus::tracking;
   };

@@ -14,77 +14,112 @@ constexpr float kSameDirection = 0.71F;  // of 45 degrees: of a model's line and
 constexpr float kStraight = 0.95F;       // mean of unit vectors around a cell of a straight line
 constexpr int kSmoothing = 2;            // cells around
 constexpr int kGap = 2;                  // cells: with one between them in which nothing is known
-constexpr int kLeastSights = 2;          // that do not go on: of a single one noise is enough
+constexpr float kLeastSights = 2.0F;     // that do not go on: of a single one noise is enough
 
-Eigen::Vector2f direction_at(const SceneCells& scene, std::span<const float> cells, int u, int v) {
-  const auto here = static_cast<double>(cells[scene.index(u, v)]);
-  Eigen::Vector2f sum = Eigen::Vector2f::Zero();
-  int ending = 0;
-  for (const Sight& sight : kSights) {
-    const int far_u = u + sight.far * sight.du;
-    const int far_v = v + sight.far * sight.dv;
-    if (!scene.contains(far_u, far_v)) continue;
-    const auto near = static_cast<double>(
-        cells[scene.index(u + sight.near * sight.du, v + sight.near * sight.dv)]);
-    const auto far = static_cast<double>(cells[scene.index(far_u, far_v)]);
-    const bool is_blank = !(near > 0.0 || far > 0.0);
-    const bool is_known = near > 0.0 && far > 0.0;
-    const bool ends = is_blank || (is_known && std::abs(sight.foretold(near, far) - here) >
-                                                   evidence::kAgree * scene.deviation(here, sight));
-    if (!ends) continue;
-    ++ending;
-    sum += Eigen::Vector2f(static_cast<float>(sight.du), static_cast<float>(sight.dv)).normalized();
+float square(double value) {
+  return static_cast<float>(value * value);
+}
+
+/// Adds the sights of a row's cells that end, in one direction. No branches: the loop runs over
+/// every cell of an image.
+void add_ends(const SceneCells& scene, std::span<const float> cells, int v, const Sight& sight,
+              ContourLines::Ends& ends) {
+  const int near_v = v + sight.near * sight.dv;
+  const int far_v = v + sight.far * sight.dv;
+  if (far_v < 0 || far_v >= scene.height()) return;
+  const int reach = sight.far * sight.du;
+  const int first = std::max(0, -reach);
+  const int last = std::min(scene.width(), scene.width() - reach);
+  const float* const here = cells.data() + scene.index(0, v);
+  const float* const near = cells.data() + scene.index(0, near_v) + sight.near * sight.du;
+  const float* const far = cells.data() + scene.index(0, far_v) + reach;
+  const auto ratio = static_cast<float>(sight.ratio());
+  const float of_noise =
+      square(evidence::kAgree * scene.noise()) * static_cast<float>(1.0 + sight.variances());
+  const float of_tolerance = square(evidence::kAgree * evidence::kModelTolerance);
+  const Eigen::Vector2f way =
+      Eigen::Vector2f(static_cast<float>(sight.du), static_cast<float>(sight.dv)).normalized();
+  float* const count = ends.count.data();
+  float* const sum_u = ends.u.data();
+  float* const sum_v = ends.v.data();
+  for (int u = first; u < last; ++u) {
+    const float squared = here[u] * here[u];
+    const float off = near[u] + ratio * (near[u] - far[u]) - here[u];
+    const bool deviates = off * off > of_noise + of_tolerance * squared * squared;
+    const bool is_near = near[u] > 0.0F;
+    const bool is_far = far[u] > 0.0F;
+    const bool ends_here = (deviates && is_near && is_far) || (!is_near && !is_far);
+    const float one = ends_here ? 1.0F : 0.0F;
+    count[u] += one;
+    sum_u[u] += one * way.x();
+    sum_v[u] += one * way.y();
   }
-  constexpr float kLeastSum = 0.5F;  // less points nowhere: of a strip that ends on both sides
-  return ending >= kLeastSights && sum.norm() > kLeastSum ? Eigen::Vector2f(sum.normalized())
-                                                          : Eigen::Vector2f(0.0F, 0.0F);
 }
 
 }  // namespace
 
-void ContourLines::find(const SceneCells& scene, std::span<const float> cells) {
-  directions_.assign(cells.size(), Eigen::Vector2f::Zero());
+void ContourLines::find(const SceneCells& scene, std::span<const float> cells,
+                        const Executor& executor) {
+  raw_.resize(cells.size());
+  directions_.resize(cells.size());
   lines_.assign(cells.size(), -1);
   lengths_.clear();
-  for (int v = 0; v < scene.height(); ++v) {
-    for (int u = 0; u < scene.width(); ++u) {
-      const std::size_t cell = scene.index(u, v);
-      if (cells[cell] > 0.0F) directions_[cell] = direction_at(scene, cells, u, v);
-    }
-  }
-  smooth(scene);
+  ends_.resize(static_cast<std::size_t>(executor.threads()));
+  const auto rows = static_cast<std::size_t>(scene.height());
+  constexpr std::size_t kRows = 8;  // a chunk
+  executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t v = begin; v < end; ++v) find_in_row(scene, cells, static_cast<int>(v));
+  });
+  executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t v = begin; v < end; ++v) smooth_row(scene, static_cast<int>(v));
+  });
   // Where lines meet, directions are of neither.
   for (const float least : {kStraight, 0.0F}) {
     for (int v = 0; v < scene.height(); ++v) {
       for (int u = 0; u < scene.width(); ++u) {
         const std::size_t cell = scene.index(u, v);
-        if (directions_[cell].norm() > least && lines_[cell] < 0) join(scene, u, v);
+        if (directions_[cell].squaredNorm() > least * least && lines_[cell] < 0) join(scene, u, v);
       }
     }
   }
 }
 
+void ContourLines::find_in_row(const SceneCells& scene, std::span<const float> cells, int v) {
+  Ends& ends = ends_[Executor::worker()];
+  for (auto* sums : {&ends.count, &ends.u, &ends.v}) {
+    sums->assign(static_cast<std::size_t>(scene.width()), 0.0F);
+  }
+  for (const Sight& sight : kSights) add_ends(scene, cells, v, sight, ends);
+  constexpr float kLeastSum = 0.5F;  // less points nowhere: of a strip that ends on both sides
+  for (int u = 0; u < scene.width(); ++u) {
+    const auto column = static_cast<std::size_t>(u);
+    const Eigen::Vector2f sum(ends.u[column], ends.v[column]);
+    const std::size_t cell = scene.index(u, v);
+    const bool is_contour = ends.count[column] >= kLeastSights && cells[cell] > 0.0F &&
+                            sum.squaredNorm() > kLeastSum * kLeastSum;
+    raw_[cell] = is_contour ? Eigen::Vector2f(sum.normalized()) : Eigen::Vector2f(0.0F, 0.0F);
+  }
+}
+
 /// Of cells at different distances from an edge other sights end: means with those around that face
 /// about the same way. Their length tells whether they do.
-void ContourLines::smooth(const SceneCells& scene) {
-  raw_ = directions_;
-  for (int v = 0; v < scene.height(); ++v) {
-    for (int u = 0; u < scene.width(); ++u) {
-      const std::size_t cell = scene.index(u, v);
-      if (raw_[cell].isZero()) continue;
-      Eigen::Vector2f sum = Eigen::Vector2f::Zero();
-      int count = 0;
-      for (int dv = -kSmoothing; dv <= kSmoothing; ++dv) {
-        for (int du = -kSmoothing; du <= kSmoothing; ++du) {
-          if (!scene.contains(u + du, v + dv)) continue;
-          const Eigen::Vector2f& there = raw_[scene.index(u + du, v + dv)];
-          if (there.dot(raw_[cell]) <= 0.0F) continue;
-          sum += there;
-          ++count;
-        }
+void ContourLines::smooth_row(const SceneCells& scene, int v) {
+  for (int u = 0; u < scene.width(); ++u) {
+    const std::size_t cell = scene.index(u, v);
+    directions_[cell].setZero();
+    if (raw_[cell].isZero()) continue;
+    Eigen::Vector2f sum = Eigen::Vector2f::Zero();
+    int count = 0;
+    for (int at_v = std::max(0, v - kSmoothing); at_v <= v + kSmoothing; ++at_v) {
+      for (int at_u = std::max(0, u - kSmoothing); at_u <= u + kSmoothing; ++at_u) {
+        if (!scene.contains(at_u, at_v)) continue;
+        const Eigen::Vector2f& there = raw_[scene.index(at_u, at_v)];
+        if (there.dot(raw_[cell]) <= 0.0F) continue;
+        sum += there;
+        ++count;
       }
-      directions_[cell] = sum / static_cast<float>(count);
     }
+    directions_[cell] = sum / static_cast<float>(count);
   }
 }
 
@@ -103,8 +138,9 @@ void ContourLines::join(const SceneCells& scene, int u, int v) {
       for (int du = -kGap; du <= kGap; ++du) {
         if (!scene.contains(at_u + du, at_v + dv)) continue;
         const std::size_t cell = scene.index(at_u + du, at_v + dv);
-        if (directions_[cell].isZero() || lines_[cell] >= 0) continue;
-        if (directions_[cell].normalized().dot(direction) < kSameLine) continue;
+        const Eigen::Vector2f& there = directions_[cell];
+        if (lines_[cell] >= 0 || there.isZero()) continue;
+        if (there.dot(direction) < kSameLine * there.norm()) continue;
         lines_[cell] = line;
         ++lengths_.back();
         open_.emplace_back(at_u + du, at_v + dv);

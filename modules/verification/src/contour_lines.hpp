@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "lockbox/core/parallel.hpp"
 #include "scene_cells.hpp"
 
 namespace lockbox {
@@ -16,9 +17,16 @@ namespace lockbox {
 /// Reuses its buffers.
 class ContourLines {
  public:
+  /// Of the cells of a row: how many of their sights end, and the sum of the ways of these.
+  struct Ends {
+    std::vector<float> count;
+    std::vector<float> u;
+    std::vector<float> v;
+  };
+
   /// Of cells of the scene's size, 1/metre, 0 in blank ones, at which what is beside them ends.
   /// What deviates by no more than its noise and the model's tolerance is no contour.
-  void find(const SceneCells& scene, std::span<const float> cells);
+  void find(const SceneCells& scene, std::span<const float> cells, const Executor& executor);
 
   /// A vector towards what the cell's surface does not go on to; zero where it goes on, and
   /// where nothing is known.
@@ -34,11 +42,13 @@ class ContourLines {
               const Eigen::Vector2f& direction) const;
 
  private:
-  void smooth(const SceneCells& scene);
+  void find_in_row(const SceneCells& scene, std::span<const float> cells, int v);
+  void smooth_row(const SceneCells& scene, int v);
   void join(const SceneCells& scene, int u, int v);
 
   std::vector<Eigen::Vector2f> directions_;
   std::vector<Eigen::Vector2f> raw_;
+  std::vector<Ends> ends_;           ///< by worker
   std::vector<std::int32_t> lines_;  ///< -1: none yet
   std::vector<int> lengths_;
   std::vector<std::pair<int, int>> open_;

@@ -53,6 +53,12 @@ struct Verifier::Workspace {
 
   void draw(const Configuration& configuration);
   Evidence sum_up();
+  void judge_row(int v);
+  void compare_row(int v);
+  Evidence& sum_at(int u, int v) {
+    return sums[static_cast<std::size_t>(v) * poses.size() +
+                static_cast<std::size_t>(image.id[image.index(u, v)])];
+  }
   double shown(int u, int v) const { return static_cast<double>(cells[image.index(u, v)]); }
   int outline_reach(double inverse_depth) const;
   Around around(int u, int v) const;
@@ -62,6 +68,7 @@ struct Verifier::Workspace {
   double of_occluder(int u, int v) const;
 
   const KinematicTree& tree;
+  Executor executor{1};
   std::optional<SceneCells> scene;
   std::unique_ptr<DepthRenderer> renderer;
   RenderedDepth image;
@@ -71,6 +78,8 @@ struct Verifier::Workspace {
   std::vector<Eigen::Isometry3d> poses;
   std::vector<RenderItem> items;
   std::vector<Seen> seen;
+  std::vector<Evidence> sums;    ///< by row and body
+  std::vector<Evidence> bodies;  ///< by body
 };
 
 Verifier::Verifier(const KinematicTree& tree) : workspace_(std::make_unique<Workspace>(tree)) {}
@@ -80,11 +89,12 @@ Verifier& Verifier::operator=(Verifier&&) noexcept = default;
 
 void Verifier::look_at(const TiledCloud& cloud, double sensor_noise, const Executor& executor) {
   Workspace& w = *workspace_;
+  w.executor = executor;
   w.scene.emplace(CoarseView(cloud, evidence::kColumns, executor), sensor_noise);
   if (!w.renderer || !(w.renderer->camera() == w.scene->camera())) {
     w.renderer = std::make_unique<DepthRenderer>(w.scene->camera(), executor);
   }
-  w.scene_lines.find(*w.scene, w.scene->cells());
+  w.scene_lines.find(*w.scene, w.scene->cells(), executor);
 }
 
 Evidence Verifier::evidence(const Configuration& configuration) {
@@ -101,27 +111,44 @@ void Verifier::Workspace::draw(const Configuration& configuration) {
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     cells[cell] = image.id[cell] == kNothing ? 0.0F : 1.0F / image.depth[cell];
   }
-  model_lines.find(*scene, cells);
+  model_lines.find(*scene, cells, executor);
 }
 
 Evidence Verifier::Workspace::sum_up() {
   seen.assign(image.id.size(), Seen::nothing);
-  Evidence sum;
+  sums.assign(static_cast<std::size_t>(scene->height()) * poses.size(), {});
   const ImageWindow& drawn = image.drawn;
-  for (int v = drawn.top; v < drawn.bottom(); ++v) {
-    for (int u = drawn.left; u < drawn.right(); ++u) {
-      if (!(shown(u, v) > 0.0) || !(scene->at(u, v) > 0.0)) continue;
-      ++sum.cells;
-      seen[image.index(u, v)] = judge(u, v, sum);
-    }
+  const auto rows = static_cast<std::size_t>(std::max(0, drawn.height));
+  constexpr std::size_t kRows = 8;  // a chunk
+  executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) judge_row(drawn.top + static_cast<int>(i));
+  });
+  executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) compare_row(drawn.top + static_cast<int>(i));
+  });
+  bodies.assign(poses.size(), {});
+  for (std::size_t i = 0; i < sums.size(); ++i) bodies[i % bodies.size()] += sums[i];
+  Evidence all;
+  for (const Evidence& body : bodies) all += body;
+  return all;
+}
+
+void Verifier::Workspace::judge_row(int v) {
+  for (int u = image.drawn.left; u < image.drawn.right(); ++u) {
+    if (!(shown(u, v) > 0.0) || !(scene->at(u, v) > 0.0)) continue;
+    Evidence& sum = sum_at(u, v);
+    ++sum.cells;
+    seen[image.index(u, v)] = judge(u, v, sum);
   }
-  for (int v = drawn.top; v < drawn.bottom(); ++v) {
-    for (int u = drawn.left; u < drawn.right(); ++u) {
-      sum.occluded += of_occluder(u, v);
-      compare_lines(u, v, sum);
-    }
+}
+
+void Verifier::Workspace::compare_row(int v) {
+  for (int u = image.drawn.left; u < image.drawn.right(); ++u) {
+    if (seen[image.index(u, v)] == Seen::nothing) continue;
+    Evidence& sum = sum_at(u, v);
+    sum.occluded += of_occluder(u, v);
+    compare_lines(u, v, sum);
   }
-  return sum;
 }
 
 /// Cells by which an outline may be off, all told.

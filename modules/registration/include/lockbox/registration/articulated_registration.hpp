@@ -53,9 +53,10 @@ struct RegistrationResult {
   /// Before the last step, in which outlines weigh more (docs/mathematics.md): where to begin the
   /// next time.
   Configuration at_rest;
-  Eigen::MatrixXd covariance;    ///< of (base twist, variables); twist in the base's frame
-  Eigen::VectorXd sigma;         ///< standard deviations, square roots of its diagonal
-  std::vector<bool> observable;  ///< by unknown: whether the data determines it
+  Eigen::MatrixXd covariance;      ///< of (base twist, variables); twist in the base's frame
+  Eigen::VectorXd sigma;           ///< standard deviations, square roots of its diagonal
+  Eigen::VectorXd sigma_of_noise;  ///< the same, were the object exactly its model
+  std::vector<bool> observable;    ///< by unknown: whether the data determines it
   Agreement agreement;
   std::vector<Agreement> body_agreement;  ///< by body
   OutlineAgreement outline;
@@ -72,6 +73,8 @@ struct RegistrationResult {
   double last_move = 0.0;
   /// Metres to where the base may be as well, if a search of the whole view could not tell; else 0.
   double rival_distance = 0.0;
+  /// The probability that this is the object, where the image was asked for it; else 0.
+  double belief = 0.0;
   bool converged = false;
 };
 

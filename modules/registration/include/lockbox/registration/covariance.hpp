@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How sure the estimate is: the sandwich H^-1 S H^-1 (White 1980), with S summed over image tiles
 // (cluster-robust, Liang and Zeger 1986), so that noise which neighbouring pixels share counts as
-// what it is, and a systematic floor.
+// what it is, and a systematic floor: what no amount of data averages away, and by how much the
+// tiles show the object to be unlike its model.
 //
 // The estimate has followed the noise of the tiles that determine it, so their pulls at the
 // solution are smaller than the noise was: of E[g g'] = c H_t there remains c (H_t - H_t H^-1 H_t).
@@ -50,7 +51,9 @@ class CovarianceEstimator {
   const Eigen::MatrixXd& covariance() const { return covariance_; }
   /// Square roots of its diagonal.
   const Eigen::VectorXd& sigma() const { return sigma_; }
-  /// By unknown: whether sigma is less than a tenth of a unit.
+  /// Without what the object's misfit adds.
+  const Eigen::VectorXd& sigma_of_noise() const { return sigma_of_noise_; }
+  /// By unknown: whether that is less than a tenth of a unit.
   const std::vector<bool>& observable() const { return observable_; }
 
  private:
@@ -74,9 +77,17 @@ class CovarianceEstimator {
     double expected;
     int tiles;
   };
+  /// Of tiles: how much more they pull than noise makes them, and would if they were a metre off.
+  struct Excess {
+    double squares = 0.0;
+    double of_metre = 0.0;
+    double metres() const;
+  };
   void merge(const std::vector<TileSystem>& tiles);
   void measure_dispersion();
   double dispersion(double pixels) const;
+  void measure_misfits(double noise_correlation, std::size_t bodies);
+  void carry_misfits(const std::vector<BodyJacobian>& jacobians);
   void invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& inverse);
   void invert_information(const NormalEquations& data, const StepScale& scale,
                           const std::vector<bool>& held);
@@ -86,6 +97,7 @@ class CovarianceEstimator {
 
   Eigen::MatrixXd covariance_;
   Eigen::VectorXd sigma_;
+  Eigen::VectorXd sigma_of_noise_;
   std::vector<bool> observable_;
 
   std::vector<Part> order_;  ///< in which tiles are merged
@@ -103,6 +115,10 @@ class CovarianceEstimator {
   Eigen::VectorXd inverse_;
   Eigen::VectorXd unknown_modes_;
   std::vector<Dispersion> dispersions_;  ///< of all tiles, then by pixels
+  std::vector<Excess> excess_;           ///< by body, and of all
+  std::vector<double> misfits_;          ///< by body, metres
+  Eigen::VectorXd misled_;               ///< by unknown
+  Eigen::VectorXd told_;                 ///< information, the same
   std::vector<Matrix6> body_covariances_;
   std::vector<Matrix6> followed_;  ///< by body
   SymmetricModes modes_;

@@ -21,8 +21,17 @@ std::string to_string(TrackingStatus status);
 double conviction(const RegistrationResult& registered, const TrackerOptions& options);
 
 /// Whether enough of the model is explained, and nothing that is seen contradicts it, of any body,
-/// however small it is beside the others. It may still not be determined where it is.
+/// however small it is beside the others; of one that joints move only if it is not believed to be
+/// the object. It may still not be determined where it is.
 bool agrees(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// Whether it would agree if it were believed: nothing but parts that joints move contradict it.
+bool agrees_but_for_parts(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// By unknown: whether the frame determines it well enough to be reported as known, and nothing
+/// contradicts what it moves.
+std::vector<bool> known_unknowns(const RegistrationResult& registered, const KinematicTree& tree,
+                                 const TrackerOptions& options);
 
 /// Whether it has come to rest: what still moves may end anywhere.
 bool rests(const RegistrationResult& registered, const TrackerOptions& options);

@@ -18,6 +18,7 @@
 #include "lockbox/tracking/judgement.hpp"
 #include "lockbox/tracking/motion_predictor.hpp"
 #include "lockbox/tracking/tracker_options.hpp"
+#include "lockbox/verification/verifier.hpp"
 
 namespace lockbox {
 
@@ -92,6 +93,10 @@ class Tracker {
                                                const RegistrationResult& registered);
   const RegistrationResult& with_rival_sought(const DepthFrame& frame,
                                               const RegistrationResult& followed);
+  bool is_doubted_as_before(const RegistrationResult& registered) const;
+  const RegistrationResult& with_doubts_kept(const Configuration& prediction,
+                                             const RegistrationResult& registered);
+  void verify(RegistrationResult& found);
   void carry_parts(const Configuration& prediction, RegistrationResult& best);
   void seek_contradicted_joints(RegistrationResult& best);
   void report(const RegistrationResult& registered);
@@ -104,6 +109,7 @@ class Tracker {
   ArticulatedRegistration registration_;
   Acquisition acquisition_;
   MotionPredictor predictor_;
+  Verifier verifier_;
   std::optional<Configuration> guess_;
   /// The estimate was tracked, or given, and nothing has contradicted it since. Then it is followed
   /// even where the image does not determine it, and not sought elsewhere.
@@ -117,6 +123,9 @@ class Tracker {
   JointMargins hidden_margins_;       ///< of those that were sought since they were hidden
   double rival_distance_ = 0.0;       ///< of what was last reported: until a search tells
   RegistrationResult best_;           ///< of several tries at the same frame
+  double belief_ = 0.0;               ///< of what was last reported, where it was asked for
+  std::vector<int> doubted_;          ///< variables whose parts contradicted that, in order
+  int frames_doubted_ = 0;            ///< since the image was asked
   std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
   /// By variable: in view, but flush with what is around it, so that seeking would find nothing.
   std::vector<bool> is_flush_;

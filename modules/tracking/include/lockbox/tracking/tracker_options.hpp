@@ -51,9 +51,16 @@ struct TrackerOptions {
   double most_continued = 0.85;  ///< of the outline: there the scene goes on as the model's surface
   double most_last_move = 0.003;  ///< metres: surfaces that still move are not where they belong
   /// Metres, of the base's position as the frame tells it: the corner of a board in a wall fits.
-  double most_base_sigma = 0.005;
-  /// What a search finds (Candidate) and believes more than that is kept even where it would drift
-  /// off if gates were wider.
+  double most_base_sigma = 0.01;
+  /// Metres, of Candidate::rival_distance: something else may be right as well.
+  double most_rival_distance = 0.005;
+  /// Metres and radians: of a joint whose standard deviation is larger, three of which are 1 cm and
+  /// 5 degrees, the position is not reported as known.
+  double most_sliding_sigma = 0.0033;
+  double most_turning_sigma = 0.029;
+  /// What is believed more than that is the object (lockbox/verification/belief.hpp): a part that
+  /// contradicts the image is not known then, all else is; and what a search finds is kept even
+  /// where it would drift off if gates were wider.
   double convincing_belief = 0.999;
   /// A joint that was sought over its whole range, while less than this share of what it moves is
   /// explained, is known only where so many pixels more (of JointMargins) speak for its position

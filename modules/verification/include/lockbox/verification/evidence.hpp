@@ -13,6 +13,16 @@ struct Evidence {
   double occluded = 0.0;      ///< of what stands before it
   int cells = 0;              ///< that show the model, and in which something was measured
 
+  Evidence& operator+=(const Evidence& other) {
+    matched += other.matched;
+    contradicted += other.contradicted;
+    misfit += other.misfit;
+    seen_through += other.seen_through;
+    occluded += other.occluded;
+    cells += other.cells;
+    return *this;
+  }
+
   double total() const { return matched + contradicted + misfit + seen_through + occluded; }
 };
 
