@@ -167,8 +167,7 @@ class Accuracy : public Experiment {
                                          "_" + std::to_string(point_budget_) + "points_seed" +
                                          std::to_string(settings.seed));
     const auto file = shard_.rows_file(stem);
-    Table table(columns());
-    if (std::filesystem::exists(file)) table = read_table(file, columns());
+    Table table = continued_table(file, columns());
     RegistrationOptions options;
     options.point_budget = point_budget_;
     AccuracyExperiment experiment(model, kPrimeSenseCamera, sensor_model(settings.sensor),

@@ -149,8 +149,7 @@ class Convergence : public Experiment {
         settings.output / ("convergence_" + model.tree.name + "_" + settings.sensor + "_" +
                            std::to_string(frames_) + "frames_seed" + std::to_string(settings.seed));
     const auto file = shard_.rows_file(stem);
-    Table table(convergence_columns());
-    if (std::filesystem::exists(file)) table = read_table(file, convergence_columns());
+    Table table = continued_table(file, convergence_columns());
     write_table(file, table);
     std::set<std::string> done;
     for (const Row& row : table.rows()) done.insert(key(from_row(table, row)));

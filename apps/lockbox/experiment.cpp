@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 #include "lockbox/simulation/trajectory.hpp"
 #include "primesense_camera.hpp"
@@ -64,6 +65,15 @@ void print_judgement(const JudgementCount& frames) {
   print("frames called tracking", frames.tracking, "of these wrong", frames.tracking_but_wrong);
   print("frames that are right", frames.right, "of these called tracking",
         frames.right - frames.right_but_not_tracking);
+}
+
+Curve cumulative_curve(const std::string& name, std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  Curve curve{name, std::move(values), {}};
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    curve.y.push_back(100.0 * static_cast<double>(i + 1) / static_cast<double>(curve.x.size()));
+  }
+  return curve;
 }
 
 void draw(const std::filesystem::path& stem, const Figure& figure) {

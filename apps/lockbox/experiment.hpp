@@ -61,6 +61,9 @@ std::vector<TrackingResult> track(Tracker& tracker, const Recording& recording);
 /// How far the status `tracking` can be trusted, in two lines.
 void print_judgement(const JudgementCount& frames);
 
+/// Percent of the values that are at most so large.
+Curve cumulative_curve(const std::string& name, std::vector<double> values);
+
 /// Draws the figure, or says on standard error why there is none.
 void draw(const std::filesystem::path& stem, const Figure& figure);
 

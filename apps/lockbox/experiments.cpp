@@ -19,6 +19,8 @@ const std::vector<ExperimentEntry>& experiments() {
       {"creep", "One image again and again: what is not determined rests", make_creep_experiment},
       {"mismatch", "Objects unlike their models, cameras unlike their calibrations",
        make_mismatch_experiment},
+      {"absent", "Rooms without the object: whatever is found is a false alarm",
+       make_absent_experiment},
       {"peers", "The scene on which M3T was measured, beside its figures", make_peers_experiment},
   };
   return entries;

@@ -18,6 +18,7 @@ struct ExperimentEntry {
 const std::vector<ExperimentEntry>& experiments();
 
 // One source each: <name>_experiment.cpp.
+std::unique_ptr<Experiment> make_absent_experiment();
 std::unique_ptr<Experiment> make_accuracy_experiment();
 std::unique_ptr<Experiment> make_convergence_experiment();
 std::unique_ptr<Experiment> make_creep_experiment();

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -74,13 +73,9 @@ Figure global_figure(const std::string& name, const std::vector<GlobalResult>& r
     rate.x.push_back(kBin * (bin + 0.5));
     rate.y.push_back(100.0 * counts.first / counts.second);
   }
-  std::sort(seconds.begin(), seconds.end());
-  Curve times{"scenes done", seconds, {}};
-  for (std::size_t i = 0; i < seconds.size(); ++i) {
-    times.y.push_back(100.0 * static_cast<double>(i + 1) / static_cast<double>(seconds.size()));
-  }
   return {name + ": found without a guess",
-          {{"distance (m)", "right (%)", {rate}}, {"time (s)", "scenes (%)", {times}}}};
+          {{"distance (m)", "right (%)", {rate}},
+           {"time (s)", "scenes (%)", {cumulative_curve("scenes done", seconds)}}}};
 }
 
 class GlobalSearch : public Experiment {

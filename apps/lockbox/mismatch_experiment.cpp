@@ -81,8 +81,7 @@ class Mismatch : public Experiment {
         settings.output / ("mismatch_" + model.tree.name + "_" + severity_ + "_" + settings.sensor +
                            "_" + std::to_string(frames_) + "frames");
     const auto file = shard_.rows_file(stem);
-    Table table(mismatch_columns());
-    if (std::filesystem::exists(file)) table = read_table(file, mismatch_columns());
+    Table table = continued_table(file, mismatch_columns());
     std::set<std::string> done;
     for (const Row& row : table.rows()) {
       done.insert(table.word(row, "kind") + "_seed" + table.word(row, "seed"));

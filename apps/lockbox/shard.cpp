@@ -35,6 +35,10 @@ std::filesystem::path Shard::rows_file(const std::filesystem::path& stem) const 
   return name + ".csv";
 }
 
+Table continued_table(const std::filesystem::path& file, const std::vector<std::string>& columns) {
+  return std::filesystem::exists(file) ? read_table(file, columns) : Table(columns);
+}
+
 std::vector<std::filesystem::path> rows_files(const std::filesystem::path& stem) {
   std::vector<std::filesystem::path> files;
   const std::string start = stem.filename().string();

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "lockbox/evaluation/table.hpp"
+
 namespace lockbox::app {
 
 /// One of `count` equal parts of a list.
@@ -29,6 +31,9 @@ class Shard {
   std::uint64_t index_ = 1;
   std::uint64_t count_ = 1;
 };
+
+/// The rows that an earlier run has left in the file, or none if there is no such file.
+Table continued_table(const std::filesystem::path& file, const std::vector<std::string>& columns);
 
 /// The files with rows of any shard of this stem.
 std::vector<std::filesystem::path> rows_files(const std::filesystem::path& stem);

@@ -2,7 +2,9 @@
 // The smallest version of each experiment that continues where it was stopped.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "small_experiment.hpp"
 #include "tool.hpp"
@@ -98,6 +100,42 @@ TEST(Mismatch, HasARowForEachFrameAndContinuesWhereItWasStopped) {
   EXPECT_THAT(
       read_text(folder / "out/mismatch_rigid_block_severe_primesense_3frames_centre_seed2.yaml"),
       HasSubstr("principal_point: ["));
+}
+
+/// The block itself as the recording: where it is found, that counts as a false alarm.
+TEST(Absent, CountsClaimsInRoomsAndRecordingsAndContinuesWhereItWasStopped) {
+  const TemporaryFolder folder;
+  const ToolResult simulated =
+      run_tool({"simulate", "--model", "rigid_block", "--trajectory", "auto", "--frames", "2",
+                "--output", (folder / "recordings/block.oni").string(), "--quiet"});
+  ASSERT_EQ(simulated.status, 0) << simulated.errors;
+  write_text(folder / "recordings/broken.oni", "no recording");
+  const auto run = [&](const std::string& rooms) {
+    return run_experiment("absent", "rigid_block", folder / "out",
+                          {"--rooms", rooms, "--near-misses", "1", "--frames", "1", "--recording",
+                           (folder / "recordings").string(), "--max-frames", "1"});
+  };
+  run("1");
+  const auto file = folder / "out/absent_rigid_block_primesense_1frames_seed1.csv";
+  const auto first = read_text(file);
+  const auto summary = run("2");
+  EXPECT_EQ(read_text(file).substr(0, first.size()), first);
+  const auto rows = read_rows(file);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows.front().at("kind"), "furniture");
+  EXPECT_EQ(rows[1].at("kind"), "missing-part");
+  EXPECT_EQ(rows.back().at("kind"), "boxes");
+  for (const NamedRow& row : rows) EXPECT_GT(number(row, "seconds"), 0.0);
+  const auto recorded = read_rows(folder / "out/absent_rigid_block_recorded_1frames.csv");
+  ASSERT_EQ(recorded.size(), 1U);
+  EXPECT_EQ(recorded.front().at("status"), "tracking");
+  EXPECT_THAT(summary, HasSubstr("false alarm: recording"));
+  const auto is_picture = [](const auto& entry) {
+    const std::string name = entry.path().filename().string();
+    return name.find("_recording_") != std::string::npos && name.ends_with("block.oni_0_claim.png");
+  };
+  const std::filesystem::directory_iterator written(folder / "out");
+  EXPECT_TRUE(std::any_of(begin(written), end(written), is_picture));
 }
 
 }  // namespace

@@ -35,9 +35,9 @@ Eigen::AlignedBox3d bounds_at(const KinematicTree& tree, Configuration configura
 }
 
 /// Any joint positions at which no part penetrates another.
-Eigen::VectorXd draw_joints(const ArticulatedModel& model, CollisionTerm& collision,
-                            RandomDraws& random) {
+Eigen::VectorXd draw_joints(const ArticulatedModel& model, RandomDraws& random) {
   const KinematicTree& tree = model.tree;
+  CollisionTerm collision(model, RegistrationOptions{});
   Configuration configuration = rest_configuration(tree);
   std::vector<Eigen::Isometry3d> poses;
   for (int draw = 0; draw < kMaxDraws; ++draw) {
@@ -202,16 +202,22 @@ Placement draw_placement(const RandomSceneOptions& options, RandomDraws& random)
 RandomScene draw_random_scene(const ArticulatedModel& model, const PinholeCamera& camera,
                               std::uint64_t seed, std::uint64_t number,
                               const RandomSceneOptions& options) {
+  return draw_random_scene(model, model.tree, camera, seed, number, options);
+}
+
+RandomScene draw_random_scene(const ArticulatedModel& model, const KinematicTree& built,
+                              const PinholeCamera& camera, std::uint64_t seed, std::uint64_t number,
+                              const RandomSceneOptions& options) {
   RandomDraws random(seed, number);
   RandomScene drawn;
   drawn.placement = draw_placement(options, random);
   drawn.cut_off = random.chance(options.cut_off_share);
-  CollisionTerm collision(model, RegistrationOptions{});
-  drawn.truth.configuration.q = draw_joints(model, collision, random);
-  const Eigen::AlignedBox3d rest = bounds_at(model.tree, rest_configuration(model.tree));
-  const Eigen::AlignedBox3d object = bounds_at(model.tree, drawn.truth.configuration);
+  drawn.truth.configuration = rest_configuration(built);
+  if (built.variables() > 0) drawn.truth.configuration.q = draw_joints(model, random);
+  const Eigen::AlignedBox3d rest = bounds_at(built, rest_configuration(built));
+  const Eigen::AlignedBox3d object = bounds_at(built, drawn.truth.configuration);
   const Eigen::Vector3d front_centre(rest.center().x(), rest.center().y(), rest.max().z());
-  ViewShares shares(model.tree, camera);
+  ViewShares shares(built, camera);
   for (int draw = 0; draw < kMaxDraws; ++draw) {
     drawn.truth.configuration.T_camera_base =
         draw_pose(camera, front_centre, drawn.cut_off, options, random);
