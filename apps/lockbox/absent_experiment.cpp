@@ -9,7 +9,6 @@
 #include "interruption.hpp"
 #include "lockbox/evaluation/absent_room.hpp"
 #include "option_checks.hpp"
-#include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shard.hpp"
 #include "shipped_files.hpp"
@@ -70,14 +69,14 @@ class Absent : public Experiment {
     const auto others = load_others(model.tree.name, settings.quiet);
     std::vector<const ArticulatedModel*> other_models;
     for (const ArticulatedModel& other : others) other_models.push_back(&other);
-    const AbsentRooms rooms(model, other_models, kPrimeSenseCamera, settings.seed, Executor());
+    const SensorModel sensor = sensor_model(settings.sensor);
+    const AbsentRooms rooms(model, other_models, sensor.camera, settings.seed, Executor());
     const Interruption interruption;
     const auto run = [&](const std::filesystem::path& part,
                          const std::vector<PlannedAbsentRun>& runs) {
       return run_all(model, part, runs, interruption, settings.quiet);
     };
-    const AbsentPlan plan{rooms_, near_misses_, frames_, sensor_model(settings.sensor),
-                          settings.seed};
+    const AbsentPlan plan{rooms_, near_misses_, frames_, sensor, settings.seed};
     const bool finished =
         run(stem, simulated_runs(rooms, plan)) &&
         run(recorded_stem, recorded_runs(recordings_, static_cast<std::size_t>(max_frames_)));

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "experiment.hpp"
 #include "lockbox/evaluation/absent_room.hpp"
@@ -69,9 +70,11 @@ void print_kind(const std::string& name, const AbsentKindSummary& kind) {
 }
 
 void print_kinds(const AbsentSummary& frames, bool near_misses) {
+  bool has_headline = false;
   for (const AbsentKind kind : absent_kinds()) {
     const auto summary = frames.kinds.find(to_string(kind));
     if (is_near_miss(kind) != near_misses || summary == frames.kinds.end()) continue;
+    if (near_misses && !std::exchange(has_headline, true)) std::cout << "near misses:\n";
     print_kind(summary->first, summary->second);
   }
 }
@@ -106,7 +109,6 @@ Figure report_absent(const std::string& name, const std::vector<std::filesystem:
   print_kinds(frames, false);
   const auto recorded = frames.kinds.find(kRecordedRoom);
   if (recorded != frames.kinds.end()) print_kind(recorded->first, recorded->second);
-  std::cout << "near misses:\n";
   print_kinds(frames, true);
   for (const std::string& alarm : frames.alarms) std::cout << "  false alarm: " << alarm << '\n';
   return {name + ": not there",

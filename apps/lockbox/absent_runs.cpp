@@ -11,7 +11,6 @@
 #include "lockbox/simulation/simulator.hpp"
 #include "lockbox/visualization/depth_picture.hpp"
 #include "lockbox/visualization/model_painter.hpp"
-#include "primesense_camera.hpp"
 #include "recordings.hpp"
 
 namespace lockbox::app {
@@ -21,7 +20,7 @@ namespace {
 struct SimulatedRoom {
   SimulatedRoom(AbsentRoom drawn, const SensorModel& sensor, std::uint64_t seed)
       : room(std::move(drawn)),
-        simulator(room.tree, kPrimeSenseCamera, PlacedScene(room.scene, room.run), sensor, seed,
+        simulator(room.tree, sensor.camera, PlacedScene(room.scene, room.run), sensor, seed,
                   Executor()) {}
 
   AbsentRoom room;

@@ -18,7 +18,6 @@
 #include "lockbox/evaluation/table.hpp"
 #include "lockbox/evaluation/unknowns.hpp"
 #include "option_checks.hpp"
-#include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shard.hpp"
 
@@ -170,8 +169,8 @@ class Accuracy : public Experiment {
     Table table = continued_table(file, columns());
     RegistrationOptions options;
     options.point_budget = point_budget_;
-    AccuracyExperiment experiment(model, kPrimeSenseCamera, sensor_model(settings.sensor),
-                                  settings.seed, options, Executor());
+    const SensorModel sensor = sensor_model(settings.sensor);
+    AccuracyExperiment experiment(model, sensor.camera, sensor, settings.seed, options, Executor());
     const auto names = unknown_names(model.tree);
     const Interruption interruption;
     Progress progress("accuracy " + model.tree.name, shard_.runs_of(scenes_), settings.quiet,

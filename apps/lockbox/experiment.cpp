@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "lockbox/simulation/trajectory.hpp"
-#include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
 
@@ -38,10 +37,11 @@ Configuration usual_view(const ArticulatedModel& model) {
 
 Recording simulate(const ArticulatedModel& model, const std::vector<State>& truth,
                    const Scene& scene, const ExperimentSettings& settings) {
+  const SensorModel sensor = sensor_model(settings.sensor);
   Progress progress("simulate " + model.tree.name, truth.size(), settings.quiet);
-  Recording recording = simulate_recording(
-      model.tree, truth, {scene, kPrimeSenseCamera, sensor_model(settings.sensor), settings.seed},
-      Executor(), [&](std::size_t done) { progress.update(done); });
+  Recording recording =
+      simulate_recording(model.tree, truth, {scene, sensor.camera, sensor, settings.seed},
+                         Executor(), [&](std::size_t done) { progress.update(done); });
   progress.finish();
   return recording;
 }

@@ -51,7 +51,7 @@ class Experiment {
 /// The model's own initial state, or at rest 1.3 m in front of the camera.
 Configuration usual_view(const ArticulatedModel& model);
 
-/// Simulates a PrimeSense camera in a shipped scene, with progress.
+/// Simulates the sensor of the settings in that scene, with progress.
 Recording simulate(const ArticulatedModel& model, const std::vector<State>& truth,
                    const Scene& scene, const ExperimentSettings& settings);
 

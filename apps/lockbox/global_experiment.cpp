@@ -9,7 +9,6 @@
 #include "lockbox/evaluation/global_experiment.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "option_checks.hpp"
-#include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shard.hpp"
 
@@ -101,8 +100,8 @@ class GlobalSearch : public Experiment {
     if (std::filesystem::exists(file)) rows = read_global_results(file);
     std::set<std::uint64_t> done;
     for (const GlobalResult& row : rows) done.insert(row.scene);
-    GlobalExperiment experiment(model, kPrimeSenseCamera, sensor_model(settings.sensor),
-                                settings.seed, Executor());
+    const SensorModel sensor = sensor_model(settings.sensor);
+    GlobalExperiment experiment(model, sensor.camera, sensor, settings.seed, Executor());
     const Interruption interruption;
     Progress progress("global " + model.tree.name, shard_.runs_of(scenes_), settings.quiet,
                       "scenes");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "experiments.hpp"
@@ -16,7 +17,6 @@
 #include "mismatch_report.hpp"
 #include "option_checks.hpp"
 #include "possible_motion.hpp"
-#include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shard.hpp"
 #include "shipped_files.hpp"
@@ -34,6 +34,19 @@ struct MismatchRun {
   std::string text() const { return kind + "_seed" + std::to_string(seed); }
 };
 
+/// The sensor that a kind is about, and how far away the base is; nothing where it is not.
+struct OtherSensor {
+  std::string name;
+  std::optional<double> distance;  ///< metres
+};
+
+OtherSensor other_sensor(const std::string& kind, Severity severity) {
+  const bool is_severe = severity == Severity::severe;
+  if (kind == "stereo") return {kind, is_severe ? 1.9 : 1.25};
+  if (kind == "time-of-flight") return {is_severe ? "time-of-flight-biased" : kind, std::nullopt};
+  return {};
+}
+
 class Mismatch : public Experiment {
  public:
   bool continues() const override { return true; }
@@ -44,8 +57,9 @@ class Mismatch : public Experiment {
     options
         .add_option("--kind", kinds_,
                     "What deviates (repeatable): none, scale, sizes, bend, joints, added, missing, "
-                    "focal, centre, distortion, depth-scale, depth-bend, frames or all")
-        ->check(one_of(deviation_kinds()))
+                    "focal, centre, distortion, depth-scale, depth-bend, frames or all; or "
+                    "the sensor: stereo or time-of-flight")
+        ->check(one_of(mismatch_kinds()))
         ->default_str("each of them");
     options.add_option("--seeds", seeds_, "Of each kind")->check(positive());
     options.add_option("--frames", frames_, "Of each run")->check(positive());
@@ -68,10 +82,15 @@ class Mismatch : public Experiment {
     return runs;
   }
 
-  std::vector<State> motion(const ArticulatedModel& model) const {
+  /// distance: of the base, metres; that of its usual view if it is none.
+  std::vector<State> motion(const ArticulatedModel& model, std::optional<double> distance) const {
     TrajectoryOptions options;
     options.frames = frames_;
     options.T_camera_base = usual_view(model).T_camera_base;
+    if (distance) {
+      auto position = options.T_camera_base.translation();
+      position *= *distance / position.norm();
+    }
     options.sway = kSwing;
     return possible_motion(model, options);
   }
@@ -86,8 +105,6 @@ class Mismatch : public Experiment {
     for (const Row& row : table.rows()) {
       done.insert(table.word(row, "kind") + "_seed" + table.word(row, "seed"));
     }
-    const std::vector<State> truth = motion(model);
-    const Scene scene = fitted(read_scene(find_scene("room")), model.tree, truth.front());
     const auto runs = planned_runs(settings);
     const Interruption interruption;
     Progress progress("mismatch " + model.tree.name, shard_.runs_of(runs.size()), settings.quiet,
@@ -97,15 +114,13 @@ class Mismatch : public Experiment {
       if (!shard_.holds(i)) continue;
       progress.update(finished++, runs[i].kind);
       if (done.count(runs[i].text()) > 0) continue;
-      const auto deviation =
-          preset_deviation(runs[i].kind, is_severe() ? Severity::severe : Severity::moderate,
-                           runs[i].seed, model.tree);
+      const auto deviation = preset_deviation(
+          other_sensor(runs[i].kind, severity()).name.empty() ? runs[i].kind : "none", severity(),
+          runs[i].seed, model.tree);
       if (!deviation) continue;  // the model has nothing of the kind
       write_whole_file(stem.string() + "_" + runs[i].text() + ".yaml", deviation_text(*deviation));
-      const auto frames = track_mismatch(
-          model, truth, *deviation,
-          {kPrimeSenseCamera, sensor_model(settings.sensor), scene, runs[i].seed}, Executor());
-      add_mismatch_rows(table, runs[i].kind, runs[i].seed, frames);
+      add_mismatch_rows(table, runs[i].kind, runs[i].seed,
+                        tracked(model, *deviation, runs[i], settings));
       write_table(file, table);
     }
     progress.finish();
@@ -113,10 +128,23 @@ class Mismatch : public Experiment {
     return !interruption.requested();
   }
 
-  bool is_severe() const { return severity_ == "severe"; }
+  std::vector<MismatchFrame> tracked(const ArticulatedModel& model, const Deviation& deviation,
+                                     const MismatchRun& run,
+                                     const ExperimentSettings& settings) const {
+    const OtherSensor other = other_sensor(run.kind, severity());
+    const SensorModel sensor = sensor_model(other.name.empty() ? settings.sensor : other.name);
+    const std::vector<State> truth = motion(model, other.distance);
+    const Scene scene = fitted(read_scene(find_scene("room")), model.tree, truth.front());
+    return track_mismatch(model, truth, deviation, {sensor.camera, sensor, scene, run.seed},
+                          Executor());
+  }
+
+  Severity severity() const {
+    return severity_ == "severe" ? Severity::severe : Severity::moderate;
+  }
 
   std::string severity_ = "moderate";
-  std::vector<std::string> kinds_ = deviation_kinds();
+  std::vector<std::string> kinds_ = mismatch_kinds();
   int seeds_ = 5;
   int frames_ = 60;
   Shard shard_;

@@ -60,7 +60,7 @@ std::string spread(const std::vector<double>& errors, double unit, int digits) {
 }
 
 void print_kind(const std::string& name, const KindSummary& kind) {
-  std::cout << std::left << std::setw(12) << name << std::right << std::setw(7) << kind.frames
+  std::cout << std::left << std::setw(15) << name << std::right << std::setw(7) << kind.frames
             << std::setw(9) << kind.tracking << std::setw(7) << kind.right << std::setw(8)
             << kind.trusted_wrongly;
   if (kind.tracking > 0) {
@@ -77,6 +77,15 @@ void print_kind(const std::string& name, const KindSummary& kind) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& mismatch_kinds() {
+  static const std::vector<std::string> kinds = [] {
+    std::vector<std::string> all = deviation_kinds();
+    all.insert(all.end(), {"stereo", "time-of-flight"});
+    return all;
+  }();
+  return kinds;
+}
 
 std::vector<std::string> mismatch_columns() {
   return {"kind",           "seed",        "frame",       "status",
@@ -99,14 +108,15 @@ void add_mismatch_rows(Table& table, const std::string& kind, std::uint64_t seed
 void print_mismatch_report(const std::string& title,
                            const std::vector<std::filesystem::path>& files) {
   const auto kinds = summarized(files);
-  std::cout << '\n'
-            << title
-            << ": median/95 % of frames called tracking; joints: worst one, % of 1 cm or 5 "
-               "degrees;\nplain: against the true pose; error/sigma: 95 %\n"
-            << "kind         frames tracking  right trusted      base, mm     base, °    plain, mm"
-               "    plain, °   joints, %  base/s joint/s\n"
-            << "                                     wrongly\n";
-  for (const std::string& name : deviation_kinds()) {
+  std::cout
+      << '\n'
+      << title
+      << ": median/95 % of frames called tracking; joints: worst one, % of 1 cm or 5 "
+         "degrees;\nplain: against the true pose; error/sigma: 95 %\n"
+      << "kind            frames tracking  right trusted      base, mm     base, °    plain, mm"
+         "    plain, °   joints, %  base/s joint/s\n"
+      << "                                        wrongly\n";
+  for (const std::string& name : mismatch_kinds()) {
     const auto kind = kinds.find(name);
     if (kind != kinds.end()) print_kind(name, kind->second);
   }

@@ -12,6 +12,9 @@
 
 namespace lockbox::app {
 
+/// Those of deviation_kinds(), and the sensors `stereo` and `time-of-flight`.
+const std::vector<std::string>& mismatch_kinds();
+
 std::vector<std::string> mismatch_columns();
 
 /// One row a frame.

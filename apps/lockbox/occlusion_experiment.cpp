@@ -13,7 +13,6 @@
 #include "lockbox/evaluation/table.hpp"
 #include "option_checks.hpp"
 #include "possible_motion.hpp"
-#include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
 
@@ -141,10 +140,11 @@ class Occlusion : public Experiment {
     Scene without_arm = with_arm;
     without_arm.arms.clear();
 
+    const SensorModel sensor = sensor_model(settings.sensor);
     Progress progress("bounds " + model.tree.name, truth.size(), settings.quiet);
-    const auto bounds = compute_run_bounds(
-        model.tree, truth, kPrimeSenseCamera, sensor_model(settings.sensor),
-        PlacedScene(with_arm, truth), Executor(), [&](std::size_t i) { progress.update(i); });
+    const auto bounds =
+        compute_run_bounds(model.tree, truth, sensor.camera, sensor, PlacedScene(with_arm, truth),
+                           Executor(), [&](std::size_t i) { progress.update(i); });
     progress.finish();
 
     OcclusionRuns runs;

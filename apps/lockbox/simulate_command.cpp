@@ -18,7 +18,6 @@
 #include "option_checks.hpp"
 #include "output_paths.hpp"
 #include "possible_motion.hpp"
-#include "primesense_camera.hpp"
 #include "progress.hpp"
 #include "run_origin.hpp"
 #include "shipped_files.hpp"
@@ -197,7 +196,7 @@ class SimulateCommand : public Command {
   }
 
   PinholeCamera camera() const {
-    if (camera_info_.empty()) return kPrimeSenseCamera;
+    if (camera_info_.empty()) return sensor_model(sensor_).camera;
     const CameraCalibration calibration = read_camera_info(camera_info_);
     if (calibration.has_distortion()) {
       throw InputError(camera_info_, "images are rendered without distortion; set it to zero");

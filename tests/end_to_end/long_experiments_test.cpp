@@ -102,6 +102,17 @@ TEST(Mismatch, HasARowForEachFrameAndContinuesWhereItWasStopped) {
       HasSubstr("principal_point: ["));
 }
 
+TEST(Mismatch, LooksThroughOtherSensors) {
+  const TemporaryFolder folder;
+  run_experiment("mismatch", "rigid_block", folder / "out",
+                 {"--kind", "stereo", "--kind", "time-of-flight", "--seeds", "1", "--frames", "2"});
+  const auto rows = read_rows(folder / "out/mismatch_rigid_block_moderate_primesense_2frames.csv");
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows.front().at("kind"), "stereo");
+  EXPECT_EQ(rows.back().at("kind"), "time-of-flight");
+  EXPECT_LT(number(rows.back(), "translation"), 0.02);
+}
+
 /// The block itself as the recording: where it is found, that counts as a false alarm.
 TEST(Absent, CountsClaimsInRoomsAndRecordingsAndContinuesWhereItWasStopped) {
   const TemporaryFolder folder;

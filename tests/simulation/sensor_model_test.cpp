@@ -25,8 +25,8 @@ TEST(SensorModel, UnknownNameIsRefusedWithTheChoices) {
 }
 
 TEST(SensorModel, NamesAreKept) {
-  for (const char* name :
-       {"primesense", "primesense-quiet", "structured-light", "white", "ideal"}) {
+  for (const char* name : {"primesense", "primesense-quiet", "structured-light", "stereo",
+                           "time-of-flight", "time-of-flight-biased", "white", "ideal"}) {
     EXPECT_EQ(sensor_model(name).name, name);
   }
 }

@@ -85,8 +85,7 @@ PixelModeler::PixelModeler(const SampledView& view, const PinholeCamera& camera,
 
 double PixelModeler::independent_variance(double disparity) const {
   const double z = static_cast<double>(view_.unit_disparity_depth()) / disparity;
-  const double depth_noise = sensor_.depth_noise + sensor_.depth_noise_growth * square(z - 0.4);
-  const double depth_variance = square(depth_noise) + square(kDepthUnit) / 12.0;
+  const double depth_variance = square(white_depth_noise(sensor_, z)) + square(kDepthUnit) / 12.0;
   const double own_noise = sensor_.correlation_length > 0.0 ? 0.0 : sensor_.disparity_noise;
   return square(own_noise) + square(sensor_.disparity_step) / 12.0 +
          square(disparity / z) * depth_variance;

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include "correlated_noise.hpp"
 #include "projector_shadow.hpp"
 #include "random.hpp"
 #include "rows_at_once.hpp"
+#include "stereo_matching.hpp"
 #include "surface.hpp"
 
 namespace lockbox {
@@ -20,10 +23,12 @@ using simulation::kRowsAtOnce;
 using simulation::NormalTable;
 using simulation::ProjectorShadow;
 using simulation::RandomStream;
+using simulation::StereoMatching;
 using simulation::Surface;
 
 constexpr float kUnit = 0.001F;             ///< metres a unit of the output
-constexpr int kJitteredRefinement = 2;      ///< samples a pixel and axis, under lateral jitter
+constexpr int kFineRefinement = 2;          ///< samples a pixel and axis, where it looks at several
+constexpr float kLeastCosine = 0.05F;       ///< of an incidence of 87 degrees: beyond, all is lost
 constexpr std::uint64_t kPixelPurpose = 2;  ///< tells this use of the seed from others
 
 /// Standard deviation, in samples, of the Gaussian that has to be rounded to whole samples to get
@@ -31,6 +36,23 @@ constexpr std::uint64_t kPixelPurpose = 2;  ///< tells this use of the seed from
 float jitter_before_rounding(const SensorModel& sensor, int refinement) {
   const double wanted = sensor.lateral_jitter * refinement;
   return static_cast<float>(std::sqrt(std::max(0.0, wanted * wanted - 1.0 / 12.0)));
+}
+
+/// What comes back to a pixel from around that sample: a footprint one pixel wide at half its
+/// height, in which near surfaces are brighter. That sample itself sees something.
+float mixed_depth(const Surface& surface, int sample_u, int sample_v) {
+  float sum = 0.0F;
+  float weights = 0.0F;
+  for (int dv = -1; dv <= 1; ++dv) {
+    for (int du = -1; du <= 1; ++du) {
+      const float z = surface.depth(sample_u + du, sample_v + dv);
+      if (!std::isfinite(z)) continue;
+      const float weight = static_cast<float>((2 - std::abs(du)) * (2 - std::abs(dv))) / (z * z);
+      sum += weight * z;
+      weights += weight;
+    }
+  }
+  return sum / weights;
 }
 
 int rounded(float x) {
@@ -48,6 +70,9 @@ class PixelModel {
         disparity_step_(static_cast<float>(sensor.disparity_step)),
         depth_noise_(static_cast<float>(sensor.depth_noise)),
         depth_noise_growth_(static_cast<float>(sensor.depth_noise_growth)),
+        depth_noise_reference_(static_cast<float>(sensor.depth_noise_reference)),
+        is_weaker_when_slanted_(sensor.is_weaker_when_slanted),
+        slant_bias_(static_cast<float>(sensor.slant_bias)),
         measured_share_(static_cast<float>(1.0 - sensor.dropout_rate)),
         has_edge_dropouts_(sensor.edge_dropout_rate > 0.0),
         measured_share_at_edges_(static_cast<float>(1.0 - sensor.edge_dropout_rate)),
@@ -71,8 +96,11 @@ class PixelModel {
     return share;
   }
 
+  bool depends_on_incidence() const { return is_weaker_when_slanted_ || slant_bias_ != 0.0F; }
+
   /// The measured depth in units of the output, 0 beyond the range. z: true, finite, metres.
-  std::uint16_t measured(float z, float correlated, float white) const {
+  /// cosine: of the incidence, asked for if it depends_on_incidence().
+  std::uint16_t measured(float z, float cosine, float correlated, float white) const {
     if (has_disparity_) {
       float disparity = unit_disparity_depth_ / z + disparity_noise_ * correlated;
       if (disparity_step_ > 0.0F) {
@@ -80,8 +108,10 @@ class PixelModel {
       }
       z = disparity > 0.0F ? unit_disparity_depth_ / disparity : 0.0F;
     }
-    const float beyond = z - 0.4F;
-    z += white * (depth_noise_ + depth_noise_growth_ * beyond * beyond);
+    const float beyond = z - depth_noise_reference_;
+    const float weakness = is_weaker_when_slanted_ ? 1.0F / std::max(cosine, kLeastCosine) : 1.0F;
+    z += white * weakness * (depth_noise_ + depth_noise_growth_ * beyond * beyond) +
+         slant_bias_ * (1.0F - cosine);
     const bool in_range = z >= min_range_ && z <= max_range_;
     return in_range ? static_cast<std::uint16_t>(rounded(z / kUnit)) : std::uint16_t{0};
   }
@@ -94,6 +124,9 @@ class PixelModel {
   float disparity_step_;
   float depth_noise_;
   float depth_noise_growth_;
+  float depth_noise_reference_;
+  bool is_weaker_when_slanted_;
+  float slant_bias_;
   float measured_share_;
   bool has_edge_dropouts_;
   float measured_share_at_edges_;
@@ -109,13 +142,18 @@ struct SensorSimulator::Workspace {
   PinholeCamera camera;
   std::uint64_t seed;
   Executor executor;
-  int refinement = sensor.lateral_jitter > 0.0 ? kJitteredRefinement : 1;
+  int refinement = !sensor.is_stereo() && (sensor.lateral_jitter > 0.0 || sensor.mixes_depths)
+                       ? kFineRefinement
+                       : 1;
   PinholeCamera sample_camera = refined(camera, refinement);
   float jitter = jitter_before_rounding(sensor, refinement);
   PixelModel pixel{sensor, camera, refinement};
   NormalTable normal{};
   CorrelatedNoise noise{correlation_kernel(sensor), camera.width, camera.height, seed};
   ProjectorShadow shadow{};
+  std::optional<StereoMatching> stereo =
+      sensor.is_stereo() ? std::optional<StereoMatching>(std::in_place, sensor, camera, seed)
+                         : std::nullopt;
 
   bool is_lit(int sample_u, int sample_v) const;
   void measure_row(const Surface& surface, std::uint64_t index, int v,
@@ -145,7 +183,12 @@ void SensorSimulator::Workspace::measure_row(const Surface& surface, std::uint64
     const bool seen = std::isfinite(z) && is_lit(sample_u, sample_v) &&
                       uniform < pixel.measured_share(surface, u, v, sample_u, sample_v);
     const auto i = static_cast<std::size_t>(u);
-    out[i] = seen ? pixel.measured(z, correlated[i], white) : std::uint16_t{0};
+    out[i] = std::uint16_t{0};
+    if (!seen) continue;
+    const float cosine =
+        pixel.depends_on_incidence() ? std::sqrt(surface.squared_cosine(sample_u, sample_v)) : 1.0F;
+    const float mean = sensor.mixes_depths ? mixed_depth(surface, sample_u, sample_v) : z;
+    out[i] = pixel.measured(mean, cosine, correlated[i], white);
   }
 }
 
@@ -169,7 +212,8 @@ void SensorSimulator::measure(const RenderedDepth& clean, std::uint64_t index, D
   frame.depth.resize(width * height);
   frame.metres_per_unit = kUnit;
   frame.index = index;
-  const Surface surface(clean, w.sample_camera);
+  const Surface surface(w.stereo ? w.stereo->match(clean, index, w.normal, w.executor) : clean,
+                        w.sample_camera);
   w.noise.generate(index, w.normal, w.executor);
   if (w.sensor.has_projector_shadow) {
     w.shadow.cast(clean, w.sample_camera, w.sensor.baseline, w.executor);
