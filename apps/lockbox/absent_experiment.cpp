@@ -68,6 +68,7 @@ class Absent : public Experiment {
                                                   std::to_string(max_frames_) + "frames");
     const auto others = load_others(model.tree.name, settings.quiet);
     std::vector<const ArticulatedModel*> other_models;
+    other_models.reserve(others.size());
     for (const ArticulatedModel& other : others) other_models.push_back(&other);
     const SensorModel sensor = sensor_model(settings.sensor);
     const AbsentRooms rooms(model, other_models, sensor.camera, settings.seed, Executor());
