@@ -22,6 +22,7 @@ struct ExperimentSettings {
   std::vector<std::string> models;  ///< files or shipped names; empty: those it is about
   std::filesystem::path output;
   std::string sensor = "primesense";
+  bool sensor_is_given = false;  ///< by the user, who may leave it to the experiment
   std::uint64_t seed = 1;
   bool quiet = false;
 };
@@ -38,7 +39,7 @@ class Experiment {
   virtual bool continues() const { return false; }
 
   /// Model after model. False if the user stopped it; the same command then picks it up again.
-  bool run(const ExperimentSettings& settings);
+  virtual bool run(const ExperimentSettings& settings);
 
  protected:
   /// Shipped models that it runs where none are named.

@@ -31,6 +31,7 @@ class ExperimentCommand : public Command {
   ExitStatus run() override {
     for (const auto& model : settings_.models) find_model(model);
     make_folder(settings_.output);
+    settings_.sensor_is_given = sensor_->count() > 0;
     for (const Choice& choice : choices_) {
       if (choice.options->parsed()) run(*choice.experiment);
     }
@@ -69,13 +70,14 @@ class ExperimentCommand : public Command {
         ->required()
         ->check(folder_name())
         ->type_name("DIR");
-    options.add_option("--sensor", settings_.sensor, sensor_names());
+    sensor_ = options.add_option("--sensor", settings_.sensor, sensor_names());
     options.add_option("--seed", settings_.seed, "Of all that is random, the sensor's noise too")
         ->check(not_negative());
     options.add_flag("-q,--quiet", settings_.quiet, "No progress");
   }
 
   ExperimentSettings settings_;
+  CLI::Option* sensor_ = nullptr;
   std::vector<Choice> choices_;
 };
 

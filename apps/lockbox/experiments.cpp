@@ -21,6 +21,10 @@ const std::vector<ExperimentEntry>& experiments() {
        make_mismatch_experiment},
       {"absent", "Rooms without the object: whatever is found is a false alarm",
        make_absent_experiment},
+      {"furniture", "Random drawers and doors that nobody tuned for, found without a guess",
+       make_furniture_experiment},
+      {"boards", "Random puzzle boards that nobody tuned for, found without a guess",
+       make_boards_experiment},
       {"peers", "The scene on which M3T was measured, beside its figures", make_peers_experiment},
   };
   return entries;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Objects that are not quite their models, cameras that are not quite their calibrations: what the
 // tracker, who is told nothing of it, makes of them, and what it believes.
-#include <CLI/Validators.hpp>
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <map>

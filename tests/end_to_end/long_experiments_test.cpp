@@ -149,5 +149,52 @@ TEST(Absent, CountsClaimsInRoomsAndRecordingsAndContinuesWhereItWasStopped) {
   EXPECT_TRUE(std::any_of(begin(written), end(written), is_picture));
 }
 
+TEST(ForeignObjects, HaveRowsAndFilesToSimulateThemAgainAndContinueWhereTheyWereStopped) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& pieces) {
+    const ToolResult result =
+        run_tool({"experiment", "boards", "--block", "tune", "--pieces", pieces, "--deviation",
+                  "third", "--output", (folder / "out").string(), "--quiet"});
+    EXPECT_EQ(result.status, 0) << result.errors;
+    return result.output;
+  };
+  const std::string stem = "out/boards_tune_third_1frames_seed1";
+  EXPECT_THAT(run("1"), HasSubstr("boards, tune, deviation third: right in"));
+  const auto first = read_text(folder / (stem + ".csv"));
+  run("2");
+  EXPECT_EQ(read_text(folder / (stem + ".csv")).substr(0, first.size()), first);
+  const auto rows = read_rows(folder / (stem + ".csv"));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].at("right"), "1");
+  // Two equal disks on an oblong board, which looks the same after half a turn.
+  EXPECT_EQ(number(rows[1], "right") + number(rows[1], "looks_equal"), 1.0);
+  for (const NamedRow& row : rows) {
+    EXPECT_EQ(row.at("right"), row.at("wrong").empty() ? "1" : "0");
+    EXPECT_GT(number(row, "evidence_of_truth"), 0.0);
+  }
+  const auto piece = folder / (stem + "/1");
+  const ToolResult again = run_tool(
+      {"simulate", "--model", (piece / "model.urdf").string(), "--trajectory",
+       (piece / "truth.csv").string(), "--scene", (piece / "scene.yaml").string(), "--deviation",
+       (piece / "deviation.yaml").string(), "--output", (folder / "again").string(), "--quiet"});
+  EXPECT_EQ(again.status, 0) << again.errors;
+}
+
+TEST(ForeignObjects, DrawTheirOwnModels) {
+  const TemporaryFolder folder;
+  const ToolResult result = run_tool({"experiment", "furniture", "--model", "lockbox", "--output",
+                                      (folder / "out").string(), "--quiet"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("leave it out"));
+}
+
+TEST(ForeignObjects, ComeFromBlocksThatThereAre) {
+  const TemporaryFolder folder;
+  const ToolResult result = run_tool({"experiment", "furniture", "--block", "test", "--output",
+                                      (folder / "out").string(), "--quiet"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.errors, HasSubstr("test:1"));
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -145,5 +145,37 @@ TEST_F(TrackerTest, AnAlignmentThatIsStillOnItsWayIsUncertain) {
   EXPECT_EQ(judge(registered, options()), TrackingStatus::uncertain);
 }
 
+/// A door without its handle is no reason to doubt a board that is seen beyond doubt.
+TEST_F(TrackerTest, APartThatContradictsIsDoubtedAloneWhereTheObjectIsBelieved) {
+  RegistrationResult registered;
+  const std::size_t bodies = model.tree.bodies.size();
+  const auto unknowns = static_cast<std::size_t>(6 + model.tree.variables());
+  registered.sigma = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns));
+  registered.observable.assign(unknowns, true);
+  registered.agreement.explained = 0.9;
+  registered.body_agreement.assign(bodies, {});
+  Agreement& last = registered.body_agreement.back();
+  last.pixels = 1000.0;
+  last.explained = 0.5;
+  last.contradicted = 0.5;
+  EXPECT_EQ(judge(registered, options()), TrackingStatus::uncertain);
+  registered.belief = options().convincing_belief;
+  EXPECT_EQ(judge(registered, options()), TrackingStatus::tracking);
+  const std::vector<bool> known = known_unknowns(registered, model.tree, options());
+  EXPECT_EQ(std::count(known.begin(), known.end(), false), 1);
+  std::swap(registered.body_agreement.front(), registered.body_agreement.back());
+  EXPECT_EQ(judge(registered, options()), TrackingStatus::uncertain) << "the base itself";
+}
+
+TEST_F(TrackerTest, AJointOfWhichTooLittleIsKnownIsNotReportedAsKnown) {
+  RegistrationResult registered;
+  const auto unknowns = static_cast<std::size_t>(6 + model.tree.variables());
+  registered.sigma = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(unknowns), 0.1);
+  registered.observable.assign(unknowns, true);
+  registered.body_agreement.assign(model.tree.bodies.size(), {});
+  const std::vector<bool> known = known_unknowns(registered, model.tree, options());
+  EXPECT_EQ(std::count(known.begin() + 6, known.end(), true), 0);
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -2,20 +2,16 @@
 #include "lockbox/evaluation/global_experiment.hpp"
 
 #include <chrono>
-#include <cmath>
 #include <limits>
 
 #include "lockbox/core/units.hpp"
-#include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/random_frame.hpp"
-#include "lockbox/model/symmetry.hpp"
 
 namespace lockbox {
 namespace {
 
-bool determines_base(const Eigen::VectorXd& bound) {
-  return bound.head<3>().norm() < 0.005 && bound.segment<3>(3).norm() < 0.5 * kRadians;
-}
+/// Base within 1 cm and 1 degree.
+constexpr Tolerances kRight{0.01, 1.0 * kRadians};
 
 }  // namespace
 
@@ -29,7 +25,7 @@ GlobalExperiment::GlobalExperiment(const ArticulatedModel& model, const PinholeC
       executor_(executor),
       registration_(model, options_.registration, executor_),
       acquisition_(model, options_, executor_, registration_, cloud_),
-      symmetries_(find_symmetries(model)) {
+      comparison_(model, kRight) {
   acquisition_.prepare();
 }
 
@@ -67,39 +63,12 @@ void GlobalExperiment::compare_with_truth(const RegistrationResult& found, const
   answer.status = result.status;
   answer.configuration = found.configuration;
   answer.observable = known_unknowns(found, model_.tree, options_);
-  result.rotation = std::numeric_limits<double>::infinity();
-  for (const Eigen::Isometry3d& symmetry : symmetries_) {
-    State equal = truth;
-    equal.configuration.T_camera_base = truth.configuration.T_camera_base * symmetry;
-    const FrameOutcome outcome = compare(model_.tree, answer, equal);
-    if (outcome.rotation >= result.rotation) continue;
-    result.rotation = outcome.rotation;
-    result.translation = outcome.translation;
-    result.within = outcome.is_right();
-  }
-  result.wrong = wrong_unknowns(found.configuration, truth, bound, result);
+  const AnswerErrors errors = comparison_.compare(answer, truth, bound);
+  result.rotation = errors.outcome.rotation;
+  result.translation = errors.outcome.translation;
+  result.within = errors.outcome.is_right();
+  result.wrong = errors.wrong;
   result.right = result.wrong.empty();
-}
-
-std::string GlobalExperiment::wrong_unknowns(const Configuration& found, const State& truth,
-                                             const Eigen::VectorXd& bound,
-                                             const GlobalResult& result) const {
-  if (!(result.translation < 0.01 && result.rotation < 1.0 * kRadians)) return "base";
-  std::string wrong;
-  for (std::size_t j = 0; j < model_.tree.joints.size(); ++j) {
-    const Joint& joint = model_.tree.joints[j];
-    const bool slides = joint.type == JointType::prismatic;
-    const int index = static_cast<int>(j);
-    double error = joint_position(model_.tree, found, index) -
-                   joint_position(model_.tree, truth.configuration, index);
-    if (joint.type == JointType::continuous) error = std::remainder(error, kFullTurn);
-    const double sigma = std::abs(joint.multiplier) * bound(6 + joint.variable);
-    const bool determined = sigma < (slides ? 0.001 : 0.5 * kRadians);
-    if (determined && std::abs(error) > (slides ? 0.01 : 5.0 * kRadians)) {
-      wrong += (wrong.empty() ? "" : " ") + joint.name;
-    }
-  }
-  return wrong;
 }
 
 }  // namespace lockbox

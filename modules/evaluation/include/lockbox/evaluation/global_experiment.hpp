@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lockbox/core/parallel.hpp"
+#include "lockbox/evaluation/answer_errors.hpp"
 #include "lockbox/evaluation/random_scene.hpp"
 #include "lockbox/simulation/sensor_model.hpp"
 #include "lockbox/tracking/acquisition.hpp"
@@ -48,8 +49,6 @@ class GlobalExperiment {
  private:
   void compare_with_truth(const RegistrationResult& found, const State& truth,
                           const Eigen::VectorXd& bound, GlobalResult& result) const;
-  std::string wrong_unknowns(const Configuration& found, const State& truth,
-                             const Eigen::VectorXd& bound, const GlobalResult& result) const;
 
   const ArticulatedModel& model_;
   PinholeCamera camera_;
@@ -60,7 +59,7 @@ class GlobalExperiment {
   TiledCloud cloud_;
   ArticulatedRegistration registration_;
   Acquisition acquisition_;
-  std::vector<Eigen::Isometry3d> symmetries_;
+  AnswerComparison comparison_;
 };
 
 /// Rows of results as CSV, a list that may be continued and concatenated. A last row that is not

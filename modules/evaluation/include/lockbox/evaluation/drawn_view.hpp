@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random views of a piece of furniture or of a board (object_block.hpp), as one meets them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "lockbox/core/pinhole_camera.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/model/states_file.hpp"
+#include "lockbox/simulation/object_block.hpp"
+#include "lockbox/simulation/scene.hpp"
+
+namespace lockbox {
+
+enum class DrawnKind { furniture, board };
+
+struct DrawnView {
+  State truth;
+  Scene scene;
+  std::string placement;  ///< `wall`: touches it; `floor`: stands before one; `table`: lies flat
+  bool is_oblique = false;
+  int open = 0;  ///< joints that do not stand at rest
+};
+
+/// The view of that object of the block, from 1.2 to 2 m: at most 15 % of it lie outside the image.
+/// Joints stand where no part penetrates another, all at rest or some of them not. The model is
+/// that of the object. Throws InputError if no view of it fits.
+DrawnView draw_view(DrawnKind kind, const ArticulatedModel& model, const PinholeCamera& camera,
+                    const ObjectBlock& block, std::uint64_t number);
+
+/// The sensor with which the object of that number is seen; those of tests are not those of tuning.
+std::string draw_sensor(const ObjectBlock& block, std::uint64_t number);
+
+}  // namespace lockbox

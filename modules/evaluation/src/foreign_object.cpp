@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/evaluation/foreign_object.hpp"
+
+#include <chrono>
+#include <fstream>
+
+#include "equal_views.hpp"
+#include "lockbox/core/error.hpp"
+#include "lockbox/core/number_text.hpp"
+#include "lockbox/evaluation/bound.hpp"
+#include "lockbox/simulation/deviating_model.hpp"
+#include "lockbox/simulation/deviation_presets.hpp"
+#include "lockbox/simulation/simulator.hpp"
+#include "lockbox/verification/verifier.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kFramePeriod = 1.0 / 30.0;  // seconds
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) throw InputError(file.string(), "cannot be written");
+}
+
+/// Of a scene of planes around the object.
+std::string scene_text(const Scene& scene) {
+  const auto triple = [](const Eigen::Vector3d& v) {
+    return '[' + number_text(v.x()) + ", " + number_text(v.y()) + ", " + number_text(v.z()) + ']';
+  };
+  std::string text = "moving: camera\nplanes:\n";
+  for (const ScenePlane& plane : scene.planes) {
+    text += "  - {frame: base, point: " + triple(plane.point) +
+            ", normal: " + triple(plane.normal) + ", extent: [" + number_text(plane.extent.x()) +
+            ", " + number_text(plane.extent.y()) + "]}\n";
+  }
+  return text;
+}
+
+ObjectDraft draw_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number) {
+  return kind == DrawnKind::furniture ? draw_furniture(block, number) : draw_board(block, number);
+}
+
+/// Its fields are built anew: hundreds of objects that come once would fill the cache.
+ArticulatedModel load_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number,
+                             const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  write_text(folder / "model.urdf", urdf_text(draw_object(kind, block, number)));
+  LoadOptions options;
+  options.cache_directory = std::filesystem::path();
+  return load_model(folder / "model.urdf", options);
+}
+
+Eigen::VectorXd bound_of(const ArticulatedModel& model, const State& truth,
+                         const PlacedScene& scene, const PinholeCamera& camera,
+                         const SensorModel& sensor, const Executor& executor) {
+  std::vector<RenderItem> scenery;
+  scene.append_items(truth, scenery);
+  DepthInformation information(model.tree, camera, sensor, executor);
+  return bound_sigma(information.compute(truth.configuration, scenery));
+}
+
+/// Tracks one object, and judges what comes out.
+class ForeignRun {
+ public:
+  ForeignRun(const ArticulatedModel& model, const ForeignSettings& settings,
+             const SensorModel& sensor, const DrawnView& view, const Executor& executor)
+      : model_(model),
+        settings_(settings),
+        sensor_(sensor),
+        truth_(view.truth),
+        scene_(view.scene, {view.truth}),
+        executor_(executor),
+        bound_(bound_of(model, truth_, scene_, settings.camera, sensor, executor)),
+        comparison_(model, Tolerances{}),
+        verifier_(model.tree),
+        tracker_(model, TrackerOptions{}) {}
+
+  const Eigen::VectorXd& bound() const { return bound_; }
+
+  ForeignFrame track(const DepthFrame& image, const Eigen::Isometry3d& apparent_base) {
+    const auto began = std::chrono::steady_clock::now();
+    const TrackingResult& answer = tracker_.process(image);
+    ForeignFrame frame;
+    frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    frame.explained = answer.explained;
+    State apparent = truth_;
+    apparent.configuration.T_camera_base = apparent_base;
+    frame.errors = comparison_.compare(answer, apparent, bound_);
+    verifier_.look_at(tracker_.cloud(), tracker_.options().registration.noise.sigma_inverse_depth(),
+                      executor_);
+    frame.evidence_of_truth = verifier_.evidence(apparent.configuration).total();
+    const bool has_answer = answer.status != TrackingStatus::initializing;
+    if (has_answer) frame.evidence = verifier_.evidence(answer.configuration).total();
+    if (frame.is_right()) return frame;
+    EqualViews equal(model_, comparison_, settings_.camera, sensor_, scene_, truth_, bound_,
+                     settings_.seed, executor_);
+    frame.looks_equal = (has_answer && equal.holds(answer)) || (!frame.is_trusted() && equal.any());
+    return frame;
+  }
+
+ private:
+  const ArticulatedModel& model_;
+  const ForeignSettings& settings_;
+  SensorModel sensor_;
+  State truth_;
+  PlacedScene scene_;
+  Executor executor_;
+  Eigen::VectorXd bound_;
+  AnswerComparison comparison_;
+  Verifier verifier_;
+  Tracker tracker_;
+};
+
+Deviation deviation_of(const ForeignSettings& settings, std::uint64_t number,
+                       const KinematicTree& tree) {
+  if (!settings.deviates) return {};
+  constexpr std::uint64_t kPieces = 1000000;  // of a seed, each with its own deviation
+  return *preset_deviation("all", Severity::moderate, settings.seed * kPieces + number, tree);
+}
+
+}  // namespace
+
+ForeignResult track_foreign_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number,
+                                   const ForeignSettings& settings, const Executor& executor) {
+  const ArticulatedModel model = load_object(kind, block, number, settings.folder);
+  ForeignResult result;
+  result.parts = static_cast<int>(model.tree.joints.size());
+  result.view = draw_view(kind, model, settings.camera, block, number);
+  result.sensor = settings.sensor.value_or(draw_sensor(block, number));
+  std::vector<State> run(static_cast<std::size_t>(settings.frames), result.view.truth);
+  for (std::size_t i = 0; i < run.size(); ++i) run[i].stamp = kFramePeriod * static_cast<double>(i);
+  write_states(settings.folder / "truth.csv", model.tree, run);
+  write_text(settings.folder / "scene.yaml", scene_text(result.view.scene));
+  const Deviation deviation = deviation_of(settings, number, model.tree);
+  if (settings.deviates) {
+    write_text(settings.folder / "deviation.yaml", deviation_text(deviation));
+  }
+  const KinematicTree built =
+      deviating_model(model.tree, deviation.object, deviation.seed, executor);
+  const SensorModel sensor = sensor_model(result.sensor);
+  Simulator simulator(built, settings.camera, PlacedScene(result.view.scene, run), sensor,
+                      settings.seed, executor, deviation.sensor);
+  ForeignRun tracked(model, settings, sensor, result.view, executor);
+  result.determined = determines_base(tracked.bound());
+  DepthFrame image;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    simulator.simulate(run[i], i, image);
+    image.index = i;
+    result.frames.push_back(tracked.track(image, simulator.apparent_base()));
+  }
+  return result;
+}
+
+}  // namespace lockbox

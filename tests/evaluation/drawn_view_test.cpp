@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/evaluation/drawn_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "lockbox/registration/collision_term.hpp"
+#include "lockbox/simulation/model_visibility.hpp"
+
+namespace lockbox {
+namespace {
+
+const PinholeCamera kDrawnCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
+
+ArticulatedModel loaded(const ObjectDraft& draft) {
+  const auto file = std::filesystem::path(testing::TempDir()) / (draft.name + ".urdf");
+  std::ofstream(file) << urdf_text(draft);
+  LoadOptions options;
+  options.cache_directory = LOCKBOX_CACHE;
+  return load_model(file, options);
+}
+
+double penetration(const ArticulatedModel& model, const Configuration& configuration) {
+  std::vector<Eigen::Isometry3d> poses;
+  forward_kinematics(model.tree, configuration, poses);
+  return CollisionTerm(model, RegistrationOptions{}).evaluate(model, poses, nullptr);
+}
+
+void expect_sound(DrawnKind kind, const ArticulatedModel& model, const DrawnView& view) {
+  const Configuration& truth = view.truth.configuration;
+  for (int v = 0; v < model.tree.variables(); ++v) {
+    const VariableLimits limits = variable_limits(model.tree, v);
+    EXPECT_GE(truth.q[v], limits.lower);
+    EXPECT_LE(truth.q[v], limits.upper);
+  }
+  EXPECT_EQ(penetration(model, truth), 0.0);
+  const CollisionTerm collision(model, RegistrationOptions{});
+  constexpr double kFieldError = 0.0003;  // metres: of bodies that touch
+  for (const CollisionPair& pair : collision.pairs()) EXPECT_LT(pair.rest_overlap, kFieldError);
+  const PlacedScene scene(view.scene, {view.truth});
+  const ModelVisibility seen =
+      VisibilityMeter(model.tree, kDrawnCamera, scene, Executor(1)).measure(view.truth);
+  EXPECT_LE(seen.cut, 0.15);
+  const auto out = kind == DrawnKind::furniture ? Eigen::Vector3d(0.0, -1.0, 0.0)
+                                                : Eigen::Vector3d(0.0, 0.0, 1.0);
+  EXPECT_LT((truth.T_camera_base.linear() * out).z(), 0.0) << "the front faces the camera";
+}
+
+TEST(DrawnView, OfFurnitureKeepsToItsRanges) {
+  const ObjectBlock block("tune");
+  const ArticulatedModel model = loaded(draw_furniture(block, 1));
+  expect_sound(DrawnKind::furniture, model,
+               draw_view(DrawnKind::furniture, model, kDrawnCamera, block, 1));
+}
+
+TEST(DrawnView, OfABoardKeepsToItsRanges) {
+  const ObjectBlock block("test:1");
+  const ArticulatedModel model = loaded(draw_board(block, 2));
+  expect_sound(DrawnKind::board, model, draw_view(DrawnKind::board, model, kDrawnCamera, block, 2));
+}
+
+TEST(DrawnView, FollowsFromBlockAndNumber) {
+  const ObjectBlock block("tune");
+  const ArticulatedModel model = loaded(draw_furniture(block, 1));
+  const auto pose = [&](std::uint64_t number) {
+    return draw_view(DrawnKind::furniture, model, kDrawnCamera, block, number)
+        .truth.configuration.T_camera_base.matrix();
+  };
+  EXPECT_EQ(pose(1), pose(1));
+  EXPECT_NE(pose(1), pose(2));
+}
+
+TEST(DrawnSensor, OfTestsIsNotThatOfTuning) {
+  const auto sensors = [](const char* block) {
+    std::set<std::string> names;
+    for (std::uint64_t number = 0; number < 50; ++number) {
+      names.insert(draw_sensor(ObjectBlock(block), number));
+    }
+    return names;
+  };
+  EXPECT_EQ(sensors("tune"), (std::set<std::string>{"primesense", "primesense-quiet"}));
+  EXPECT_EQ(sensors("test:1"), (std::set<std::string>{"primesense", "structured-light", "white"}));
+}
+
+}  // namespace
+}  // namespace lockbox

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/simulation/object_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/simulation/model_bounds.hpp"
+
+namespace lockbox {
+namespace {
+
+KinematicTree loaded(const ObjectDraft& draft) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / (draft.name + ".urdf");
+  std::ofstream(file) << urdf_text(draft);
+  return load_kinematic_tree(file);
+}
+
+TEST(ObjectBlock, DrawsTheSameObjectForTheSameNumberAndAnotherForAnother) {
+  const ObjectBlock tune("tune");
+  for (const auto draw : {draw_furniture, draw_board}) {
+    EXPECT_EQ(urdf_text(draw(tune, 3)), urdf_text(draw(ObjectBlock("tune"), 3)));
+    EXPECT_NE(urdf_text(draw(tune, 3)), urdf_text(draw(tune, 4)));
+    EXPECT_NE(urdf_text(draw(tune, 3)), urdf_text(draw(ObjectBlock("test:0"), 3)));
+    EXPECT_NE(urdf_text(draw(ObjectBlock("test:1"), 3)), urdf_text(draw(ObjectBlock("test:0"), 3)));
+  }
+}
+
+TEST(ObjectBlock, RefusesNamesThatAreNone) {
+  for (const char* name : {"", "test", "test:", "test:x", "test:-1", "test:1 ", "tuning"}) {
+    EXPECT_THROW(ObjectBlock{name}, InputError) << name;
+  }
+}
+
+TEST(Furniture, LoadsWithOneToSevenDrawersAndDoorsThatOpen) {
+  std::set<std::size_t> counts;
+  for (const char* block : {"tune", "test:1"}) {
+    for (std::uint64_t number = 0; number < 40; ++number) {
+      const KinematicTree tree = loaded(draw_furniture(ObjectBlock(block), number));
+      counts.insert(tree.joints.size());
+      for (const Joint& joint : tree.joints) {
+        EXPECT_EQ(joint.lower, 0.0);
+        EXPECT_GT(joint.upper, joint.type == JointType::prismatic ? 0.15 : 1.5);
+      }
+    }
+  }
+  EXPECT_EQ(counts, (std::set<std::size_t>{1, 2, 3, 4, 5, 6, 7}));
+}
+
+TEST(Furniture, OpensTowardsItsFront) {
+  for (std::uint64_t number = 0; number < 10; ++number) {
+    const KinematicTree tree = loaded(draw_furniture(ObjectBlock("tune"), number));
+    const Configuration rest = rest_configuration(tree);
+    const double closed = model_bounds(tree, rest).min().y();
+    for (int v = 0; v < tree.variables(); ++v) {
+      Configuration open = rest;
+      open.q[v] = variable_limits(tree, v).upper;
+      EXPECT_LT(model_bounds(tree, open).min().y(), closed - 0.1);
+      EXPECT_NEAR(model_bounds(tree, open).max().y(), model_bounds(tree, rest).max().y(), 1e-9);
+    }
+  }
+}
+
+TEST(Board, IsFrom40CentimetresToOneMetreAndHasEqualTwins) {
+  int twins = 0;
+  for (const char* block : {"tune", "test:1"}) {
+    for (std::uint64_t number = 0; number < 40; ++number) {
+      const ObjectDraft draft = draw_board(ObjectBlock(block), number);
+      const KinematicTree tree = loaded(draft);
+      EXPECT_GE(tree.joints.size(), 1U);
+      const Eigen::Vector3d& size = draft.links.front().parts.front().size;
+      EXPECT_GE(size.head<2>().minCoeff(), 0.4);
+      EXPECT_LE(size.head<2>().maxCoeff(), 1.0);
+      std::set<std::string> kinds;
+      for (const DraftLink& link : draft.links) {
+        ObjectDraft alone;
+        alone.links = {{"", link.parts}};
+        kinds.insert(urdf_text(alone));
+      }
+      twins += kinds.size() < draft.links.size() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(twins, 10);
+}
+
+TEST(Board, HasMechanismsThatStayInFrontOfIt) {
+  for (std::uint64_t number = 0; number < 20; ++number) {
+    const KinematicTree tree = loaded(draw_board(ObjectBlock("test:2"), number));
+    const double back = model_bounds(tree, rest_configuration(tree)).min().z();
+    for (int v = 0; v < tree.variables(); ++v) {
+      for (const double share : {0.3, 1.0}) {
+        Configuration moved = rest_configuration(tree);
+        const VariableLimits limits = variable_limits(tree, v);
+        moved.q[v] = std::isfinite(limits.upper) ? share * limits.upper : share;
+        EXPECT_NEAR(model_bounds(tree, moved).min().z(), back, 1e-9);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lockbox
