@@ -3,6 +3,8 @@
 // the errors, though all tiles of a face err alike and no amount of them averages that away.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "initialization/seen_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/simulation/deviating_model.hpp"
@@ -58,7 +60,8 @@ TEST_P(HonestMisfit, IsCoveredByWhatIsReportedAndNotByNoise) {
   Configuration truth = *model_.parameters.initial_configuration;
   for (int v = 0; v < model_.tree.variables(); ++v) {
     const VariableLimits limits = variable_limits(model_.tree, v);
-    truth.q[v] = limits.lower + (limits.upper - limits.lower) / 3.0;
+    const bool is_limited = std::isfinite(limits.upper - limits.lower);
+    truth.q[v] = is_limited ? limits.lower + (limits.upper - limits.lower) / 3.0 : 0.7;
   }
   const RegistrationResult found = registered(GetParam().deviation, truth);
   const Eigen::VectorXd off = error(found, truth);
