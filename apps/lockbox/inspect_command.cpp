@@ -8,6 +8,7 @@
 #include "counted.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/equal_poses.hpp"
+#include "lockbox/model/joint_type_name.hpp"
 #include "lockbox/visualization/model_painter.hpp"
 #include "lockbox/visualization/viewpoint.hpp"
 #include "model_options.hpp"
@@ -16,18 +17,6 @@
 
 namespace lockbox::app {
 namespace {
-
-std::string type_name(JointType type) {
-  switch (type) {
-    case JointType::revolute:
-      return "revolute";
-    case JointType::continuous:
-      return "continuous";
-    case JointType::prismatic:
-      return "prismatic";
-  }
-  return "";
-}
 
 void print_limits(const Joint& joint) {
   if (!std::isfinite(joint.upper - joint.lower)) return;

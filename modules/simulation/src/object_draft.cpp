@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/model/joint_type_name.hpp"
 
 namespace lockbox {
 namespace {
@@ -27,18 +28,6 @@ void write_link(std::ostream& out, const DraftLink& link) {
         << "\"/><geometry>" << geometry(part) << "</geometry></visual>\n";
   }
   out << "  </link>\n";
-}
-
-const char* type_name(JointType type) {
-  switch (type) {
-    case JointType::revolute:
-      return "revolute";
-    case JointType::continuous:
-      return "continuous";
-    case JointType::prismatic:
-      return "prismatic";
-  }
-  return "";
 }
 
 void write_joint(std::ostream& out, const DraftJoint& joint, const std::string& parent) {
