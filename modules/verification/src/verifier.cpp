@@ -55,10 +55,6 @@ struct Verifier::Workspace {
   Evidence sum_up();
   void judge_row(int v);
   void compare_row(int v);
-  Evidence& sum_at(int u, int v) {
-    return sums[static_cast<std::size_t>(v) * poses.size() +
-                static_cast<std::size_t>(image.id[image.index(u, v)])];
-  }
   double shown(int u, int v) const { return static_cast<double>(cells[image.index(u, v)]); }
   int outline_reach(double inverse_depth) const;
   Around around(int u, int v) const;
@@ -78,8 +74,7 @@ struct Verifier::Workspace {
   std::vector<Eigen::Isometry3d> poses;
   std::vector<RenderItem> items;
   std::vector<Seen> seen;
-  std::vector<Evidence> sums;    ///< by row and body
-  std::vector<Evidence> bodies;  ///< by body
+  std::vector<Evidence> sums;  ///< by row
 };
 
 Verifier::Verifier(const KinematicTree& tree) : workspace_(std::make_unique<Workspace>(tree)) {}
@@ -116,7 +111,7 @@ void Verifier::Workspace::draw(const Configuration& configuration) {
 
 Evidence Verifier::Workspace::sum_up() {
   seen.assign(image.id.size(), Seen::nothing);
-  sums.assign(static_cast<std::size_t>(scene->height()) * poses.size(), {});
+  sums.assign(static_cast<std::size_t>(scene->height()), {});
   const ImageWindow& drawn = image.drawn;
   const auto rows = static_cast<std::size_t>(std::max(0, drawn.height));
   constexpr std::size_t kRows = 8;  // a chunk
@@ -126,26 +121,24 @@ Evidence Verifier::Workspace::sum_up() {
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) compare_row(drawn.top + static_cast<int>(i));
   });
-  bodies.assign(poses.size(), {});
-  for (std::size_t i = 0; i < sums.size(); ++i) bodies[i % bodies.size()] += sums[i];
   Evidence all;
-  for (const Evidence& body : bodies) all += body;
+  for (const Evidence& row : sums) all += row;
   return all;
 }
 
 void Verifier::Workspace::judge_row(int v) {
+  Evidence& sum = sums[static_cast<std::size_t>(v)];
   for (int u = image.drawn.left; u < image.drawn.right(); ++u) {
     if (!(shown(u, v) > 0.0) || !(scene->at(u, v) > 0.0)) continue;
-    Evidence& sum = sum_at(u, v);
     ++sum.cells;
     seen[image.index(u, v)] = judge(u, v, sum);
   }
 }
 
 void Verifier::Workspace::compare_row(int v) {
+  Evidence& sum = sums[static_cast<std::size_t>(v)];
   for (int u = image.drawn.left; u < image.drawn.right(); ++u) {
     if (seen[image.index(u, v)] == Seen::nothing) continue;
-    Evidence& sum = sum_at(u, v);
     sum.occluded += of_occluder(u, v);
     compare_lines(u, v, sum);
   }

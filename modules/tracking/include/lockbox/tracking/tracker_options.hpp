@@ -50,7 +50,8 @@ struct TrackerOptions {
   double most_patches_behind = 0.03;  ///< of what speaks for or against a body: patches behind it
   double most_continued = 0.85;  ///< of the outline: there the scene goes on as the model's surface
   double most_last_move = 0.003;  ///< metres: surfaces that still move are not where they belong
-  /// Metres, of the base's position as the frame tells it: the corner of a board in a wall fits.
+  /// Metres, of the base's position as the frame tells it, what the object misfits included: the
+  /// corner of a board in a wall fits. Half of what counts as right.
   double most_base_sigma = 0.01;
   /// Metres, of Candidate::rival_distance: something else may be right as well.
   double most_rival_distance = 0.005;
