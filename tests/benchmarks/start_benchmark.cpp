@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long a program that tracks the shipped lockbox needs until it can: reading the model, its
 // fields built or taken from the cache, and the registration's own constant data.
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "registration_scene.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -33,13 +32,11 @@ void start_cold(benchmark::State& state) {
 }
 
 void start_cached(benchmark::State& state) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("lockbox_benchmark_" + std::to_string(::getpid()));
+  const TemporaryFolder folder;
   LoadOptions options;
-  options.cache_directory = folder;
+  options.cache_directory = folder.path();
   load_model(kLockboxFile, options);
-  load(state, folder);
-  std::filesystem::remove_all(folder);
+  load(state, folder.path());
 }
 
 void start_registration(benchmark::State& state) {

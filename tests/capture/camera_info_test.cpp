@@ -7,6 +7,7 @@
 #include "lockbox/capture/depth_folder.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 #include "text_file.hpp"
 
 namespace lockbox {

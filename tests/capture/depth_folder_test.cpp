@@ -9,6 +9,7 @@
 #include "lockbox/capture/camera_info.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 #include "text_file.hpp"
 
 namespace lockbox {

@@ -13,6 +13,7 @@
 #include "lockbox/capture/virtual_depth.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {

@@ -19,6 +19,7 @@
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 

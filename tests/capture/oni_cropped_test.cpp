@@ -9,6 +9,7 @@
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
 #include "recorded_streams.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {

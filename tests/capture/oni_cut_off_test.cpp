@@ -10,6 +10,7 @@
 
 #include "lockbox/capture/oni_validator.hpp"
 #include "oni_bytes.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {

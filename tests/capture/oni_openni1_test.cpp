@@ -11,6 +11,7 @@
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_validator.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {

@@ -9,6 +9,7 @@
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_validator.hpp"
 #include "recorded_streams.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "oni_bytes.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {

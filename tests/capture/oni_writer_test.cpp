@@ -13,6 +13,7 @@
 #include "lockbox/capture/oni_validator.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 #include "text_file.hpp"
 
 namespace lockbox {

@@ -16,6 +16,7 @@
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 #include "text_file.hpp"
 
 namespace lockbox {

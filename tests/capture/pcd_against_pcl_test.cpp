@@ -17,6 +17,7 @@
 #include "lockbox/core/error.hpp"
 #include "pcd_reader.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 #include "text_file.hpp"
 
 namespace lockbox {

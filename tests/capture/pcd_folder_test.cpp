@@ -10,6 +10,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {

@@ -10,6 +10,7 @@
 #include "lockbox/capture/pcd_folder.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
+#include "temporary_folder.hpp"
 #include "text_file.hpp"
 
 namespace lockbox {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth frames whose every pixel follows from the frame's number, and folders to put files in.
+// Depth frames whose every pixel follows from the frame's number.
 #pragma once
 
-#include <stdlib.h>
-
 #include <cstdint>
-#include <filesystem>
-#include <string>
 
 #include "lockbox/core/depth_frame.hpp"
 
@@ -44,23 +40,5 @@ inline DepthFrame synthetic_frame(std::uint64_t number,
   }
   return frame;
 }
-
-/// A folder that vanishes with its contents.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "capture-test-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace lockbox

@@ -3,10 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "lockbox/core/error.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -24,12 +22,12 @@ TEST(FindComponent, NamesWhatIsMissingAndWhere) {
 }
 
 TEST(FindSymbol, SaysWhyALibraryCannotBeLoaded) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "lockbox_no_library.so";
-  std::ofstream(file) << "this is not a library, but a text that is long enough to be looked at";
+  const TemporaryFolder folder;
+  const auto file = folder.write(
+      "no_library.so", "this is not a library, but a text that is long enough to be looked at");
   EXPECT_THAT(
       [&] { find_symbol(file, "anything"); },
       ThrowsMessage<InputError>(AllOf(HasSubstr(file.string()), HasSubstr("cannot be loaded"))));
-  std::filesystem::remove(file);
 }
 
 }  // namespace

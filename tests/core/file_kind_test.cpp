@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fstream>
+
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -13,11 +14,8 @@ constexpr std::array kKinds{FileKind{"NI10", ".oni ", "a recording", "play it"},
                             FileKind{"", ".txt .yaml ", "a text", "read it"}};
 
 const FileKind* kind_of(const std::string& name, const std::string& bytes) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / name;
-  std::ofstream(file, std::ios::binary) << bytes;
-  const FileKind* const kind = find_kind(file, kKinds);
-  std::filesystem::remove(file);
-  return kind;
+  const TemporaryFolder folder;
+  return find_kind(folder.write(name, bytes), kKinds);
 }
 
 TEST(FileKind, FirstBytesTellMoreThanTheName) {

@@ -2,7 +2,6 @@
 // The example programs as PCL's users run them: an ICP, and the registration in its place.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -15,6 +14,7 @@
 #include "lockbox/core/lie.hpp"
 #include "lockbox/registration/articulated_sdf_registration.hpp"
 #include "lockbox/simulation/simulator.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -29,12 +29,6 @@ struct Printed {
 
 class PclExamplesTest : public ::testing::Test {
  protected:
-  PclExamplesTest()
-      : folder(fs::temp_directory_path() / ("pcl_examples_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder);
-  }
-  ~PclExamplesTest() override { fs::remove_all(folder); }
-
   /// Files of a shipped model in the pose of its YAML file, before a wall.
   void make_files(const std::string& name, const std::map<std::string, double>& joints) {
     urdf = fs::path(LOCKBOX_MODELS) / name / (name + ".urdf");
@@ -77,7 +71,7 @@ class PclExamplesTest : public ::testing::Test {
     return log_se3(truth.T_camera_base.inverse() * printed.T_camera_model);
   }
 
-  const fs::path folder;
+  const TemporaryFolder folder;
   fs::path urdf;
   fs::path scan;
   fs::path model_cloud;

@@ -7,21 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "temporary_folder.hpp"
+
 namespace lockbox {
-
-/// A folder that is empty at first and removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 struct ToolResult {
   int status;  ///< exit status; -signal if a signal ended it

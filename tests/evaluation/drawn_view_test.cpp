@@ -3,12 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "lockbox/registration/collision_term.hpp"
 #include "lockbox/simulation/model_visibility.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -16,8 +15,8 @@ namespace {
 const PinholeCamera kDrawnCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
 
 ArticulatedModel loaded(const ObjectDraft& draft) {
-  const auto file = std::filesystem::path(testing::TempDir()) / (draft.name + ".urdf");
-  std::ofstream(file) << urdf_text(draft);
+  const TemporaryFolder folder;
+  const auto file = folder.write(draft.name + ".urdf", urdf_text(draft));
   LoadOptions options;
   options.cache_directory = LOCKBOX_CACHE;
   return load_model(file, options);

@@ -10,6 +10,7 @@
 #include "lockbox/mesh/primitives.hpp"
 #include "lockbox/model/symmetry.hpp"
 #include "rigid_model.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -58,7 +59,8 @@ TEST(Symmetries, VanishWithASmallKnob) {
 }
 
 TEST(GlobalResults, ComeBackAsTheyWereWritten) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "global_results.csv";
+  const TemporaryFolder folder;
+  const auto file = folder / "global_results.csv";
   GlobalResult result;
   result.scene = 12;
   result.placement = Placement::on_wall;
@@ -78,14 +80,16 @@ TEST(GlobalResults, ComeBackAsTheyWereWritten) {
 }
 
 TEST(GlobalResults, LeaveOutARowThatWasCutOff) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "global_cut_off.csv";
+  const TemporaryFolder folder;
+  const auto file = folder / "global_cut_off.csv";
   write_global_results(file, {GlobalResult{}});
   std::ofstream(file, std::ios::app) << "13,free,0,0.5";
   EXPECT_EQ(read_global_results(file).size(), 1U);
 }
 
 TEST(GlobalResults, NameTheLineThatIsWrong) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "global_wrong.csv";
+  const TemporaryFolder folder;
+  const auto file = folder / "global_wrong.csv";
   write_global_results(file, {GlobalResult{}});
   std::ofstream(file, std::ios::app) << "13,nowhere\n";
   EXPECT_THROW(read_global_results(file), InputError);

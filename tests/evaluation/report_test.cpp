@@ -14,6 +14,7 @@
 #include "lockbox/evaluation/bounds_file.hpp"
 #include "lockbox/evaluation/figure.hpp"
 #include "slider_and_dial.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -27,12 +28,7 @@ std::string content(const fs::path& file) {
 
 class Report : public testing::Test {
  protected:
-  Report() {
-    std::string pattern = (fs::temp_directory_path() / "lockbox report's XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder_ = pattern;
-  }
-  ~Report() override { fs::remove_all(folder_); }
+  Report() { fs::create_directory(folder_); }
 
   /// Two frames: the base 3 mm and the slider 5 mm off, then nothing known.
   Evaluation evaluation() const {
@@ -53,7 +49,8 @@ class Report : public testing::Test {
   }
 
   KinematicTree tree_ = slider_and_dial();
-  fs::path folder_;
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_ / "report's folder";  // a name to be quoted
 };
 
 TEST_F(Report, SummarizesAsJson) {

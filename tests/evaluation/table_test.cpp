@@ -7,21 +7,23 @@
 #include <fstream>
 
 #include "lockbox/core/error.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
 
 const std::vector<std::string> kColumns = {"name", "value"};
 
-std::filesystem::path temporary(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / name;
-}
+class TableFile : public testing::Test {
+ protected:
+  const TemporaryFolder folder_;
+};
 
-TEST(Table, ComesBackAsItWasWritten) {
+TEST_F(TableFile, ComesBackAsItWasWritten) {
   Table table(kColumns);
   table.add({"a", 0.1});
   table.add({"b", std::nan("")});
-  const auto file = temporary("table.csv");
+  const auto file = folder_ / "table.csv";
   write_table(file, table);
   const Table read = read_table(file, kColumns);
   ASSERT_EQ(read.rows().size(), 2U);
@@ -30,8 +32,8 @@ TEST(Table, ComesBackAsItWasWritten) {
   EXPECT_TRUE(std::isnan(read.number(read.rows()[1], "value")));
 }
 
-TEST(Table, GrowsRowByRow) {
-  const auto file = temporary("growing_table.csv");
+TEST_F(TableFile, GrowsRowByRow) {
+  const auto file = folder_ / "growing_table.csv";
   write_table(file, Table(kColumns));
   append_row(file, {"a", 1});
   append_row(file, {"b", 2});
@@ -40,22 +42,22 @@ TEST(Table, GrowsRowByRow) {
   EXPECT_EQ(read.number(read.rows()[1], "value"), 2.0);
 }
 
-TEST(Table, LeavesOutARowThatWasCutOff) {
-  const auto file = temporary("cut_off_table.csv");
+TEST_F(TableFile, LeavesOutARowThatWasCutOff) {
+  const auto file = folder_ / "cut_off_table.csv";
   write_table(file, Table(kColumns));
   append_row(file, {"a", 1});
   std::ofstream(file, std::ios::app) << "b,1";
   EXPECT_EQ(read_table(file, kColumns).rows().size(), 1U);
 }
 
-TEST(Table, RefusesOtherColumns) {
-  const auto file = temporary("other_table.csv");
+TEST_F(TableFile, RefusesOtherColumns) {
+  const auto file = folder_ / "other_table.csv";
   write_table(file, Table({"name", "size"}));
   EXPECT_THROW(read_table(file, kColumns), InputError);
 }
 
-TEST(Table, NamesTheLineWithTooManyFields) {
-  const auto file = temporary("wide_table.csv");
+TEST_F(TableFile, NamesTheLineWithTooManyFields) {
+  const auto file = folder_ / "wide_table.csv";
   write_table(file, Table(kColumns));
   append_row(file, {"a", 1, 2});
   try {

@@ -4,9 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "lockbox/core/error.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -16,16 +15,10 @@ using testing::ThrowsMessage;
 
 class TumTrajectory : public testing::Test {
  protected:
-  void SetUp() override {
-    file_ = std::filesystem::path(testing::TempDir()) /
-            (std::string("tum-") + testing::UnitTest::GetInstance()->current_test_info()->name() +
-             ".txt");
-  }
-  void TearDown() override { std::filesystem::remove(file_); }
+  void write(const std::string& text) const { folder_.write("trajectory.txt", text); }
 
-  void write(const std::string& text) const { std::ofstream(file_) << text; }
-
-  std::filesystem::path file_;
+  const TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "trajectory.txt";
 };
 
 TEST_F(TumTrajectory, FilesOfTheDataSetsAreRead) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dialects.hpp"
 #include "mesh_files.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {

@@ -72,7 +72,7 @@ TEST_F(LoadKinematicTree, MergesFixedJointsIntoOneBody) {
 }
 
 TEST_F(LoadKinematicTree, PlacesPrimitivesAndMeshesWithOriginAndScale) {
-  write("meshes/part.obj", kTetrahedron);
+  folder_.write("meshes/part.obj", kTetrahedron);
   const KinematicTree tree = load_robot(link(
       "base",
       "<visual><origin xyz=\"0 0 5\"/><geometry><cylinder radius=\"0.5\" length=\"2\"/></geometry>"
@@ -114,12 +114,12 @@ TEST_F(LoadKinematicTree, FindsMeshesInPackagesFoldersAboveAndByAddress) {
         "<robot name=\"r\">" +
         link("base", "<visual><geometry><mesh filename=\"" + address + "\"/></geometry></visual>") +
         "</robot>";
-    return load_kinematic_tree(write("box/urdf/model.urdf", text), options)
+    return load_kinematic_tree(folder_.write("box/urdf/model.urdf", text), options)
                .bodies[0]
                .mesh.triangles.size() == 4;
   };
-  const auto above = write("box/meshes/above.obj", kTetrahedron);
-  write("elsewhere/other/meshes/far.obj", kTetrahedron);
+  const auto above = folder_.write("box/meshes/above.obj", kTetrahedron);
+  folder_.write("elsewhere/other/meshes/far.obj", kTetrahedron);
   EXPECT_TRUE(loads("package://box/meshes/above.obj"));
   EXPECT_TRUE(loads("meshes/above.obj"));
   EXPECT_TRUE(loads("../meshes/above.obj"));
@@ -139,14 +139,14 @@ TEST_F(LoadKinematicTree, FindsMeshesInPackagesFoldersAboveAndByAddress) {
 
 /// Where packages of ROS 2 and of colcon's workspaces are installed.
 TEST_F(LoadKinematicTree, FindsMeshesOfInstalledPackages) {
-  write("prefix/share/shelf/meshes/part.obj", kTetrahedron);
-  const auto urdf =
-      write("model/model.urdf",
-            "<robot name=\"r\">" +
-                link("a",
-                     "<visual><geometry><mesh filename=\"package://shelf/meshes/part.obj\"/>"
-                     "</geometry></visual>") +
-                "</robot>");
+  folder_.write("prefix/share/shelf/meshes/part.obj", kTetrahedron);
+  const auto urdf = folder_.write(
+      "model/model.urdf",
+      "<robot name=\"r\">" +
+          link("a",
+               "<visual><geometry><mesh filename=\"package://shelf/meshes/part.obj\"/>"
+               "</geometry></visual>") +
+          "</robot>");
   EXPECT_THROW(load_kinematic_tree(urdf), InputError);
   const std::string prefixes = "/opt/nowhere::" + (folder_ / "prefix").string();
   for (const char* variable : {"AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "CMAKE_PREFIX_PATH"}) {
@@ -158,16 +158,16 @@ TEST_F(LoadKinematicTree, FindsMeshesOfInstalledPackages) {
 
 /// A clone is often called otherwise than the package in it.
 TEST_F(LoadKinematicTree, FindsPackagesByTheirManifest) {
-  write("shelf-main/meshes/part.obj", kTetrahedron);
-  write("shelf-main/package.xml",
-        "<?xml version=\"1.0\"?><package format=\"3\"><name>shelf</name></package>");
-  const auto urdf =
-      write("shelf-main/urdf/model.urdf",
-            "<robot name=\"r\">" +
-                link("a",
-                     "<visual><geometry><mesh filename=\"package://shelf/meshes/part.obj\"/>"
-                     "</geometry></visual>") +
-                "</robot>");
+  folder_.write("shelf-main/meshes/part.obj", kTetrahedron);
+  folder_.write("shelf-main/package.xml",
+                "<?xml version=\"1.0\"?><package format=\"3\"><name>shelf</name></package>");
+  const auto urdf = folder_.write(
+      "shelf-main/urdf/model.urdf",
+      "<robot name=\"r\">" +
+          link("a",
+               "<visual><geometry><mesh filename=\"package://shelf/meshes/part.obj\"/>"
+               "</geometry></visual>") +
+          "</robot>");
   EXPECT_EQ(load_kinematic_tree(urdf).bodies[0].mesh.triangles.size(), 4U);
 }
 
@@ -275,7 +275,7 @@ TEST_F(LoadKinematicTree, IsNotStoppedByColours) {
 }
 
 TEST_F(LoadKinematicTree, TakesAMeshFileForASingleBody) {
-  const KinematicTree tree = load_kinematic_tree(write("part.OBJ", kTetrahedron));
+  const KinematicTree tree = load_kinematic_tree(folder_.write("part.OBJ", kTetrahedron));
   ASSERT_EQ(tree.bodies.size(), 1U);
   EXPECT_EQ(tree.name, "part");
   EXPECT_THAT(tree.bodies[0].links, ElementsAre("part"));

@@ -8,6 +8,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "model_fields.hpp"
+#include "temporary_folder.hpp"
 #include "urdf_test.hpp"
 
 namespace lockbox {
@@ -17,11 +18,11 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 /// A door with a knob fixed to it, and a bolt, on a frame; and the YAML file beside it.
-class LoadModelTest : public WithTemporaryFolder {
+class LoadModelTest : public testing::Test {
  protected:
   ArticulatedModel load(const std::string& yaml, std::string* warnings = nullptr) const {
-    write("door.yaml", yaml);
-    const auto urdf = write(
+    folder_.write("door.yaml", yaml);
+    const auto urdf = folder_.write(
         "door.urdf", "<robot name=\"r\">" + link("frame") + link("door", box("0.1 0.1 0.02")) +
                          link("knob", box("0.02 0.02 0.04")) + link("bolt", box("0.04 0.02 0.02")) +
                          joint("hinge", "revolute", "frame", "door", kLimit) +
@@ -42,6 +43,8 @@ class LoadModelTest : public WithTemporaryFolder {
   std::string refusal(const std::string& yaml) const {
     return message_of<InputError>([&] { load(yaml); });
   }
+
+  const TemporaryFolder folder_;
 };
 
 TEST_F(LoadModelTest, BuildsOneFieldForEachBodyWithGeometry) {
@@ -88,7 +91,7 @@ std::string torus_obj(double knob) {
 
 /// But its field, and what is shown of it, are those of all its triangles.
 TEST_F(LoadModelTest, DrawsABodyOfManyTrianglesByFewer) {
-  const auto file = write("torus.obj", torus_obj(0.0));
+  const auto file = folder_.write("torus.obj", torus_obj(0.0));
   LoadOptions options;
   options.cache_directory = folder_ / "cache";
   const ArticulatedModel model = load_model(file, options);
@@ -109,7 +112,7 @@ TEST_F(LoadModelTest, DrawsSmallPartsOfABodyOfManyTriangles) {
   constexpr double kKnob = 0.006;  // metres high
   LoadOptions options;
   options.cache_directory = folder_ / "cache";
-  const ArticulatedModel model = load_model(write("knob.obj", torus_obj(kKnob)), options);
+  const ArticulatedModel model = load_model(folder_.write("knob.obj", torus_obj(kKnob)), options);
   const TriangleMesh& drawn = model.tree.bodies.front().mesh;
   EXPECT_LT(drawn.triangles.size(), 10000U);
   EXPECT_NEAR(bounds(drawn).max().z(), kTube + kKnob, model.fields.front()->voxel());
@@ -193,19 +196,20 @@ TEST_F(LoadModelTest, RefusesVoxelsAboveHalfTheThinnestWallByLink) {
 }
 
 TEST_F(LoadModelTest, RefusesOpenMeshesByLink) {
-  write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
-  const auto urdf = write("open.urdf", "<robot name=\"r\">" +
-                                           link("shell",
-                                                "<visual><geometry><mesh filename=\"open.obj\"/>"
-                                                "</geometry></visual>") +
-                                           "</robot>");
+  folder_.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+  const auto urdf =
+      folder_.write("open.urdf", "<robot name=\"r\">" +
+                                     link("shell",
+                                          "<visual><geometry><mesh filename=\"open.obj\"/>"
+                                          "</geometry></visual>") +
+                                     "</robot>");
   EXPECT_THAT(message_of<InputError>([&] { load_model(urdf); }), HasSubstr("link 'shell'"));
 }
 
 TEST_F(LoadModelTest, RefusesRobotsOfWhichNothingCanBeSeen) {
-  const auto urdf =
-      write("frames.urdf", "<robot name=\"r\">" + link("frame") + link("tip") +
-                               joint("slide", "prismatic", "frame", "tip", kLimit) + "</robot>");
+  const auto urdf = folder_.write(
+      "frames.urdf", "<robot name=\"r\">" + link("frame") + link("tip") +
+                         joint("slide", "prismatic", "frame", "tip", kLimit) + "</robot>");
   EXPECT_THAT(message_of<InputError>([&] { load_model(urdf); }),
               AllOf(HasSubstr("frames.urdf"), HasSubstr("<visual>")));
 }

@@ -8,6 +8,7 @@
 
 #include "chains.hpp"
 #include "lockbox/core/error.hpp"
+#include "message_of.hpp"
 #include "temporary_folder.hpp"
 
 namespace lockbox {
@@ -19,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr const char* kHeader = "timestamp,tx,ty,tz,qx,qy,qz,qw,joint0,joint1\n";
 
-class StatesFileTest : public WithTemporaryFolder {
+class StatesFileTest : public testing::Test {
  protected:
   StatesFileTest() {
     add_joint(tree_, 0, JointType::revolute, Eigen::Isometry3d::Identity(),
@@ -29,13 +30,14 @@ class StatesFileTest : public WithTemporaryFolder {
   }
 
   StatesFile read(const std::string& text) const {
-    return read_states(write("states.csv", text), tree_);
+    return read_states(folder_.write("states.csv", text), tree_);
   }
 
   std::string refusal(const std::string& text) const {
     return message_of<InputError>([&] { read(text); });
   }
 
+  const TemporaryFolder folder_;
   KinematicTree tree_;
 };
 
@@ -146,7 +148,7 @@ TEST_F(StatesFileTest, RefusesBadValuesWithLineAndColumn) {
 TEST_F(StatesFileTest, RefusesWhatIsNotAFile) {
   EXPECT_THAT(message_of<InputError>([&] { read_states(folder_ / "none.csv", tree_); }),
               EndsWith("none.csv: no such file"));
-  EXPECT_THAT(message_of<InputError>([&] { read_states(folder_, tree_); }),
+  EXPECT_THAT(message_of<InputError>([&] { read_states(folder_.path(), tree_); }),
               EndsWith("is a folder; give the file in it"));
   EXPECT_THAT(message_of<InputError>([&] { write_states(folder_ / "a/b.csv", tree_, {}); }),
               HasSubstr("b.csv: cannot be written"));

@@ -35,8 +35,8 @@ class Units : public UrdfTest {
   /// A tetrahedron that is so large, in numbers of the file.
   std::filesystem::path mesh_of(double size) const {
     const std::string x = std::to_string(size);
-    return write("part.obj", "v 0 0 0\nv " + x + " 0 0\nv 0 " + x + " 0\nv 0 0 " + x +
-                                 "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    return folder_.write("part.obj", "v 0 0 0\nv " + x + " 0 0\nv 0 " + x + " 0\nv 0 0 " + x +
+                                         "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   }
   static std::string mesh_link(const std::string& name, const std::string& scale = "") {
     const std::string attribute = scale.empty() ? "" : " scale=\"" + scale + "\"";
@@ -90,7 +90,7 @@ TEST_F(Units, OfABareMeshFarFromItsOriginAreToldWithoutWordsOfAUrdf) {
   for (const char* place : {"9 0 0", "9.2 0 0", "9 0.2 0", "9 0 0.2"}) {
     vertices += std::string("v ") + place + "\n";
   }
-  const auto file = write("far.obj", vertices + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const auto file = folder_.write("far.obj", vertices + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   EXPECT_THAT(warnings_of_mesh(file, 1.0), AllOf(HasSubstr("the mesh lies 9.1 m away"),
                                                  HasSubstr("its origin"), Not(HasSubstr("<"))));
 }

@@ -43,17 +43,18 @@ TEST_F(UrdfRefusals, FilesOfOtherKindsWithWhatTheyAreAndWhatToDo) {
       {"a.sdf", "<?xml version=\"1.0\"?>\n<sdf version=\"1.6\"/>", "an SDF model", "URDF"},
       {"a.xml", "<mujoco/>", "MuJoCo", "URDF"}};
   for (const auto& [name, content, what, advice] : files) {
-    EXPECT_THAT(message_of<InputError>(
-                    [&, &file = name, &text = content] { load_kinematic_tree(write(file, text)); }),
+    EXPECT_THAT(message_of<InputError>([&, &file = name, &text = content] {
+                  load_kinematic_tree(folder_.write(file, text));
+                }),
                 AllOf(HasSubstr(name), HasSubstr(what), HasSubstr(advice)));
   }
   const std::string robot = "<robot name=\"r\">" + link("a") + "</robot>";
-  EXPECT_EQ(load_kinematic_tree(write("robot.txt", robot)).bodies.size(), 1U)
+  EXPECT_EQ(load_kinematic_tree(folder_.write("robot.txt", robot)).bodies.size(), 1U)
       << "whatever its name";
 }
 
 TEST_F(UrdfRefusals, FilesTooLargeForTheMemory) {
-  const auto file = write("large.urdf", "<robot name=\"r\">");
+  const auto file = folder_.write("large.urdf", "<robot name=\"r\">");
   std::filesystem::resize_file(file, 600'000'000);  // takes no space on the disk
   EXPECT_THAT(message_of<InputError>([&] { load_kinematic_tree(file); }), HasSubstr("512 MB"));
 }
@@ -67,9 +68,9 @@ TEST_F(UrdfRefusals, EveryTruncationOfAFile) {
 }
 
 TEST_F(UrdfRefusals, MacrosWithTheHintToExpandThem) {
-  EXPECT_THAT(
-      message_of<InputError>([&] { load_kinematic_tree(write("door.urdf.xacro", "<robot/>")); }),
-      EndsWith("xacro door.urdf.xacro > door.urdf"));
+  EXPECT_THAT(message_of<InputError>(
+                  [&] { load_kinematic_tree(folder_.write("door.urdf.xacro", "<robot/>")); }),
+              EndsWith("xacro door.urdf.xacro > door.urdf"));
   EXPECT_THAT(refusal_of_robot(link("a") + "<xacro:door name=\"d\"/>"),
               AllOf(HasSubstr("model.urdf:3"), HasSubstr("expand the file first")));
 }
@@ -190,11 +191,11 @@ TEST_F(VisualRefusals, ShapesThatAreMissingUnknownOrEmpty) {
 TEST_F(VisualRefusals, MeshesThatCannotBeReadNamingTheLink) {
   EXPECT_THAT(refusal_of_shape("<mesh filename=\"none.obj\"/>"),
               AllOf(HasSubstr("model.urdf:2: link 'a': none.obj: no such mesh file"),
-                    HasSubstr(folder_.string())));
+                    HasSubstr(folder_.path().string())));
   EXPECT_THAT(refusal_of_shape("<mesh filename=\"http://x/y.obj\"/>"), HasSubstr("only file://"));
   EXPECT_THAT(refusal_of_shape("<mesh filename=\"package://\"/>"), HasSubstr("names no file"));
   EXPECT_THAT(refusal_of_shape("<mesh filename=\"x.obj\" scale=\"1 0 1\"/>"), HasSubstr("'scale'"));
-  write("bad.obj", "v 0 0 0\nf 1 2 3\n");
+  folder_.write("bad.obj", "v 0 0 0\nf 1 2 3\n");
   EXPECT_THAT(refusal_of_shape("<mesh filename=\"bad.obj\"/>"),
               AllOf(HasSubstr("link 'a'"), HasSubstr("bad.obj")));
 }
@@ -203,15 +204,16 @@ TEST_F(VisualRefusals, MeshesThatCannotBeReadNamingTheLink) {
 TEST_F(VisualRefusals, AddressesThatLeaveTheirPackage) {
   const std::string solid =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-  write("secret.obj", solid);
-  write("p/a/part.obj", solid);
-  write("p/b/part.obj", solid);
+  folder_.write("secret.obj", solid);
+  folder_.write("p/a/part.obj", solid);
+  folder_.write("p/b/part.obj", solid);
   std::filesystem::create_directory(folder_ / "p/a/x");
   const auto refusal_of_address = [&](const std::string& address) {
-    const auto urdf = write("p/m.urdf", "<robot name=\"r\">" +
-                                            link("a", "<visual><geometry><mesh filename=\"" +
-                                                          address + "\"/></geometry></visual>") +
-                                            "</robot>");
+    const auto urdf =
+        folder_.write("p/m.urdf", "<robot name=\"r\">" +
+                                      link("a", "<visual><geometry><mesh filename=\"" + address +
+                                                    "\"/></geometry></visual>") +
+                                      "</robot>");
     return message_of<InputError>([&] { load_kinematic_tree(urdf); });
   };
   const std::string absolute = (folder_ / "secret.obj").string();
@@ -246,7 +248,7 @@ TEST_F(UrdfRefusals, NameTheMissingPackageAndEachSearchedFolderOnce) {
   EXPECT_THAT(missing,
               AllOf(HasSubstr("the package 'arms' is missing"), HasSubstr("--package-path")));
   EXPECT_EQ(count_of((folder_ / "packages").string(), missing), 1U);
-  write("packages/arms/b.obj", "");
+  folder_.write("packages/arms/b.obj", "");
   EXPECT_THAT(refused(), AllOf(HasSubstr("no such mesh file in the package 'arms'"),
                                HasSubstr((folder_ / "packages/arms").string())));
 }

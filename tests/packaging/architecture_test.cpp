@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares every #include under modules/ and apps/ with the tables of docs/architecture.md.
+// Compares every #include under modules/ and apps/ with the tables of docs/architecture.md, and
+// finds tests that would write where another test does.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -183,6 +184,23 @@ TEST(Architecture, EveryHeaderIsOwnOrKnown) {
     EXPECT_TRUE(is_own || is_of_the_platform(include.header) ||
                 !library_of(architecture, include.header).empty())
         << place(include) << ", which no table of docs/architecture.md names";
+  }
+}
+
+TEST(Tests, KeepTheirFilesInTemporaryFolders) {
+  static const std::regex shared_place(R"(.*(TempDir|temp_directory_path|mkdtemp|tmpnam)\s*\(.*)");
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "tests")) {
+    const auto extension = entry.path().extension();
+    if (extension != ".hpp" && extension != ".cpp") continue;
+    if (entry.path().filename() == "temporary_folder.hpp") continue;
+    std::ifstream file(entry.path());
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+      ++number;
+      EXPECT_FALSE(std::regex_match(line, shared_place))
+          << entry.path().string() << ':' << number << " uses what is shared by tests that run at "
+          << "once; take a TemporaryFolder of tests/temporary_folder.hpp";
+    }
   }
 }
 

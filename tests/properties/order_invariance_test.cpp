@@ -12,6 +12,7 @@
 #include "lockbox/registration/articulated_registration.hpp"
 #include "model/urdf_test.hpp"
 #include "registration/mechanism.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -185,9 +186,8 @@ TEST(OrderInvariance, OtherNamesOfLinksChangeNothingButRounding) {
   }
 }
 
-using OrderOfFiles = WithTemporaryFolder;
-
-TEST_F(OrderOfFiles, MeshesUnderOtherNamesInOtherPlacesGiveTheSameBits) {
+TEST(OrderOfFiles, MeshesUnderOtherNamesInOtherPlacesGiveTheSameBits) {
+  const TemporaryFolder folder;
   const ArticulatedModel& reference = shipped("lockbox");
   std::ifstream original(shipped_file("lockbox"));
   std::string text((std::istreambuf_iterator<char>(original)), {});
@@ -202,10 +202,10 @@ TEST_F(OrderOfFiles, MeshesUnderOtherNamesInOtherPlacesGiveTheSameBits) {
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const std::string other = "part_" + std::to_string(i) + ".obj";
     const std::string own = "meshes/" + meshes[i].filename().string();
-    std::filesystem::copy_file(meshes[i], folder_ / other);
+    std::filesystem::copy_file(meshes[i], folder / other);
     text.replace(text.find(own), own.size(), other);
   }
-  const ArticulatedModel moved = load_model(write("lockbox.urdf", text), with_cache());
+  const ArticulatedModel moved = load_model(folder.write("lockbox.urdf", text), with_cache());
   expect_same_bits(moved.tree, reference.tree);
   for (std::size_t b = 0; b < moved.fields.size(); ++b) {
     EXPECT_EQ(moved.fields[b]->storage().samples, reference.fields[b]->storage().samples);

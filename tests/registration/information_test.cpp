@@ -2,15 +2,13 @@
 // What does a view determine? The facets and voxels of a round part without marks must not be taken
 // for an angle.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "mechanism.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -19,25 +17,21 @@ constexpr int kDial = 6;  ///< its unknown
 
 /// A disk on a plate, with a handle or without.
 ArticulatedModel dial(const std::string& handle) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("lockbox_dial_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "dial.urdf") << R"(<robot name="dial">
+  const TemporaryFolder folder;
+  const auto file = folder.write("dial.urdf", R"(<robot name="dial">
   <link name="plate"><visual><geometry><box size="0.4 0.3 0.02"/></geometry></visual></link>
   <link name="disk">
-    <visual><geometry><cylinder radius="0.08" length="0.03"/></geometry></visual>)"
-                                      << handle << R"(
+    <visual><geometry><cylinder radius="0.08" length="0.03"/></geometry></visual>)" +
+                                                  handle + R"(
   </link>
   <joint name="dial" type="continuous">
     <parent link="plate"/><child link="disk"/><origin xyz="0.03 0.02 0.025"/><axis xyz="0 0 1"/>
   </joint>
 </robot>
-)";
+)");
   LoadOptions options;
   options.cache_directory = std::filesystem::path();
-  ArticulatedModel model = load_model(folder / "dial.urdf", options);
-  std::filesystem::remove_all(folder);
-  return model;
+  return load_model(file, options);
 }
 
 Configuration seen_from_front(const ArticulatedModel& model) {

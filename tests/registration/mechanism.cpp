@@ -2,26 +2,15 @@
 #include "mechanism.hpp"
 
 #include "lockbox/core/lie.hpp"
-
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
 
-std::filesystem::path write_urdf(const std::vector<std::string>& elements) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("lockbox_mechanism_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  std::ofstream file(folder / "mechanism.urdf");
-  file << "<robot name=\"mechanism\">\n";
-  for (const std::string& element : elements) {
-    file << element << '\n';
-  }
-  file << "</robot>\n";
-  return folder / "mechanism.urdf";
+std::string robot_text(const std::vector<std::string>& elements) {
+  std::string text = "<robot name=\"mechanism\">\n";
+  for (const std::string& element : elements) text += element + '\n';
+  return text + "</robot>\n";
 }
 
 }  // namespace
@@ -59,10 +48,8 @@ std::vector<std::string> mechanism_elements() {
 
 ArticulatedModel load_mechanism(const std::vector<std::string>& elements,
                                 const LoadOptions& options) {
-  const auto file = write_urdf(elements);
-  ArticulatedModel loaded = load_model(file, options);
-  std::filesystem::remove_all(file.parent_path());
-  return loaded;
+  const TemporaryFolder folder;
+  return load_model(folder.write("mechanism.urdf", robot_text(elements)), options);
 }
 
 const ArticulatedModel& mechanism() {

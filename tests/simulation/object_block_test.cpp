@@ -4,20 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/simulation/model_bounds.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
 
 KinematicTree loaded(const ObjectDraft& draft) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / (draft.name + ".urdf");
-  std::ofstream(file) << urdf_text(draft);
+  const TemporaryFolder folder;
+  const auto file = folder.write(draft.name + ".urdf", urdf_text(draft));
   return load_kinematic_tree(file);
 }
 

@@ -4,19 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "lockbox/core/error.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 
-/// A YAML file of the running test, removed after it.
+/// A YAML file of the running test.
 class WrittenFile : public ::testing::Test {
  protected:
   std::filesystem::path write(const std::string& text) const {
-    std::ofstream(file_) << text;
-    return file_;
+    return folder_.write("written.yaml", text);
   }
 
   /// What reading the text says, by read(file); empty if it is accepted.
@@ -30,11 +29,7 @@ class WrittenFile : public ::testing::Test {
     }
   }
 
-  void TearDown() override { std::filesystem::remove(file_); }
-
-  std::filesystem::path file_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".yaml");
+  const TemporaryFolder folder_;
 };
 
 }  // namespace lockbox

@@ -4,6 +4,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/visualization/rgb_image.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -12,7 +13,8 @@ TEST(WritePng, IsReadBackByteForByte) {
   RgbImage image(5, 3);
   for (std::size_t i = 0; i < image.rgb.size(); ++i)
     image.rgb[i] = static_cast<std::uint8_t>(5 * i);
-  const auto file = std::filesystem::path(testing::TempDir()) / "lockbox_write_png_test.png";
+  const TemporaryFolder folder;
+  const auto file = folder / "picture.png";
   write_png(file, image);
 
   png_image header = {};
@@ -24,7 +26,6 @@ TEST(WritePng, IsReadBackByteForByte) {
   std::vector<std::uint8_t> read(PNG_IMAGE_SIZE(header));
   ASSERT_NE(png_image_finish_read(&header, nullptr, read.data(), 0, nullptr), 0) << header.message;
   EXPECT_EQ(read, image.rgb);
-  std::filesystem::remove(file);
 }
 
 TEST(WritePng, NamesTheFileThatCannotBeWritten) {
