@@ -90,6 +90,22 @@ TEST(ExecutorTest, TakesNoMoreThreadsThanTheMachineHasUseFor) {
   EXPECT_EQ(visits.load(), 1000);
 }
 
+TEST(ExecutorTest, AsManyThreadsWorkAsWereAskedForWhateverOthersAskedFor) {
+  testing::internal::CaptureStderr();
+  Executor(2).for_each(2, [](std::size_t) {});
+  constexpr std::size_t kThreads = 6;
+  std::atomic<std::size_t> arrived{0};
+  std::atomic<bool> all_came{false};
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  Executor(kThreads).for_each(kThreads, [&](std::size_t) {
+    if (++arrived == kThreads) all_came = true;
+    while (!all_came && std::chrono::steady_clock::now() < give_up) std::this_thread::yield();
+  });
+  EXPECT_TRUE(all_came) << arrived << " threads came";
+  EXPECT_LE(Executor().threads(), static_cast<int>(std::thread::hardware_concurrency()));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(ExecutorTest, LoopsSeeWhatWasWrittenBeforeThem) {
   // Without atomics: also what ThreadSanitizer judges the loop by.
   const Executor executor(4);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/core/parallel.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
+#include <mutex>
 #include <numeric>
 #include <thread>
 
@@ -32,6 +35,20 @@ int most_threads() {
   return std::max(kPerCore * cores, kOnSmallMachines);
 }
 
+/// Whoever asks for more threads than cores gets them: TBB would hold all groups together to what
+/// the first one wanted, and say so on standard error. Where nobody asks there are no more than
+/// cores, so that groups of low priority leave them to others.
+void allow_threads(int threads) {
+  static std::mutex mutex;
+  static int allowed = static_cast<int>(std::thread::hardware_concurrency());
+  static std::unique_ptr<tbb::global_control> control;  // of several the least would count
+  const std::lock_guard lock(mutex);
+  if (threads <= allowed) return;
+  allowed = threads;
+  control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  static_cast<std::size_t>(threads));
+}
+
 }  // namespace
 
 struct Executor::Impl {
@@ -45,6 +62,7 @@ Executor::Executor(int threads, Priority priority) : impl_(std::make_shared<Impl
   constexpr unsigned kCallers = 1;
   const int taken =
       threads > 0 ? std::min(threads, most_threads()) : tbb::this_task_arena::max_concurrency();
+  allow_threads(taken);
   impl_->arena.initialize(taken, kCallers,
                           priority == Priority::low ? tbb::task_arena::priority::low
                                                     : tbb::task_arena::priority::normal);
