@@ -125,6 +125,10 @@ TEST_F(Units, OfAMeshScaledThoughItIsInMetresAreToldTheOpposite) {
   EXPECT_THAT(warnings_of(hinged(mesh_link("part", "1e-6 1e-6 1e-6"))),
               AllOf(HasSubstr("its file seems to be in millimetres (then it is 60 mm"),
                     HasSubstr("write scale=\"0.001 0.001 0.001\"")));
+  mesh_of(0.4);
+  EXPECT_THAT(refusal_of(hinged(mesh_link("part", "1000 1000 1000"))),
+              AllOf(HasSubstr("400 m large"), HasSubstr("in metres already (then it is 400 mm"),
+                    HasSubstr("leave out scale=\"1000"), Not(HasSubstr("millimetres"))));
   mesh_of(0.00006);
   EXPECT_THAT(warnings_of(hinged(mesh_link("part"))),
               AllOf(HasSubstr("60 um large"), HasSubstr("scale=\"1000 1000 1000\"")));

@@ -44,7 +44,7 @@ std::string remedy(const VisualExtent& visual, const SizeContext& context, doubl
          " for all meshes";
 }
 
-/// What the model gave, without which the mesh would be larger.
+/// What the model gave, without which the mesh would be of another size.
 std::string scale_in_force(const VisualExtent& visual, const SizeContext& context) {
   if (context.mesh_scale != 1.0) return "--mesh-scale " + factor_text(context.mesh_scale);
   return scale_text(visual, 1.0);
@@ -55,10 +55,27 @@ std::string meant(const LengthUnit& unit, const std::string& what, double number
          readable_length(unit.metres * number) + " large)";
 }
 
+/// By how much the numbers of the file were multiplied.
+double total_scale(const VisualExtent& visual, const SizeContext& context) {
+  return std::cbrt(visual.scale.cwiseAbs().prod()) * context.mesh_scale;
+}
+
+/// Where the numbers of the file are metres, so that scaling them was wrong.
+std::string advice_without_scale(const VisualExtent& visual, const SizeContext& context) {
+  const double in_file = visual.size() / total_scale(visual, context);
+  return "; its file seems to be in metres already (then it is " + readable_length(in_file) +
+         " large): leave out " + scale_in_force(visual, context);
+}
+
 }  // namespace
 
 std::string advice_on_large(const VisualExtent& visual, const SizeContext& context) {
   const std::string size = size_text(visual, context, "more than a depth camera sees");
+  constexpr double kClearlyScaled = 2.0;
+  const double scale = total_scale(visual, context);
+  if (is_mesh(visual) && scale > kClearlyScaled && is_size_of_things(visual.size() / scale)) {
+    return size + advice_without_scale(visual, context);
+  }
   const auto unit = probable_unit(visual.size(), context.usual);
   if (!unit) return size + "; lengths are in metres";
   if (!is_mesh(visual)) {
@@ -74,11 +91,10 @@ std::string advice_on_small(const VisualExtent& visual, const SizeContext& conte
   constexpr double kTwice = 1000.0;  // by which a mesh is too small that was converted twice
   const std::string size = size_text(visual, context, "less than a depth camera can tell");
   if (!is_mesh(visual)) return size + "; lengths are in metres";
-  const double scale = std::cbrt(visual.scale.cwiseAbs().prod()) * context.mesh_scale;
+  const double scale = total_scale(visual, context);
   const double in_file = visual.size() / scale;
   if (scale < kClearlyScaled && is_size_of_things(in_file)) {
-    return size + "; its file seems to be in metres already (then it is " +
-           readable_length(in_file) + " large): leave out " + scale_in_force(visual, context);
+    return size + advice_without_scale(visual, context);
   }
   if (const auto unit = probable_unit(in_file, context.usual); unit && scale < kClearlyScaled) {
     return size + "; " + meant(*unit, "its file", in_file) + ": " +
