@@ -58,6 +58,19 @@ TEST(Symmetries, VanishWithASmallKnob) {
   EXPECT_EQ(find_symmetries(rigid(mesh)).size(), 1U);
 }
 
+TEST(MirrorImage, OfABoxIsABoxAndThatOfABoxWithAKnobOnItsCornerIsNot) {
+  const auto is_own_mirror_image_with_knob = [](double x, double y) {
+    TriangleMesh mesh = make_box({0.3, 0.2, 0.1});
+    append(mesh, transformed(make_box({0.04, 0.04, 0.04}),
+                             Eigen::Isometry3d(Eigen::Translation3d(x, y, 0.06))));
+    const ArticulatedModel model = rigid(mesh);
+    return is_own_mirror_image(model, rest_configuration(model.tree));
+  };
+  EXPECT_TRUE(is_own_mirror_image_with_knob(0.0, 0.0));
+  EXPECT_TRUE(is_own_mirror_image_with_knob(0.1, 0.0));
+  EXPECT_FALSE(is_own_mirror_image_with_knob(0.1, 0.05));
+}
+
 TEST(GlobalResults, ComeBackAsTheyWereWritten) {
   const TemporaryFolder folder;
   const auto file = folder / "global_results.csv";

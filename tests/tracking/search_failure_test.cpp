@@ -129,6 +129,21 @@ TEST_F(SearchFailureTest, TheFrameIsMirrored) {
   EXPECT_THAT(said(found), HasSubstr("mirror"));
 }
 
+TEST_F(SearchFailureTest, AMirrorTellsNothingOfAModelThatLooksTheSameInIt) {
+  LoadOptions without_cache;
+  without_cache.cache_directory = std::filesystem::path();
+  const ArticulatedModel box = load_mechanism({R"(<link name="box">
+    <visual><geometry><box size="0.24 0.16 0.09"/></geometry></visual></link>)"},
+                                              without_cache);
+  frame = measured(box, mechanism_start(box), "primesense");
+  mirror();
+  SearchFailure found = search_failure(frame, box.tree, options(), nullptr);
+  TrackerOptions stated = options();
+  stated.try_other_units = false;
+  try_other_readings(frame, box, stated, Executor(1), found);
+  EXPECT_FALSE(found.is_mirrored);
+}
+
 TEST_F(SearchFailureTest, DepthsAreInAnotherUnit) {
   frame.metres_per_unit *= 5.0F;
   SearchFailure found = failure();

@@ -16,13 +16,12 @@ namespace {
 constexpr double kSamples = 3000.0;
 constexpr int kTurns = 24;  // steps of a full turn
 
-/// The surface of the model at rest, in the base's frame.
-class RestSurface {
+/// The surface of the model in the base's frame.
+class ModelSurface {
  public:
-  explicit RestSurface(const ArticulatedModel& model) : model_(model) {
-    Configuration rest = rest_configuration(model.tree);
-    rest.T_camera_base.setIdentity();
-    forward_kinematics(model.tree, rest, poses_);
+  ModelSurface(const ArticulatedModel& model, Configuration configuration) : model_(model) {
+    configuration.T_camera_base.setIdentity();
+    forward_kinematics(model.tree, configuration, poses_);
     double area = 0.0;
     for (const Body& body : model.tree.bodies) area += surface_area(body.mesh);
     for (std::size_t b = 0; b < poses_.size(); ++b) {
@@ -38,16 +37,29 @@ class RestSurface {
     }
   }
 
-  const std::vector<Eigen::Vector3d>& points() const { return points_; }
-  double resolution() const { return resolution_; }  ///< of the fields, metres
-
   /// Of the area.
   Eigen::Vector3d centre() const { return first_ / area_; }
-  Eigen::Matrix3d principal_axes() const {
+
+  /// Those of the base, and the principal ones.
+  Eigen::Matrix<double, 3, 6> axes() const {
     const Eigen::Matrix3d spread = second_ / area_ - centre() * centre().transpose();
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+    Eigen::Matrix<double, 3, 6> axes;
+    axes << Eigen::Matrix3d::Identity(),
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+    return axes;
   }
 
+  /// Whether the motion, or mirror, leaves the surface where it is. tolerance: metres.
+  template <typename Motion>
+  bool is_kept_by(const Motion& motion, double tolerance) const {
+    // Fields round edges off by a fraction of their voxel.
+    const double limit = tolerance + 0.25 * resolution_;
+    return std::all_of(points_.begin(), points_.end(), [&](const Eigen::Vector3d& p) {
+      return std::abs(distance(motion * p)) < limit;
+    });
+  }
+
+ private:
   /// To the union of the bodies, negative inside, metres.
   double distance(const Eigen::Vector3d& p) const {
     double least = std::numeric_limits<double>::infinity();
@@ -59,7 +71,6 @@ class RestSurface {
     return least;
   }
 
- private:
   /// Exact for triangles: the means over the mid-points of their sides.
   void add_moments(const TriangleMesh& mesh) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -75,7 +86,7 @@ class RestSurface {
   }
 
   const ArticulatedModel& model_;
-  double resolution_ = 0.0;
+  double resolution_ = 0.0;  // of the fields, metres
   double area_ = 0.0;
   Eigen::Vector3d first_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second_ = Eigen::Matrix3d::Zero();
@@ -83,34 +94,50 @@ class RestSurface {
   std::vector<Eigen::Vector3d> points_;
 };
 
+/// About an axis through the centre, by a number of steps.
+Eigen::Isometry3d turned(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, int turn) {
+  const double angle = 2.0 * std::numbers::pi * turn / kTurns;
+  return Eigen::Translation3d(centre) * Eigen::AngleAxisd(angle, axis) *
+         Eigen::Translation3d(-centre);
+}
+
+/// In a plane through the centre.
+Eigen::Affine3d mirrored(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal) {
+  const Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose();
+  return Eigen::Translation3d(centre) * Eigen::Affine3d(mirror) * Eigen::Translation3d(-centre);
+}
+
 }  // namespace
 
 std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model, double tolerance) {
   std::vector<Eigen::Isometry3d> symmetries{Eigen::Isometry3d::Identity()};
-  const RestSurface surface(model);
+  const ModelSurface surface(model, rest_configuration(model.tree));
   const Eigen::Vector3d centre = surface.centre();
-  // Fields round edges off by a fraction of their voxel.
-  const double limit = tolerance + 0.25 * surface.resolution();
-  Eigen::Matrix<double, 3, 6> axes;
-  axes << Eigen::Matrix3d::Identity(), surface.principal_axes();
-  for (int axis = 0; axis < axes.cols(); ++axis) {
+  const Eigen::Matrix<double, 3, 6> axes = surface.axes();
+  for (const auto& axis : axes.colwise()) {
     for (int turn = 1; turn < kTurns; ++turn) {
-      const double angle = 2.0 * std::numbers::pi * turn / kTurns;
-      const Eigen::Isometry3d motion = Eigen::Translation3d(centre) *
-                                       Eigen::AngleAxisd(angle, axes.col(axis)) *
-                                       Eigen::Translation3d(-centre);
+      const Eigen::Isometry3d motion = turned(centre, axis, turn);
       const bool known = std::any_of(symmetries.begin(), symmetries.end(), [&](const auto& other) {
         return motion.isApprox(other, 1e-3);
       });
-      if (!known && std::all_of(surface.points().begin(), surface.points().end(),
-                                [&](const Eigen::Vector3d& p) {
-                                  return std::abs(surface.distance(motion * p)) < limit;
-                                })) {
-        symmetries.push_back(motion);
-      }
+      if (!known && surface.is_kept_by(motion, tolerance)) symmetries.push_back(motion);
     }
   }
   return symmetries;
+}
+
+bool is_own_mirror_image(const ArticulatedModel& model, const Configuration& configuration,
+                         double tolerance) {
+  const ModelSurface surface(model, configuration);
+  const Eigen::Vector3d centre = surface.centre();
+  const Eigen::Matrix<double, 3, 6> axes = surface.axes();
+  for (const auto& axis : axes.colwise()) {
+    const Eigen::Affine3d mirror = mirrored(centre, axis);
+    for (int turn = 0; turn < kTurns; ++turn) {
+      if (surface.is_kept_by(turned(centre, axis, turn) * mirror, tolerance)) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace lockbox

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/symmetry.hpp"
 #include "lockbox/tracking/judgement.hpp"
 
 namespace lockbox {
@@ -116,22 +118,24 @@ void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
   Initializer initializer(model, of_search, executor);
   ArticulatedRegistration registration(model, options.registration, executor);
   TiledCloud cloud;
-  const auto is_found_in = [&](const DepthFrame& other) {
+  const auto found_in = [&](const DepthFrame& other) -> std::optional<Configuration> {
     cloud.assign(other, options.cloud, executor);
     const auto candidates = initializer.glance(cloud);
-    if (candidates.empty()) return false;
+    if (candidates.empty()) return std::nullopt;
     const RegistrationResult& found =
         registration.align(cloud, candidates.front().configuration,
                            {options.start_joint_spread, options.start_joint_iterations});
-    return judge(found, options) == TrackingStatus::tracking;
+    if (judge(found, options) != TrackingStatus::tracking) return std::nullopt;
+    return found.configuration;
   };
-  failure.is_mirrored = is_found_in(mirrored(frame));
+  const auto in_mirror = found_in(mirrored(frame));
+  failure.is_mirrored = in_mirror && !is_own_mirror_image(model, *in_mirror);
   if (failure.is_mirrored || !options.try_other_units) return;
   // Data sets in the manner of TUM's have 5000 units to the metre, most cameras 1000.
   for (const double factor : {5.0, 0.2}) {
     DepthFrame other = frame;
     other.metres_per_unit *= static_cast<float>(factor);
-    if (!is_found_in(other)) continue;
+    if (!found_in(other)) continue;
     failure.depth_factor = factor;
     return;
   }
