@@ -17,6 +17,7 @@
 #include "model_options.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
+#include "plausible_states.hpp"
 #include "progress.hpp"
 #include "symmetry_note.hpp"
 
@@ -92,26 +93,6 @@ StatesFile read_reference(const std::string& file, const KinematicTree& tree) tr
                        ", those of the estimate's model " + listed(own));
 }
 
-/// Metres from the camera, in the middle of all states.
-double usual_distance(const StatesFile& file) {
-  std::vector<double> distances;
-  for (const State& state : file.states) {
-    if (state.known) distances.push_back(state.configuration.T_camera_base.translation().norm());
-  }
-  if (distances.empty()) return 0.0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
-}
-
-/// By the distances of the estimate, which are in metres.
-bool is_in_millimetres(const StatesFile& reference, const StatesFile& estimate) {
-  constexpr double kSpread = 2.0;  // either way; the estimate may be somewhat wrong besides
-  const double in_metres = 0.001 * usual_distance(reference);
-  const double expected = usual_distance(estimate);
-  return in_metres > expected / kSpread && in_metres < expected * kSpread;
-}
-
 class EvaluateCommand : public Command {
  public:
   void add_options(CLI::App& options) override {
@@ -157,7 +138,7 @@ class EvaluateCommand : public Command {
     const Evaluation evaluation =
         evaluate(tree, estimate, reference, bounds, {}, model ? equal_poses(*model) : EqualPoses());
     print_evaluation(tree, evaluation);
-    warn_if_all_is_wrong(evaluation.judgement, estimate, reference);
+    warn_of_reference(implausibility(tree, reference.states), evaluation.judgement);
     if (!output_.empty()) write_files(tree, evaluation);
     return ExitStatus::done;
   }
@@ -197,17 +178,15 @@ class EvaluateCommand : public Command {
     return tree;
   }
 
-  void warn_if_all_is_wrong(const JudgementCount& judgement, const StatesFile& estimate,
-                            const StatesFile& reference) const {
+  void warn_of_reference(const std::string& implausible, const JudgementCount& judgement) const {
     constexpr std::size_t kSuspicious = 10;  // frames: so many are not wrong by chance
-    if (judgement.tracking < kSuspicious || judgement.tracking_but_wrong != judgement.tracking) {
-      return;
+    if (!implausible.empty()) {
+      warn(reference_ + ": " + implausible);
+    } else if (judgement.tracking >= kSuspicious &&
+               judgement.tracking_but_wrong == judgement.tracking) {
+      warn("no frame that was tracked agrees with " + reference_ +
+           "; is it the truth of this recording, with the pose of the base in the camera's frame?");
     }
-    warn("no frame that was tracked agrees with " + reference_ +
-         (is_in_millimetres(reference, estimate)
-              ? "; its positions seem to be in millimetres: divide them by 1000"
-              : "; is it the truth of this recording, with the pose of the base in the camera's "
-                "frame?"));
   }
 
   void write_files(const KinematicTree& tree, const Evaluation& evaluation) const {

@@ -17,13 +17,13 @@
 #include "model_options.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
+#include "plausible_states.hpp"
 #include "possible_motion.hpp"
 #include "progress.hpp"
 #include "run_origin.hpp"
 #include "shipped_files.hpp"
 #include "simulation_record.hpp"
 #include "simulation_states.hpp"
-#include "states_in_metres.hpp"
 #include "visibility_report.hpp"
 
 namespace lockbox::app {
@@ -179,7 +179,7 @@ class SimulateCommand : public Command {
     if (trajectory_ == "auto") return generated_trajectory();
     std::vector<State> states = read_states(trajectory_, tree).states;
     require_increasing_stamps(trajectory_, states);
-    require_metres(trajectory_, states);
+    require_plausible(trajectory_, tree, states);
     const auto most = static_cast<std::size_t>(frames_);
     if (frames_option_->count() > 0 && states.size() > most) states.resize(most);
     return states;

@@ -14,11 +14,11 @@
 #include "option_checks.hpp"
 #include "output_paths.hpp"
 #include "parameters.hpp"
+#include "plausible_states.hpp"
 #include "progress.hpp"
 #include "run_writer.hpp"
 #include "snapshots.hpp"
 #include "source_options.hpp"
-#include "states_in_metres.hpp"
 #include "symmetry_note.hpp"
 #include "tracking_run.hpp"
 
@@ -34,7 +34,7 @@ Configuration first_state(const std::string& file, const KinematicTree& tree) {
   if (states.states.empty() || !states.states.front().known) {
     throw InputError(file, "the first row must hold the state to start from");
   }
-  require_metres(file, {states.states.front()});
+  require_plausible(file, tree, {states.states.front()});
   return states.states.front().configuration;
 }
 

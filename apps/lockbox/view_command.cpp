@@ -12,10 +12,10 @@
 #include "model_options.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
+#include "plausible_states.hpp"
 #include "progress.hpp"
 #include "run_viewer.hpp"
 #include "source_options.hpp"
-#include "states_in_metres.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -86,7 +86,7 @@ class ViewCommand : public Command {
     if (states_.empty()) return {};
     auto states = read_states(states_, tree).states;
     if (states.empty()) throw InputError(states_, "holds no rows");
-    require_metres(states_, states);
+    require_plausible(states_, tree, states);
     return states;
   }
 

@@ -40,6 +40,41 @@ TEST(States, InMillimetresAreRefused) {
   EXPECT_THAT(tracked.errors, HasSubstr("in millimetres"));
 }
 
+TEST(States, WithJointsInDegreesOrMillimetresAreNamed) {
+  const TemporaryFolder folder;
+  const auto model = folder.write("cupboard.urdf", R"(<robot name="cupboard">
+  <link name="box"><visual><geometry><box size="0.4 0.4 0.4"/></geometry></visual></link>
+  <link name="lid"><visual><geometry><box size="0.3 0.3 0.02"/></geometry></visual></link>
+  <link name="tray"><visual><geometry><box size="0.2 0.2 0.02"/></geometry></visual></link>
+  <joint name="hinge" type="revolute"><parent link="box"/><child link="lid"/>
+    <origin xyz="0 0 0.3"/><axis xyz="1 0 0"/><limit lower="0" upper="1.9"/></joint>
+  <joint name="slide" type="prismatic"><parent link="box"/><child link="tray"/>
+    <origin xyz="0 0 -0.3"/><axis xyz="1 0 0"/><limit lower="0" upper="0.2"/></joint>
+</robot>)");
+  const auto states = [&](const std::string& joints) {
+    return folder.write("states.csv",
+                        "timestamp,tx,ty,tz,qx,qy,qz,qw,hinge,slide\n0,0,0,1.5,0,0,0,1," + joints);
+  };
+  const auto simulate = [&](const std::string& joints) {
+    return run_tool({"simulate", "--model", model, "--trajectory", states(joints), "--output",
+                     folder / "out", "--overwrite"});
+  };
+  EXPECT_EQ(simulate("1.95,0.21").status, 0) << "no model is exact";
+  const auto degrees = simulate("60,0");
+  EXPECT_EQ(degrees.status, 3);
+  EXPECT_THAT(degrees.errors, HasSubstr("states.csv: state 1 puts joint 'hinge' to 60"));
+  EXPECT_THAT(degrees.errors, HasSubstr("seem to be in degrees: multiply them by 0.01745"));
+  EXPECT_THAT(simulate("1,150").errors, HasSubstr("in millimetres: divide them by 1000"));
+  const auto started = run_tool({"track", "--model", model, "--source", folder / "out",
+                                 "--initial-state", states("-30,0.1")});
+  EXPECT_EQ(started.status, 3);
+  EXPECT_THAT(started.errors, HasSubstr("far beyond its limits, 0 to 1.9"));
+  const auto evaluated = run_tool({"evaluate", "--model", model, "--estimate",
+                                   folder / "out/groundtruth.csv", "--reference", states("60,0")});
+  EXPECT_EQ(evaluated.status, 0);
+  EXPECT_THAT(evaluated.errors, HasSubstr("seem to be in degrees"));
+}
+
 TEST(Trajectory, IsNotOverwrittenByItsTruth) {
   const TemporaryFolder folder;
   const std::string states = "timestamp,tx,ty,tz,qx,qy,qz,qw\n7,0,0,1,0,0,0,1\n";
