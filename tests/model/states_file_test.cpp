@@ -145,6 +145,22 @@ TEST_F(StatesFileTest, RefusesBadValuesWithLineAndColumn) {
   EXPECT_THAT(second_row("0,0,0,1,0,0,0,0,0,0\n"), HasSubstr("column 'qx': the quaternion"));
 }
 
+TEST_F(StatesFileTest, NamesFilesOfOtherKindsAndWhatToDoWithThem) {
+  const auto refusal_of = [&](const std::string& name, const std::string& bytes) {
+    const auto file = folder_.write(name, bytes);
+    return message_of<InputError>([&] { read_states(file, tree_); });
+  };
+  EXPECT_THAT(refusal_of("a.png", "\x89PNG\r\n\x1a\n"),
+              HasSubstr("is an image, not a states file"));
+  EXPECT_THAT(refusal_of("a", "NI10...."), HasSubstr("a recording of OpenNI, not a states file"));
+  EXPECT_THAT(refusal_of("run.yaml", "command: lockbox"), HasSubstr("states.csv of a run"));
+  EXPECT_THAT(refusal_of("a.npy", "\x93NUMPY"), HasSubstr("as text"));
+  EXPECT_THAT(refusal_of("a.csv", "#timestamp [ns],p_RS_R_x [m]\n1,2\n"), HasSubstr("evo_traj"));
+  EXPECT_THAT(refusal_of("a.txt", "1 0 0 0 0 1 0 0 0 0 1 2\n"), HasSubstr("KITTI"));
+  EXPECT_THAT(refusal_of("base.tum", "# timestamp tx ty tz\n0.0 0 0 1 0 0 0 1\n"),
+              HasSubstr("is a TUM trajectory, not a states file; put commas"));
+}
+
 TEST_F(StatesFileTest, RefusesWhatIsNotAFile) {
   EXPECT_THAT(message_of<InputError>([&] { read_states(folder_ / "none.csv", tree_); }),
               EndsWith("none.csv: no such file"));

@@ -5,6 +5,7 @@
 #include <map>
 #include <string_view>
 
+#include "foreign_states.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/readable_text.hpp"
@@ -148,6 +149,10 @@ StatesFile read_states(const std::filesystem::path& file, const KinematicTree& t
     content.remove_prefix(kByteOrderMark.size());
   }
   const auto lines = split(content, '\n');
+  const auto names = split(lines.front(), ',');
+  if (std::find(names.begin(), names.end(), kPoseColumns.front()) == names.end()) {
+    if (const auto foreign = foreign_states(file, lines)) throw InputError(name, *foreign);
+  }
   const Columns columns = read_header(name, lines.front(), tree);
   StatesFile result;
   for (const std::size_t column : columns.extra) {
