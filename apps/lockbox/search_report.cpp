@@ -20,10 +20,13 @@ void print_reasons(const Tracker& tracker) {
 
 }  // namespace
 
-void SearchReport::look_at(const Tracker& tracker, const DepthFrame& frame) {
+void SearchReport::look_at(const Tracker& tracker, const DepthFrame& frame,
+                           const RunTotals& totals) {
   if (is_said_ || !tracker.search_failure()) return;
   is_said_ = true;  // what follows from now on, the summary tells
-  std::cerr << "lockbox: the object was not found up to frame " << frame.index;
+  const bool was_found = totals.frames_with(TrackingStatus::tracking) > 0;
+  std::cerr << "lockbox: the object was " << (was_found ? "lost, and not found again" : "not found")
+            << " up to frame " << frame.index;
   print_reasons(tracker);
 }
 

@@ -13,8 +13,8 @@ class SearchReport {
   /// quiet: says it only at the end.
   explicit SearchReport(bool quiet) : is_said_(quiet) {}
 
-  /// After each frame.
-  void look_at(const Tracker& tracker, const DepthFrame& frame);
+  /// After each frame. totals: that frame included.
+  void look_at(const Tracker& tracker, const DepthFrame& frame, const RunTotals& totals);
 
   static void print_summary(const Tracker& tracker, const RunTotals& totals);
 

@@ -47,7 +47,7 @@ std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& 
     const TrackingResult& result = tracker.process(frame);
     status = result.status;
     outputs.add(frame, result, source.faults());
-    report.look_at(tracker, frame);
+    report.look_at(tracker, frame, outputs.totals());
     progress.update(outputs.totals().frames(), to_string(status));
     if (outputs.totals().frames() == settings.max_frames) {
       end = "frame limit reached";

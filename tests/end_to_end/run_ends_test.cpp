@@ -155,6 +155,16 @@ TEST_F(RunEnds, AsFailedWhereTheObjectIsNeverTrackedAndSayWhatTheDepthsTell) {
   EXPECT_THAT(quiet.errors, Not(HasSubstr("up to")));
 }
 
+TEST_F(RunEnds, WithWhatWasLostAndNotFoundAgain) {
+  ASSERT_EQ(simulate(start_, "dark").status, 0);
+  write_text(path("dark/depth.txt"),
+             "0 depth/000000.png\n0.033 depth/none.png\n0.066 depth/none.png\n");
+  const auto result = run_tool(tracking("dark", "lost"));
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.errors, HasSubstr("the object was lost, and not found again up to frame"));
+  EXPECT_THAT(result.errors, Not(HasSubstr("was not found")));
+}
+
 TEST_F(RunEnds, WithADoubtAboutADepthScaleThatPutsEverythingOutOfRange) {
   ASSERT_EQ(simulate(start_, "room", {"--scene", "room"}).status, 0);
   for (const std::string scale : {"100", "100000"}) {
