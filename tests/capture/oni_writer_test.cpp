@@ -215,6 +215,18 @@ TEST(OniWriter, CamerasThatOpenNiCannotDescribeAreRefused) {
               ThrowsMessage<InputError>(HasSubstr("1 mm and 0.1 mm")));
 }
 
+TEST(OniWriter, ACameraThatWasRecoveredFromRoundedNumbersIsHeld) {
+  const TemporaryFolder folder;
+  DepthFrame frame = synthetic_frame(0);
+  frame.camera.cx += 2e-4;
+  OniWriter writer(folder / "a.oni", frame.camera, 30);
+  writer.write(frame);
+  writer.finish();
+  DepthFrame read;
+  ASSERT_TRUE(OniPlayer(folder / "a.oni").next(read));
+  EXPECT_EQ(read.depth, frame.depth);
+}
+
 TEST(OniWriter, FoldersThatDoNotExistAreNamed) {
   EXPECT_THAT([] { OniWriter("/nonexistent/a.oni", small_camera(), 30); },
               ThrowsMessage<InputError>(HasSubstr("/nonexistent/a.oni: cannot be written")));
