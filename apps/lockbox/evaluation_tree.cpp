@@ -43,7 +43,9 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
   if (std::filesystem::is_directory(states_file)) {
     throw InputError(states_file.string(), "is a folder; give the states.csv, or the truth, in it");
   }
-  if (!std::getline(file, header)) throw InputError(states_file.string(), "cannot be read");
+  if (!std::getline(file, header)) {
+    throw InputError(states_file.string(), "cannot be read, or is empty");
+  }
   if (header.ends_with('\r')) header.pop_back();
   std::vector<std::string> columns;
   std::stringstream cells(header);

@@ -251,6 +251,8 @@ TEST_F(UrdfRefusals, NameTheMissingPackageAndEachSearchedFolderOnce) {
   folder_.write("packages/arms/b.obj", "");
   EXPECT_THAT(refused(), AllOf(HasSubstr("no such mesh file in the package 'arms'"),
                                HasSubstr((folder_ / "packages/arms").string())));
+  options.package_paths.push_back(folder_ / "packages/arms");  // both holds and is it
+  EXPECT_EQ(count_of((folder_ / "packages/arms").string(), refused()), 1U);
 }
 
 }  // namespace

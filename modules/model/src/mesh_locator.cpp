@@ -115,7 +115,7 @@ fs::path MeshLocator::locate_in_package(const std::string& address,
   }
   if (!packages.empty()) {
     throw InputError(address, "no such mesh file in the package '" + name + "' (" +
-                                  listed(packages) +
+                                  listed(each_once(packages)) +
                                   "); is it another one of that name? Name the folder that holds "
                                   "the right one (--package-path)");
   }
