@@ -122,6 +122,8 @@ void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
     cloud.assign(other, options.cloud, executor);
     const auto candidates = initializer.glance(cloud);
     if (candidates.empty()) return std::nullopt;
+    // What may as well be elsewhere, or nowhere, tells nothing of the reading.
+    if (candidates.front().rival_distance > options.most_rival_distance) return std::nullopt;
     const RegistrationResult& found =
         registration.align(cloud, candidates.front().configuration,
                            {options.start_joint_spread, options.start_joint_iterations});
