@@ -102,7 +102,7 @@ class Absent : public Experiment {
       if (!shard_.holds(i)) continue;
       progress.update(finished++, runs[i].text);
       if (done.count(runs[i].text) > 0) continue;
-      track_absent(model, runs[i].open(), stem, table);
+      if (!is_done([&] { track_absent(model, runs[i].open(), stem, table); })) break;
       write_table(file, table);
     }
     progress.finish();

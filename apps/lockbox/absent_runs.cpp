@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "interruption.hpp"
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/simulation/simulator.hpp"
@@ -111,7 +112,9 @@ std::vector<PlannedAbsentRun> recorded_runs(const std::vector<std::string>& name
 
 void track_absent(const ArticulatedModel& model, const AbsentFrames& frames,
                   const std::filesystem::path& pictures, Table& table) {
-  Tracker tracker(model, TrackerOptions{});
+  TrackerOptions options;
+  options.stop_request = interruption::requested;
+  Tracker tracker(model, options);
   DepthFrame frame;
   for (std::size_t i = 0; frames.next(frame); ++i) {
     const TrackingResult& result = tracker.process(frame);

@@ -48,7 +48,8 @@ std::vector<PlannedAbsentRun> simulated_runs(const AbsentRooms& rooms, const Abs
 std::vector<PlannedAbsentRun> recorded_runs(const std::vector<std::string>& recordings,
                                             std::size_t most_frames);
 
-/// Tracks the frames without a guess, and adds their rows. Each frame in which
+/// Tracks the frames without a guess, and adds their rows. A signal that was noted stops its
+/// searches, which then throw Stopped. Each frame in which
 /// the object is claimed to be is drawn without and with it, as
 /// <pictures>_<kind>_<room>_<frame>_image.png and ..._claim.png.
 void track_absent(const ArticulatedModel& model, const AbsentFrames& frames,

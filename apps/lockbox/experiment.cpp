@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "interruption.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 #include "progress.hpp"
 #include "shipped_files.hpp"
@@ -74,6 +75,14 @@ Curve cumulative_curve(const std::string& name, std::vector<double> values) {
     curve.y.push_back(100.0 * static_cast<double>(i + 1) / static_cast<double>(curve.x.size()));
   }
   return curve;
+}
+
+bool is_done(const std::function<void()>& run) try {
+  run();
+  return true;
+} catch (const Stopped&) {
+  if (!interruption::requested()) throw;
+  return false;
 }
 
 void draw(const std::filesystem::path& stem, const Figure& figure) {

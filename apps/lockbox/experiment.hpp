@@ -65,6 +65,10 @@ void print_judgement(const JudgementCount& frames);
 /// Percent of the values that are at most so large.
 Curve cumulative_curve(const std::string& name, std::vector<double> values);
 
+/// Does a run that searches. False if a signal has stopped the search: what the run was to fill is
+/// half done then.
+bool is_done(const std::function<void()>& run);
+
 /// Draws the figure, or says on standard error why there is none.
 void draw(const std::filesystem::path& stem, const Figure& figure);
 

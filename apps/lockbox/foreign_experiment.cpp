@@ -52,8 +52,13 @@ class ForeignObjects : public Experiment {
     std::size_t finished = done.size();
     for (std::uint64_t piece = 0; piece < pieces_ && !interruption.requested(); ++piece) {
       if (!shard_.holds(piece) || done.count(piece) > 0) continue;
-      const ForeignResult result = track_foreign_object(
-          kind_, block, piece, piece_settings(settings, stem / std::to_string(piece)), Executor());
+      ForeignResult result;
+      const auto track_piece = [&] {
+        result = track_foreign_object(kind_, block, piece,
+                                      piece_settings(settings, stem / std::to_string(piece)),
+                                      Executor());
+      };
+      if (!is_done(track_piece)) break;
       add_foreign_rows(table, piece, noun(), result);
       write_table(file, table);
       const AnswerErrors& errors = result.frames.back().errors;
@@ -94,6 +99,7 @@ class ForeignObjects : public Experiment {
     result.deviates = deviation_ == "third";
     result.frames = frames_;
     result.folder = folder;
+    result.stop_request = interruption::requested;
     return result;
   }
 

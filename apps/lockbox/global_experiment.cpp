@@ -101,13 +101,14 @@ class GlobalSearch : public Experiment {
     std::set<std::uint64_t> done;
     for (const GlobalResult& row : rows) done.insert(row.scene);
     const SensorModel sensor = sensor_model(settings.sensor);
-    GlobalExperiment experiment(model, sensor.camera, sensor, settings.seed, Executor());
+    GlobalExperiment experiment(model, sensor.camera, sensor, settings.seed, Executor(),
+                                interruption::requested);
     const Interruption interruption;
     Progress progress("global " + model.tree.name, shard_.runs_of(scenes_), settings.quiet,
                       "scenes");
     for (std::uint64_t scene = 0; scene < scenes_ && !interruption.requested(); ++scene) {
       if (!shard_.holds(scene) || done.count(scene) > 0) continue;
-      rows.push_back(experiment.search_scene(scene));
+      if (!is_done([&] { rows.push_back(experiment.search_scene(scene)); })) break;
       write_global_results(file, rows);
       progress.update(rows.size(), rows.back().right ? "right" : rows.back().wrong);
     }

@@ -119,8 +119,9 @@ class Mismatch : public Experiment {
           runs[i].seed, model.tree);
       if (!deviation) continue;  // the model has nothing of the kind
       write_whole_file(stem.string() + "_" + runs[i].text() + ".yaml", deviation_text(*deviation));
-      add_mismatch_rows(table, runs[i].kind, runs[i].seed,
-                        tracked(model, *deviation, runs[i], settings));
+      std::vector<MismatchFrame> frames;
+      if (!is_done([&] { frames = tracked(model, *deviation, runs[i], settings); })) break;
+      add_mismatch_rows(table, runs[i].kind, runs[i].seed, frames);
       write_table(file, table);
     }
     progress.finish();
@@ -135,7 +136,8 @@ class Mismatch : public Experiment {
     const SensorModel sensor = sensor_model(other.name.empty() ? settings.sensor : other.name);
     const std::vector<State> truth = motion(model, other.distance);
     const Scene scene = fitted(read_scene(find_scene("room")), model.tree, truth.front());
-    return track_mismatch(model, truth, deviation, {sensor.camera, sensor, scene, run.seed},
+    return track_mismatch(model, truth, deviation,
+                          {sensor.camera, sensor, scene, run.seed, interruption::requested},
                           Executor());
   }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The smallest version of each experiment that continues where it was stopped.
 #include <gmock/gmock.h>
+#include <signal.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <thread>
 
 #include "small_experiment.hpp"
 #include "tool.hpp"
@@ -111,6 +114,19 @@ TEST(Mismatch, LooksThroughOtherSensors) {
   EXPECT_EQ(rows.front().at("kind"), "stereo");
   EXPECT_EQ(rows.back().at("kind"), "time-of-flight");
   EXPECT_LT(number(rows.back(), "translation"), 0.02);
+}
+
+TEST(Absent, EndsWithinASecondOfASignalThoughTheObjectIsSought) {
+  const TemporaryFolder folder;
+  Tool tool({"experiment", "absent", "--model", "lockbox", "--rooms", "4", "--near-misses", "0",
+             "--output", folder / "out"});
+  std::this_thread::sleep_for(std::chrono::seconds(5));  // a search takes longer
+  const auto signalled = std::chrono::steady_clock::now();
+  tool.send_signal(SIGTERM);
+  const auto result = tool.wait();
+  EXPECT_EQ(result.status, 128 + SIGTERM) << result.errors;
+  EXPECT_LT(std::chrono::steady_clock::now() - signalled, std::chrono::seconds(2));
+  EXPECT_THAT(result.output, HasSubstr("the same command continues"));
 }
 
 /// The block itself as the recording: where it is found, that counts as a false alarm.

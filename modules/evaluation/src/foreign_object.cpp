@@ -12,6 +12,7 @@
 #include "lockbox/simulation/deviation_presets.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "lockbox/verification/verifier.hpp"
+#include "stoppable.hpp"
 
 namespace lockbox {
 namespace {
@@ -76,7 +77,7 @@ class ForeignRun {
         bound_(bound_of(model, truth_, scene_, settings.camera, sensor, executor)),
         comparison_(model, Tolerances{}),
         verifier_(model.tree),
-        tracker_(model, TrackerOptions{}) {}
+        tracker_(model, stoppable(settings.stop_request)) {}
 
   const Eigen::VectorXd& bound() const { return bound_; }
 

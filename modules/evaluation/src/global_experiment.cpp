@@ -6,6 +6,7 @@
 
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/random_frame.hpp"
+#include "stoppable.hpp"
 
 namespace lockbox {
 namespace {
@@ -17,12 +18,13 @@ constexpr Tolerances kRight{0.01, 1.0 * kRadians};
 
 GlobalExperiment::GlobalExperiment(const ArticulatedModel& model, const PinholeCamera& camera,
                                    const SensorModel& sensor, std::uint64_t seed,
-                                   const Executor& executor)
+                                   const Executor& executor, const StopRequest& stop_request)
     : model_(model),
       camera_(camera),
       sensor_(sensor),
       seed_(seed),
       executor_(executor),
+      options_(stoppable(stop_request)),
       registration_(model, options_.registration, executor_),
       acquisition_(model, options_, executor_, registration_, cloud_),
       comparison_(model, kRight) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lockbox/core/parallel.hpp"
+#include "lockbox/core/stop_request.hpp"
 #include "lockbox/evaluation/answer_errors.hpp"
 #include "lockbox/evaluation/drawn_view.hpp"
 #include "lockbox/simulation/object_block.hpp"
@@ -46,12 +47,14 @@ struct ForeignSettings {
   int frames = 1;         ///< of the object, which stands still
   /// Made if needed; model.urdf, truth.csv, scene.yaml and deviation.yaml are written there.
   std::filesystem::path folder;
+  StopRequest stop_request = nullptr;  ///< of the tracker's searches
 };
 
 /// Draws the object and its view, simulates that, and lets the tracker make of it what it can,
 /// without a guess. Right is a base within 2 cm and 2 degrees of the pose that the calibration
 /// shows (Simulator::apparent_base), with every joint whose bound is below 1 mm or 0.5 degrees
-/// within 1 cm or 5 degrees. Throws InputError if a file cannot be written.
+/// within 1 cm or 5 degrees. Throws InputError if a file cannot be written, and Stopped if it was
+/// stopped.
 ForeignResult track_foreign_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number,
                                    const ForeignSettings& settings, const Executor& executor);
 

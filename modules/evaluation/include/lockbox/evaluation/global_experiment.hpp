@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lockbox/core/parallel.hpp"
+#include "lockbox/core/stop_request.hpp"
 #include "lockbox/evaluation/answer_errors.hpp"
 #include "lockbox/evaluation/random_scene.hpp"
 #include "lockbox/simulation/sensor_model.hpp"
@@ -42,8 +43,10 @@ struct GlobalResult {
 class GlobalExperiment {
  public:
   GlobalExperiment(const ArticulatedModel& model, const PinholeCamera& camera,
-                   const SensorModel& sensor, std::uint64_t seed, const Executor& executor);
+                   const SensorModel& sensor, std::uint64_t seed, const Executor& executor,
+                   const StopRequest& stop_request = nullptr);
 
+  /// Throws Stopped if it was stopped.
   GlobalResult search_scene(std::uint64_t number);
 
  private:

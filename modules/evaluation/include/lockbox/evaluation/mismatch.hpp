@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lockbox/core/parallel.hpp"
+#include "lockbox/core/stop_request.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "lockbox/model/articulated_model.hpp"
@@ -34,11 +35,12 @@ struct MismatchSettings {
   PinholeCamera camera;  ///< the calibration
   SensorModel sensor;
   Scene scene;
-  std::uint64_t seed = 1;  ///< of the sensor's noise
+  std::uint64_t seed = 1;              ///< of the sensor's noise
+  StopRequest stop_request = nullptr;  ///< of the tracker's searches
 };
 
 /// Simulates the run with the deviation and tracks it without a guess: the tracker gets the model
-/// and the calibration. One entry a frame that arrives.
+/// and the calibration. One entry a frame that arrives. Throws Stopped if it was stopped.
 std::vector<MismatchFrame> track_mismatch(const ArticulatedModel& model,
                                           const std::vector<State>& run, const Deviation& deviation,
                                           const MismatchSettings& settings,
