@@ -87,7 +87,7 @@ TEST_F(RunEnds, WithTheStatusOfTheSignalAndNothingWrittenWhereAModelIsBeingLoade
     auto arguments = tracking("block", "unloaded");
     arguments[2] = path("fine.urdf");
     Tool tool(arguments, {"XDG_CACHE_HOME=" + path("cache")});
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    tool.wait_for_handler(signal);
     const auto signalled = std::chrono::steady_clock::now();
     tool.send_signal(signal);
     const auto result = tool.wait();

@@ -7,9 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace lockbox {
 namespace {
@@ -52,6 +54,18 @@ Tool::Tool(const std::vector<std::string>& arguments, const std::vector<std::str
   posix_spawnattr_destroy(&own_group);
   posix_spawn_file_actions_destroy(&files);
   if (failure != 0) throw std::runtime_error("cannot start " LOCKBOX_TOOL);
+}
+
+void Tool::wait_for_handler(int signal) const {
+  const std::string caught = "SigCgt:";  // a mask in hexadecimal numbers
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (std::chrono::steady_clock::now() < give_up) {
+    for (const auto& line : read_lines("/proc/" + std::to_string(process_) + "/status")) {
+      if (!line.starts_with(caught)) continue;
+      if ((std::stoull(line.substr(caught.size()), nullptr, 16) >> (signal - 1) & 1U) != 0) return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
 }
 
 void Tool::send_signal(int signal) const {

@@ -26,6 +26,10 @@ class Tool {
                 const std::vector<std::string>& environment = {},
                 const std::filesystem::path& output = {});
 
+  /// Waits, at most some seconds, until the signal does what the tool wants it to: while that is
+  /// being loaded the system would end it.
+  void wait_for_handler(int signal) const;
+
   /// To the tool and what it has started, as a terminal does.
   void send_signal(int signal) const;
 
