@@ -63,6 +63,17 @@ TEST(EqualPoses, OfACubeAreAllItsTwentyFour) {
   EXPECT_GT(apart(equal, turned_about(Eigen::Vector3d::UnitX(), 45.0)), 0.7);
 }
 
+TEST(EqualPoses, AreNamedByAxesWithoutANegativeZero) {
+  for (const Eigen::Vector3d& sizes :
+       {Eigen::Vector3d(0.4, 0.04, 0.04), {0.04, 0.4, 0.04}, {0.04, 0.04, 0.4}}) {
+    const EqualPoses equal(rigid(make_box(sizes)));
+    for (const std::string& turn : equal.turns()) {
+      EXPECT_THAT(
+          turn, testing::Not(testing::AnyOf(testing::HasSubstr("-0,"), testing::HasSubstr("-0)"))));
+    }
+  }
+}
+
 TEST(EqualPoses, OfWhatIsRoundAreAllTurnsAboutItsAxisAndUpsideDown) {
   const EqualPoses equal(rigid(aside(make_cylinder(0.05, 0.12))));
   EXPECT_THAT(equal.turns(), testing::Contains("any angle about z"));

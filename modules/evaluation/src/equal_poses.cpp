@@ -53,8 +53,13 @@ std::string name_of(const Eigen::Vector3d& direction) {
     if (are_parallel(direction, axis)) return kNames[i];
   }
   std::ostringstream text;
-  text.precision(2);
-  text << '(' << direction.x() << ", " << direction.y() << ", " << direction.z() << ')';
+  const char* separator = "(";
+  for (const double component : direction) {
+    const double rounded = std::round(100.0 * component) / 100.0;
+    text << separator << (rounded == 0.0 ? 0.0 : rounded);  // never -0
+    separator = ", ";
+  }
+  text << ')';
   return text.str();
 }
 
