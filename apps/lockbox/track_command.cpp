@@ -187,6 +187,7 @@ class TrackCommand : public Command {
 
   TrackerOptions make_tracker_options(const KinematicTree& tree) const {
     TrackerOptions options = tracker_;
+    if (const auto sensor = source_.sensor()) assume_sensor(*sensor, options);
     options.registration.collision = kCollisionModes.at(collision_);
     if (!locked_joints_.empty()) {
       options.registration.locked.assign(static_cast<std::size_t>(tree.variables()), false);
