@@ -29,7 +29,10 @@ class SourceArguments {
   /// sensor's profile is.
   void require_existing() const;
 
-  /// What the user says of the sensor; none if nothing. Throws InputError.
+  /// Whether the sensor's noise is to be found out from its images.
+  bool is_sensor_unknown() const { return sensor_ == "auto"; }
+
+  /// What the user says of the sensor; none if nothing, or that it is unknown. Throws InputError.
   std::optional<SensorProfile> sensor() const;
 
   /// Warnings go to standard error.
@@ -38,7 +41,7 @@ class SourceArguments {
 
  private:
   CLI::Option* add_source(CLI::App& options);
-  void add_sensor(CLI::App& options);
+  void add_sensor(CLI::App& options, const std::string& more_choices);
 
   std::string source_;
   std::string camera_info_;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "estimated_sensor.hpp"
 #include "interruption.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
@@ -66,8 +67,12 @@ class TrackCommand : public Command {
     require_known_inputs();
     require_free_output();
     const ArticulatedModel model = load();
-    const auto source = open();
+    auto source = open();
     TrackerOptions tracker_options = make_tracker_options(model.tree);
+    if (source_.is_sensor_unknown()) {
+      assume_noise(*source, tracker_options);
+      if (source->frame_count()) source = open();
+    }
     tracker_options.background_search = source->is_realtime();
     tracker_options.try_other_readings = !settings_.quiet;
     tracker_options.try_other_units = !source->is_unit_stated();
@@ -127,6 +132,17 @@ class TrackCommand : public Command {
   ArticulatedModel load() const {
     const Activity activity("loading the model", settings_.quiet);
     return model_.load();
+  }
+
+  void assume_noise(FrameSource& source, TrackerOptions& options) const {
+    const auto noise = noise_of_first_frames(source);
+    if (!noise) return;
+    SensorProfile sensor;
+    sensor.noise = *noise;
+    sensor.min_range = options.cloud.min_depth;
+    sensor.max_range = options.cloud.max_depth;
+    assume_sensor(sensor, options);
+    if (!settings_.quiet) std::cerr << "sensor: noise " << noise_text(*noise) << '\n';
   }
 
   std::unique_ptr<FrameSource> open() const {

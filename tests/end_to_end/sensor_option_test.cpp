@@ -9,6 +9,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class SensorOption : public BlockRuns {};
 
@@ -26,6 +27,15 @@ TEST_F(SensorOption, PrimesenseIsWhatIsAssumedUnasked) {
   ASSERT_EQ(run_tool(following("asked", {"--sensor", "primesense"})).status, 0);
   EXPECT_EQ(rows_without_latency(path("asked/states.csv")),
             rows_without_latency(path("unasked/states.csv")));
+}
+
+TEST_F(SensorOption, AutoFindsTheNoiseOutAndTracksEveryFrame) {
+  const auto run = run_tool(following("auto", {"--sensor", "auto"}));
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("sensor: noise "));
+  EXPECT_EQ(read_lines(path("auto/states.csv")).size(), kFrames + 1);
+  EXPECT_THAT(read_text(path("auto/run.yaml")),
+              AllOf(HasSubstr("sensor: auto"), Not(HasSubstr("noise_depth_quadratic: 0.0021\n"))));
 }
 
 TEST_F(SensorOption, RefusesWhatIsNoProfile) {

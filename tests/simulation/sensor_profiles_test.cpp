@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "lockbox/sensor/noise_estimate.hpp"
 #include "lockbox/sensor/sensor_profile.hpp"
 #include "lockbox/simulation/sensor_simulator.hpp"
 
@@ -45,7 +47,9 @@ struct MeasuredWall {
   }
 };
 
-MeasuredWall measured_wall(const SensorModel& sensor, double z) {
+/// depth: true one of pixel (u, v), metres.
+DepthFrame measured_frame(const SensorModel& sensor,
+                          const std::function<double(double, double)>& depth) {
   const PinholeCamera& camera = sensor.camera;
   SensorSimulator simulator(sensor, camera, 1, Executor(2));
   const PinholeCamera& samples = simulator.sample_camera();
@@ -53,12 +57,19 @@ MeasuredWall measured_wall(const SensorModel& sensor, double z) {
   const double step = camera.fx / samples.fx;
   for (int v = 0; v < samples.height; ++v) {
     for (int u = 0; u < samples.width; ++u) {
-      clean.depth.push_back(static_cast<float>(wall_depth(camera, z, u * step, v * step)));
+      clean.depth.push_back(static_cast<float>(depth(u * step, v * step)));
     }
   }
   clean.id.assign(clean.depth.size(), 0);
   DepthFrame frame;
   simulator.measure(clean, 0, frame);
+  return frame;
+}
+
+MeasuredWall measured_wall(const SensorModel& sensor, double z) {
+  const PinholeCamera& camera = sensor.camera;
+  const DepthFrame frame =
+      measured_frame(sensor, [&](double u, double v) { return wall_depth(camera, z, u, v); });
   MeasuredWall wall;
   const int left = (camera.width - MeasuredWall::kSide) / 2;
   const int top = (camera.height - MeasuredWall::kSide) / 2;
@@ -100,6 +111,36 @@ TEST_P(SimulatedProfile, ErrsAsAlikeAsItSays) {
     EXPECT_GT(alike, told / 2.0);
   }
   EXPECT_LT(alike, 2.0 * told);
+}
+
+/// Boards before a wall, at three distances within the sensor's range.
+double scene_depth(const SensorProfile& profile, double u, double v) {
+  const PinholeCamera& camera = profile.simulated->camera;
+  const double nearest = std::max(profile.min_range, 0.3);
+  const double step = (std::min(profile.max_range, 3.3) - nearest) / 4.0;
+  const int column = static_cast<int>(4.0 * u / camera.width);
+  return wall_depth(camera, nearest + step * (1 + (column + (v > 0.5 * camera.height ? 1 : 0)) % 3),
+                    u, v);
+}
+
+TEST_P(SimulatedProfile, NoiseIsEstimatedFromAnImage) {
+  const auto noise = estimate_noise(measured_frame(
+      *profile_.simulated, [this](double u, double v) { return scene_depth(profile_, u, v); }));
+  ASSERT_TRUE(noise);
+  // Rounding alone makes steps along faces, which do not bend by chance.
+  const bool is_rounding =
+      profile_.simulated->depth_noise + profile_.simulated->disparity_noise == 0.0;
+  const double most = is_rounding ? 2.0 : 1.25;
+  for (const double share : {0.3, 0.5, 0.7}) {
+    const double nearest = std::max(profile_.min_range, 0.3);
+    const double z = nearest + share * (std::min(profile_.max_range, 3.3) - nearest);
+    const double ratio = noise->sigma_z(z) / measured_wall(*profile_.simulated, z).deviation(1);
+    EXPECT_GT(ratio, 0.8) << z;
+    EXPECT_LT(ratio, most) << z;
+  }
+  if (is_rounding) return;
+  EXPECT_GT(noise->correlation_area(), profile_.noise.correlation_area() / 2.5);
+  EXPECT_LT(noise->correlation_area(), profile_.noise.correlation_area() * 2.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, SimulatedProfile, ::testing::ValuesIn(shipped_sensor_names()),
