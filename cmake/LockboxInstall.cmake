@@ -2,7 +2,7 @@
 # What `cmake --install` adds to the modules' own rules: shipped data and the CMake package.
 include(CMakePackageConfigHelpers)
 
-install(DIRECTORY share/models share/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/lockbox)
+install(DIRECTORY share/models share/scenes share/sensors DESTINATION ${CMAKE_INSTALL_DATADIR}/lockbox)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lockbox)
 install(EXPORT lockboxTargets NAMESPACE lockbox:: DESTINATION ${package_folder})

@@ -5,7 +5,7 @@
 #include "commands.hpp"
 #include "experiments.hpp"
 #include "interruption.hpp"
-#include "lockbox/simulation/sensor_model.hpp"
+#include "lockbox/sensor/sensor_profile.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
 #include "shipped_files.hpp"

@@ -47,6 +47,7 @@ NamedValues registration_parameters(const RegistrationOptions& registration) {
       {"max_iterations", text(registration.max_iterations)},
       {"point_budget", text(registration.point_budget)},
       {"noise_depth_floor", text(registration.noise.depth_floor)},
+      {"noise_depth_linear", text(registration.noise.depth_linear)},
       {"noise_depth_quadratic", text(registration.noise.depth_quadratic)},
       {"noise_lateral_pixels", text(registration.noise.lateral_pixels)},
       {"noise_own_share", text(registration.noise.own_share)},

@@ -9,6 +9,7 @@
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/run_bounds.hpp"
+#include "lockbox/sensor/sensor_profile.hpp"
 #include "lockbox/simulation/delivery.hpp"
 #include "lockbox/simulation/deviating_model.hpp"
 #include "lockbox/simulation/scene_fit.hpp"
@@ -48,7 +49,10 @@ class SimulateCommand : public Command {
         ->check(recording_or_folder_name())
         ->type_name("FILE.oni|DIR");
     add_overwrite_option(options, overwrite_);
-    options.add_option("--sensor", sensor_, sensor_names())->type_name("NAME");
+    options
+        .add_option("--sensor", sensor_,
+                    "Profile of the sensor (YAML), or the name of a shipped one: " + sensor_names())
+        ->type_name("NAME|FILE");
     options.add_option("--seed", seed_, "Of the sensor's noise")->check(not_negative());
     options
         .add_option("--scene", scene_,

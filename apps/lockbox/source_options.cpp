@@ -11,12 +11,14 @@ namespace lockbox::app {
 
 void SourceArguments::add_to(CLI::App& options) {
   add_source(options)->required();
+  add_sensor(options, "; auto: noise as the first frame shows it");
   options.add_flag("--realtime", realtime_,
                    "Play recordings at recorded speed, dropping frames like a live device");
 }
 
 void SourceArguments::add_optional_to(CLI::App& options) {
   add_source(options);
+  add_sensor(options, "");
 }
 
 void SourceArguments::add_peaceful_to(CLI::App& options) {
@@ -43,8 +45,23 @@ CLI::Option* SourceArguments::add_source(CLI::App& options) {
   return source;
 }
 
+void SourceArguments::add_sensor(CLI::App& options, const std::string& more_choices) {
+  options
+      .add_option("--sensor", sensor_,
+                  "Profile of the sensor (YAML), or the name of a shipped one: " + sensor_names() +
+                      more_choices + "; default: noise as of primesense, depths from 0.2 to 5 m")
+      ->type_name("NAME|FILE")
+      ->default_str("primesense");
+}
+
+std::optional<SensorProfile> SourceArguments::sensor() const {
+  return sensor_.empty() || is_sensor_unknown() ? std::nullopt
+                                                : std::optional(find_sensor_profile(sensor_));
+}
+
 void SourceArguments::require_existing() const {
   require_source(source_);
+  sensor();
   if (!camera_info_.empty()) read_camera_info(camera_info_);
 }
 

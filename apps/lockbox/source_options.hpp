@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lockbox/capture/frame_source.hpp"
+#include "lockbox/sensor/sensor_profile.hpp"
 
 namespace lockbox::app {
 
@@ -24,8 +25,15 @@ class SourceArguments {
   bool is_given() const { return !source_.empty(); }
   const std::string& name() const { return source_; }
 
-  /// Throws InputError if it is a file or folder that is missing, or if the calibration is.
+  /// Throws InputError if it is a file or folder that is missing, or if the calibration or the
+  /// sensor's profile is.
   void require_existing() const;
+
+  /// Whether the sensor's noise is to be found out from its images.
+  bool is_sensor_unknown() const { return sensor_ == "auto"; }
+
+  /// What the user says of the sensor; none if nothing, or that it is unknown. Throws InputError.
+  std::optional<SensorProfile> sensor() const;
 
   /// Warnings go to standard error.
   SourceOptions options() const;
@@ -33,9 +41,11 @@ class SourceArguments {
 
  private:
   CLI::Option* add_source(CLI::App& options);
+  void add_sensor(CLI::App& options, const std::string& more_choices);
 
   std::string source_;
   std::string camera_info_;
+  std::string sensor_;
   std::optional<double> depth_scale_;
   bool realtime_ = false;
 };

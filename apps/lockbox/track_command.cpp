@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "estimated_sensor.hpp"
 #include "interruption.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
@@ -66,8 +67,12 @@ class TrackCommand : public Command {
     require_known_inputs();
     require_free_output();
     const ArticulatedModel model = load();
-    const auto source = open();
+    auto source = open();
     TrackerOptions tracker_options = make_tracker_options(model.tree);
+    if (source_.is_sensor_unknown()) {
+      assume_noise(*source, tracker_options);
+      if (source->frame_count()) source = open();
+    }
     tracker_options.background_search = source->is_realtime();
     tracker_options.try_other_readings = !settings_.quiet;
     tracker_options.try_other_units = !source->is_unit_stated();
@@ -129,6 +134,17 @@ class TrackCommand : public Command {
     return model_.load();
   }
 
+  void assume_noise(FrameSource& source, TrackerOptions& options) const {
+    const auto noise = noise_of_first_frames(source);
+    if (!noise) return;
+    SensorProfile sensor;
+    sensor.noise = *noise;
+    sensor.min_range = options.cloud.min_depth;
+    sensor.max_range = options.cloud.max_depth;
+    assume_sensor(sensor, options);
+    if (!settings_.quiet) std::cerr << "sensor: noise " << noise_text(*noise) << '\n';
+  }
+
   std::unique_ptr<FrameSource> open() const {
     const Activity activity("opening the source", settings_.quiet);
     return source_.open();
@@ -187,6 +203,7 @@ class TrackCommand : public Command {
 
   TrackerOptions make_tracker_options(const KinematicTree& tree) const {
     TrackerOptions options = tracker_;
+    if (const auto sensor = source_.sensor()) assume_sensor(*sensor, options);
     options.registration.collision = kCollisionModes.at(collision_);
     if (!locked_joints_.empty()) {
       options.registration.locked.assign(static_cast<std::size_t>(tree.variables()), false);

@@ -35,7 +35,7 @@ struct Hit {
 HWY_INLINE Float sigma_z(const PointNoise& noise, const Float z) {
   const FloatTag df;
   return hn::MulAdd(hn::Set(df, noise.depth_quadratic), hn::Mul(z, z),
-                    hn::Set(df, noise.depth_floor));
+                    hn::MulAdd(hn::Set(df, noise.depth_linear), z, hn::Set(df, noise.depth_floor)));
 }
 
 /// p, q: the points in the camera's and in the body's frame.

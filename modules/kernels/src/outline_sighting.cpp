@@ -155,7 +155,8 @@ HWY_INLINE Limits limits_of(const OutlineImage& image, const OutlineSearch& sear
   const Number lateral2 =
       square(hn::Mul(constant(search.lateral_pixels / image.focal_length[0]), z));
   const Number sigma =
-      hn::MulAdd(constant(search.depth_quadratic), square(z), constant(search.depth_floor));
+      hn::MulAdd(constant(search.depth_quadratic), square(z),
+                 hn::MulAdd(constant(search.depth_linear), z, constant(search.depth_floor)));
   const Number blur = hn::Mul(hn::Mul(constant(search.lateral_pixels), steepness), z);
   const Number reach = hn::Mul(
       constant(search.cut), hn::Sqrt(hn::Add(lateral2, constant(search.spread * search.spread))));

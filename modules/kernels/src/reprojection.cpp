@@ -90,8 +90,9 @@ std::size_t points_seen_through(const Landings& landings, std::size_t size, cons
   for (std::size_t i = 0; i < size; i += hn::Lanes(df)) {
     const Float z = hn::LoadU(df, landings.expected + i);
     const Int pixel = hn::LoadU(di, landings.pixel + i);
-    const Float sigma = hn::MulAdd(hn::Set(df, noise.depth_quadratic), hn::Mul(z, z),
-                                   hn::Set(df, noise.depth_floor));
+    const Float sigma =
+        hn::MulAdd(hn::Set(df, noise.depth_quadratic), hn::Mul(z, z),
+                   hn::MulAdd(hn::Set(df, noise.depth_linear), z, hn::Set(df, noise.depth_floor)));
     const Float behind = hn::Sub(hn::LoadU(df, landings.measured + i), z);
     const auto deeper =
         hn::And(hn::RebindMask(di, hn::Gt(behind, hn::Mul(hn::Set(df, zone), sigma))),

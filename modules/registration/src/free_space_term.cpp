@@ -181,7 +181,8 @@ void FreeSpaceTerm::find_seen_through(const Scene& scene, const BodyPoses& T_cam
                                       std::size_t chunk_index) {
   const SensorNoise& noise = scene.options.noise;
   const kernels::PointNoise along_ray{static_cast<float>(noise.depth_floor),
-                                      static_cast<float>(noise.depth_quadratic), 0.0F, 0.0F};
+                                      static_cast<float>(noise.depth_quadratic), 0.0F, 0.0F,
+                                      static_cast<float>(noise.depth_linear)};
   // Somewhat fewer deviations than the dead zone: single precision errs by less.
   const auto dead_zone = static_cast<float>(kSurely * scene.options.free_space_dead_zone);
   const ViewSamples::Chunk& chunk = scene.samples.chunks()[chunk_index];

@@ -19,7 +19,8 @@ kernels::PointSpan points_of(const PointTiles& points, const Tile& tile) {
 kernels::PointNoise point_noise(const SensorNoise& noise, const PinholeCamera& camera,
                                 double spread) {
   return {static_cast<float>(noise.depth_floor), static_cast<float>(noise.depth_quadratic),
-          static_cast<float>(noise.lateral_pixels / camera.fx), static_cast<float>(spread)};
+          static_cast<float>(noise.lateral_pixels / camera.fx), static_cast<float>(spread),
+          static_cast<float>(noise.depth_linear)};
 }
 
 kernels::PredictedPixels predicted_pixels(const ModelTerm::Scene& scene, const Tile& tile) {

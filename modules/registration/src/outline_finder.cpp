@@ -31,12 +31,14 @@ void OutlineFinder::append_jumps(int v, std::vector<Pixel>& pixels) const {
   const float* const z = view_.depth.data() + view_.index(0, v);
   const auto dead_zone = static_cast<float>(options_.free_space_dead_zone);
   const float floor = dead_zone * static_cast<float>(options_.noise.depth_floor);
+  const float linear = dead_zone * static_cast<float>(options_.noise.depth_linear);
   const float quadratic = dead_zone * static_cast<float>(options_.noise.depth_quadratic);
   for (const int u : edges_.row(v)) {
     if (u < first || u >= end || continued_.covers(view_.index(u, v))) continue;
     const float beside =
         std::max(std::max(z[u - 1], z[u + 1]), std::max(z[u - view_.width], z[u + view_.width]));
-    if (beside > z[u] + (quadratic * (z[u] * z[u]) + floor)) pixels.push_back({u, v});
+    if (beside > z[u] + (quadratic * (z[u] * z[u]) + (linear * z[u] + floor)))
+      pixels.push_back({u, v});
   }
 }
 

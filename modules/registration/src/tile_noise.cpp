@@ -18,7 +18,8 @@ constexpr std::size_t kUsualValues = 32;
 TileNoise::TileNoise(const SensorNoise& noise, int side)
     : side_(static_cast<std::size_t>(side)),
       own_(static_cast<float>(noise.own_share * noise.depth_quadratic)),
-      rounding_(static_cast<float>(noise.depth_floor)) {
+      rounding_(static_cast<float>(noise.depth_floor)),
+      linear_(static_cast<float>(noise.depth_linear)) {
   // Nothing is allocated while tiles are compared, unless they have many values.
   const std::size_t cells = side_ * side_;
   pixels_.reserve(cells);
@@ -36,7 +37,7 @@ TileNoise::TileNoise(const SensorNoise& noise, int side)
 }
 
 float TileNoise::own_variance(float inverse_depth) const {
-  const float rounding = rounding_ * inverse_depth * inverse_depth;
+  const float rounding = (rounding_ * inverse_depth + linear_) * inverse_depth;
   return own_ * own_ + rounding * rounding;
 }
 

@@ -2,38 +2,24 @@
 #include <cmath>
 #include <numbers>
 
+#include "lockbox/core/yaml_map.hpp"
 #include "lockbox/simulation/deviation.hpp"
-#include "yaml_map.hpp"
 
 namespace lockbox {
 namespace {
 
-using simulation::YamlMap;
-
 constexpr double kMostSeeds = 9007199254740992.0;  // a double tells all whole numbers up to it
 
-/// A number from lowest to highest, or else what is wrong with it.
-struct Range {
-  double lowest;
-  double highest;
-  const char* demand;
-};
-
 // Beyond these an object is no version of its model any more.
-constexpr Range kScale{0.5, 2.0, "must be a factor from 0.5 to 2"};
-constexpr Range kLength{0.0, 0.1, "must be from 0 to 0.1 (metres)"};
-constexpr Range kAngle{0.0, std::numbers::pi / 6.0, "must be from 0 to 0.52 (radians)"};
-constexpr Range kAddedShare{0.0, 0.5, "must be a share from 0 to 0.5"};
-constexpr Range kDepthShare{-0.2, 0.2, "must be from -0.2 to 0.2"};
-constexpr Range kFrameShare{0.0, 0.9, "must be a share from 0 to 0.9"};
-constexpr Range kRate{0.0, 1000.0, "must be from 0 (as they come) to 1000 (frames a second)"};
+constexpr NumberRange kScale{0.5, 2.0, "must be a factor from 0.5 to 2"};
+constexpr NumberRange kLength{0.0, 0.1, "must be from 0 to 0.1 (metres)"};
+constexpr NumberRange kAngle{0.0, std::numbers::pi / 6.0, "must be from 0 to 0.52 (radians)"};
+constexpr NumberRange kAddedShare{0.0, 0.5, "must be a share from 0 to 0.5"};
+constexpr NumberRange kDepthShare{-0.2, 0.2, "must be from -0.2 to 0.2"};
+constexpr NumberRange kFrameShare{0.0, 0.9, "must be a share from 0 to 0.9"};
+constexpr NumberRange kRate{0.0, 1000.0, "must be from 0 (as they come) to 1000 (frames a second)"};
 constexpr double kMostPixels = 100.0;  // that a principal point is off
 constexpr double kMostDistortion = 0.5;
-
-void read_within(const YamlMap& map, const char* key, const Range& range, double& value) {
-  map.read(key, value);
-  if (!(value >= range.lowest && value <= range.highest)) map.refuse(key, range.demand);
-}
 
 template <typename Integer>
 void read_whole(const YamlMap& map, const char* key, double highest, Integer& value) {
@@ -51,20 +37,20 @@ void read_object(const std::string& file, const YAML::Node& node, ObjectDeviatio
   const YamlMap map(file, node,
                     {"scale", "sizes", "bend", "joint_origins", "joint_axes", "added_parts",
                      "added_share", "missing_handles", "missing_parts"});
-  read_within(map, "scale", kScale, object.scale);
-  read_within(map, "sizes", kLength, object.sizes);
-  read_within(map, "bend", kLength, object.bend);
-  read_within(map, "joint_origins", kLength, object.joint_origins);
-  read_within(map, "joint_axes", kAngle, object.joint_axes);
+  map.read("scale", kScale, object.scale);
+  map.read("sizes", kLength, object.sizes);
+  map.read("bend", kLength, object.bend);
+  map.read("joint_origins", kLength, object.joint_origins);
+  map.read("joint_axes", kAngle, object.joint_axes);
   read_whole(map, "added_parts", kMostParts, object.added_parts);
-  read_within(map, "added_share", kAddedShare, object.added_share);
+  map.read("added_share", kAddedShare, object.added_share);
   read_whole(map, "missing_handles", kMostParts, object.missing_handles);
   map.read("missing_parts", object.missing_parts);
 }
 
 void read_camera(const std::string& file, const YAML::Node& node, CameraDeviation& camera) {
   const YamlMap map(file, node, {"focal_length", "principal_point", "distortion"});
-  read_within(map, "focal_length", kScale, camera.focal_length);
+  map.read("focal_length", kScale, camera.focal_length);
   map.read("principal_point", camera.principal_point);
   if (camera.principal_point.cwiseAbs().maxCoeff() > kMostPixels) {
     map.refuse("principal_point", "must be off by 100 pixels at most");
@@ -77,16 +63,16 @@ void read_camera(const std::string& file, const YAML::Node& node, CameraDeviatio
 
 void read_depth(const std::string& file, const YAML::Node& node, DepthDeviation& depth) {
   const YamlMap map(file, node, {"scale", "bend", "corners"});
-  read_within(map, "scale", kScale, depth.scale);
-  read_within(map, "bend", kDepthShare, depth.bend);
-  read_within(map, "corners", kDepthShare, depth.corners);
+  map.read("scale", kScale, depth.scale);
+  map.read("bend", kDepthShare, depth.bend);
+  map.read("corners", kDepthShare, depth.corners);
 }
 
 void read_frames(const std::string& file, const YAML::Node& node, FrameDeviation& frames) {
   const YamlMap map(file, node, {"rate", "repeated", "missing"});
-  read_within(map, "rate", kRate, frames.rate);
-  read_within(map, "repeated", kFrameShare, frames.repeated);
-  read_within(map, "missing", kFrameShare, frames.missing);
+  map.read("rate", kRate, frames.rate);
+  map.read("repeated", kFrameShare, frames.repeated);
+  map.read("missing", kFrameShare, frames.missing);
 }
 
 void emit_pair(YAML::Emitter& out, const char* key, const Eigen::Vector2d& pair) {
@@ -130,7 +116,7 @@ void emit_object(YAML::Emitter& out, const ObjectDeviation& object) {
 
 Deviation read_deviation(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const YamlMap map(file, simulation::load_yaml(path, "deviation"),
+  const YamlMap map(file, load_yaml(path, "deviation"),
                     {"seed", "object", "camera", "depth", "frames"});
   Deviation deviation;
   read_whole(map, "seed", kMostSeeds, deviation.seed);

@@ -2,13 +2,11 @@
 #include <optional>
 #include <string>
 
+#include "lockbox/core/yaml_map.hpp"
 #include "lockbox/simulation/scene.hpp"
-#include "yaml_map.hpp"
 
 namespace lockbox {
 namespace {
-
-using simulation::YamlMap;
 
 void read_frame(const YamlMap& map, SceneFrame& frame) {
   std::string name = frame == SceneFrame::world ? "world" : "base";
@@ -122,8 +120,7 @@ std::optional<Eigen::AlignedBox3d> read_room(const std::string& file, const Yaml
 
 Scene read_scene(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const YamlMap map(file, simulation::load_yaml(path, "scene"),
-                    {"moving", "room", "planes", "boxes", "arms"});
+  const YamlMap map(file, load_yaml(path, "scene"), {"moving", "room", "planes", "boxes", "arms"});
   Scene scene;
   std::string moving = "object";
   map.read("moving", moving);

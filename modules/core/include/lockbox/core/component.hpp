@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Programs and libraries of lockbox that are loaded when they are asked for, because of all that
-// they bring with them.
+// they bring with them; and the data that is installed with them.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,11 @@ namespace lockbox {
 /// this address, or, where that is linked into a program, in `../lib/lockbox` beside the program.
 /// Throws InputError if it is not installed.
 std::filesystem::path find_component(const std::string& name, const void* address_in_library);
+
+/// The folder `share/lockbox` of the installation or build tree with the library or program that
+/// holds the code or data at this address: in the nearest folder above it that has one. Empty if
+/// none has.
+std::filesystem::path share_folder(const void* address_in_library);
 
 /// Loads a library and returns what it exports under this name. It stays loaded: static objects of
 /// VTK and the like do not survive it otherwise. Throws InputError with the loader's reason.

@@ -40,12 +40,13 @@ struct OutlineImage {
 
 /// How far outlines are sought, and what counts as a step.
 struct OutlineSearch {
-  double depth_floor;      ///< metres: with the next, sigma_z(z) = floor + quadratic z^2
-  double depth_quadratic;  ///< 1 / metre
-  double lateral_pixels;   ///< standard deviation across the ray
-  double spread;           ///< metres that the outlines may be off
-  double cut;              ///< standard deviations that are searched
-  double dead_zone;        ///< standard deviations along the ray that are no step
+  double depth_floor;         ///< metres; sigma_z(z) = floor + linear z + quadratic z^2
+  double depth_quadratic;     ///< 1 / metre
+  double lateral_pixels;      ///< standard deviation across the ray
+  double spread;              ///< metres that the outlines may be off
+  double cut;                 ///< standard deviations that are searched
+  double dead_zone;           ///< standard deviations along the ray that are no step
+  double depth_linear = 0.0;  ///< metres a metre
 };
 
 /// By outline point.

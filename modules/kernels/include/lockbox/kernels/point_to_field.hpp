@@ -37,12 +37,14 @@ struct RigidMotion {
 };
 
 /// How far a measured point may lie from the surface that it shows: standard deviations.
-/// sigma_z(z) = depth_floor + depth_quadratic z^2 along the ray, lateral z across it.
+/// sigma_z(z) = depth_floor + depth_linear z + depth_quadratic z^2 along the ray, lateral z across
+/// it.
 struct PointNoise {
-  float depth_floor;      ///< metres
-  float depth_quadratic;  ///< 1 / metre
-  float lateral;          ///< metres per metre of depth: pixels / focal length
-  float spread;           ///< metres: how far off the configuration may still be (annealing)
+  float depth_floor;          ///< metres
+  float depth_quadratic;      ///< 1 / metre
+  float lateral;              ///< metres per metre of depth: pixels / focal length
+  float spread;               ///< metres: how far off the configuration may still be (annealing)
+  float depth_linear = 0.0F;  ///< metres a metre
 };
 
 /// What the points of a tile see in one body's field. Arrays of PointSpan::size.

@@ -4,28 +4,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "lockbox/sensor/sensor_noise.hpp"
+
 namespace lockbox {
-
-/// How a depth sensor errs: standard deviations, see kernels::PointNoise.
-/// The defaults are those of a PrimeSense-class sensor (75 mm baseline, 1/8 pixel disparity steps).
-struct SensorNoise {
-  double depth_floor = 0.0003;      ///< metres
-  double depth_quadratic = 0.0021;  ///< 1 / metre
-  double lateral_pixels = 0.5;
-  /// Of the standard deviation along the ray, what each pixel errs by itself. The rest it shares
-  /// with its neighbours, correlated by exp(-r^2 / (2 correlation_pixels^2)).
-  double own_share = 0.45;
-  double correlation_pixels = 3.0;
-
-  /// Along the ray at depth z, and across it with focal length fx: metres.
-  double sigma_z(double z) const { return depth_floor + depth_quadratic * z * z; }
-  double sigma_lateral(double z, double fx) const { return lateral_pixels / fx * z; }
-  /// Of 1/depth, 1/metre: nearly the same at all depths. Taken where objects usually are.
-  double sigma_inverse_depth() const {
-    constexpr double kUsualDepth = 1.732;  // metres
-    return sigma_z(kUsualDepth) / (kUsualDepth * kUsualDepth);
-  }
-};
 
 enum class CollisionMode { off, literal, eroded };
 

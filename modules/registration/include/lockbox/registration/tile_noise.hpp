@@ -54,6 +54,7 @@ class TileNoise {
   float shared_variance_;
   float own_;
   float rounding_;
+  float linear_;
   /// What two pixels share, by how much farther the one is in the tile: rows, then columns, from
   /// 1 - side to side - 1.
   std::vector<float> shared_;

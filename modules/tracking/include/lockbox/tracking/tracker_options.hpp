@@ -4,6 +4,7 @@
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/stop_request.hpp"
 #include "lockbox/registration/registration_options.hpp"
+#include "lockbox/sensor/sensor_profile.hpp"
 
 namespace lockbox {
 
@@ -71,5 +72,8 @@ struct TrackerOptions {
   double least_margin_of_hidden = 25.0;
   double lost_agreement = 0.60;  ///< below it, or below half of least_explained: `lost`
 };
+
+/// The noise, its correlation and the range of depths are the sensor's from now on.
+void assume_sensor(const SensorProfile& sensor, TrackerOptions& options);
 
 }  // namespace lockbox

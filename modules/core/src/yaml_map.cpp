@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "yaml_map.hpp"
+#include "lockbox/core/yaml_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 
-namespace lockbox::simulation {
+namespace lockbox {
 
 YAML::Node load_yaml(const std::filesystem::path& file, const std::string& kind) {
   std::ifstream stream(file);
@@ -63,6 +63,19 @@ void YamlMap::read(const char* key, double& value) const {
   }
 }
 
+void YamlMap::read(const char* key, const NumberRange& range, double& value) const {
+  if (!has(key)) return;
+  read(key, value);
+  if (!(value >= range.lowest && value <= range.highest)) refuse(key, range.demand);
+}
+
+void YamlMap::read(const char* key, bool& value) const {
+  std::string word = value ? "true" : "false";
+  read(key, word);
+  if (word != "true" && word != "false") refuse(key, "must be true or false");
+  value = word == "true";
+}
+
 void YamlMap::read(const char* key, std::vector<std::string>& words) const {
   for (const YAML::Node& item : items(key)) {
     if (!item.IsScalar()) refuse(key, "must be a list of words");
@@ -113,4 +126,4 @@ std::vector<double> YamlMap::read_list(const char* key, std::size_t size) const 
   return numbers;
 }
 
-}  // namespace lockbox::simulation
+}  // namespace lockbox

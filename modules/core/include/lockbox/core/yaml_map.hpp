@@ -11,10 +11,17 @@
 #include <string>
 #include <vector>
 
-namespace lockbox::simulation {
+namespace lockbox {
 
 /// The content of a file. kind: what it should be, as a sentence has it. Throws InputError.
 YAML::Node load_yaml(const std::filesystem::path& file, const std::string& kind);
+
+/// A number from lowest to highest, or else what it must be, as a sentence has it.
+struct NumberRange {
+  double lowest;
+  double highest;
+  const char* demand;
+};
 
 class YamlMap {
  public:
@@ -27,6 +34,9 @@ class YamlMap {
   /// The values below leave the target as it is where the key is absent.
   void read(const char* key, std::string& value) const;
   void read(const char* key, double& value) const;
+  void read(const char* key, const NumberRange& range, double& value) const;
+  /// `true` or `false`.
+  void read(const char* key, bool& value) const;
   void read(const char* key, std::vector<std::string>& words) const;
   template <int Size>
   void read(const char* key, Eigen::Matrix<double, Size, 1>& value) const {
@@ -52,4 +62,4 @@ class YamlMap {
   YAML::Node node_;
 };
 
-}  // namespace lockbox::simulation
+}  // namespace lockbox

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/tracking/tracker_options.hpp"
+
+#include <algorithm>
+
+namespace lockbox {
+
+void assume_sensor(const SensorProfile& sensor, TrackerOptions& options) {
+  options.cloud.min_depth = sensor.min_range;
+  options.cloud.max_depth = sensor.max_range;
+  RegistrationOptions& registration = options.registration;
+  registration.noise = sensor.noise;
+  // Points are chosen and averaged, which leaves of the errors that are alike the same share for
+  // any sensor. Of the one that the default stands for, that was found.
+  const double alike = sensor.noise.correlation_area() / SensorNoise{}.correlation_area();
+  registration.noise_correlation = std::max(1.0, RegistrationOptions{}.noise_correlation * alike);
+}
+
+}  // namespace lockbox

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `--sensor` changes, and what it refuses.
+#include <gmock/gmock.h>
+
+#include "block_runs.hpp"
+
+namespace lockbox {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class SensorOption : public BlockRuns {};
+
+TEST_F(SensorOption, NoiseIsThatOfTheProfileAndSaidInTheRun) {
+  const std::string profile = path("mine.yaml");
+  write_text(profile, "like: primesense\nnoise: {across_ray: 0.7, correlation_length: 6}\n");
+  ASSERT_EQ(run_tool(following("mine", {"--sensor", profile})).status, 0);
+  EXPECT_THAT(read_text(path("mine/run.yaml")),
+              AllOf(HasSubstr("sensor: " + profile), HasSubstr("noise_lateral_pixels: 0.7"),
+                    HasSubstr("noise_correlation_pixels: 6"), HasSubstr("max_depth: 4.5")));
+}
+
+TEST_F(SensorOption, PrimesenseIsWhatIsAssumedUnasked) {
+  ASSERT_EQ(run_tool(following("unasked")).status, 0);
+  ASSERT_EQ(run_tool(following("asked", {"--sensor", "primesense"})).status, 0);
+  EXPECT_EQ(rows_without_latency(path("asked/states.csv")),
+            rows_without_latency(path("unasked/states.csv")));
+}
+
+TEST_F(SensorOption, AutoFindsTheNoiseOutAndTracksEveryFrame) {
+  const auto run = run_tool(following("auto", {"--sensor", "auto"}));
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("sensor: noise "));
+  EXPECT_EQ(read_lines(path("auto/states.csv")).size(), kFrames + 1);
+  EXPECT_THAT(read_text(path("auto/run.yaml")),
+              AllOf(HasSubstr("sensor: auto"), Not(HasSubstr("noise_depth_quadratic: 0.0021\n"))));
+}
+
+TEST_F(SensorOption, RefusesWhatIsNoProfile) {
+  const auto unknown = run_tool(following("none", {"--sensor", "xtion"}));
+  EXPECT_EQ(unknown.status, 3);
+  EXPECT_THAT(unknown.errors, AllOf(HasSubstr("xtion"), HasSubstr("azure-kinect")));
+  write_text(path("wrong.yaml"), "noise:\n  own_share: 2\n");
+  const auto wrong = run_tool(following("none", {"--sensor", path("wrong.yaml")}));
+  EXPECT_EQ(wrong.status, 3);
+  EXPECT_THAT(wrong.errors, HasSubstr(path("wrong.yaml") + ":2: 'own_share'"));
+  write_text(path("lacking.yaml"), "noise: {own_share: 1}\n");
+  const auto lacking = simulate(start_, "lacking.oni", {"--sensor", path("lacking.yaml")});
+  EXPECT_EQ(lacking.status, 3);
+  EXPECT_THAT(lacking.errors, HasSubstr("how to simulate"));
+}
+
+}  // namespace
+}  // namespace lockbox
