@@ -7,7 +7,8 @@
 #include <string>
 
 #include "lockbox/core/error.hpp"
-#include "model/temporary_folder.hpp"
+#include "model/message_of.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -16,15 +17,17 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 
-class SensorProfileTest : public WithTemporaryFolder {
+class SensorProfileTest : public ::testing::Test {
  protected:
   SensorProfile read(const std::string& text) const {
-    return read_sensor_profile(write("mine.yaml", text));
+    return read_sensor_profile(folder_.write("mine.yaml", text));
   }
 
   std::string refusal_of(const std::string& text) const {
     return message_of<InputError>([&] { read(text); });
   }
+
+  TemporaryFolder folder_;
 };
 
 TEST(ShippedSensors, AreAllReadAndCanAllBeSimulated) {
