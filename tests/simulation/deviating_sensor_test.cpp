@@ -21,10 +21,11 @@ const PinholeCamera kCalibration{320, 240, 287.9, 287.9, 159.5, 119.5};
 class DeviatingSensor : public ::testing::Test {
  protected:
   /// Draws the board at that distance, facing the camera.
-  void draw(const SensorDeviation& deviation, double distance = 1.31) {
+  void draw(const SensorDeviation& deviation, double distance = 1.31,
+            const std::string& sensor = "ideal") {
     state_.configuration = rest_configuration(tree_);
     state_.configuration.T_camera_base = facing_pose(distance);
-    Simulator simulator(tree_, kCalibration, PlacedScene(), sensor_model("ideal"), 1, Executor(2),
+    Simulator simulator(tree_, kCalibration, PlacedScene(), sensor_model(sensor), 1, Executor(2),
                         deviation);
     simulator.simulate(state_, 0, frame_);
     apparent_ = simulator.apparent_base();
@@ -105,6 +106,17 @@ TEST_F(DeviatingSensor, DepthGrowsWithTheAmounts) {
   const double share =
       std::pow(std::hypot(159.5 - 100.0, 119.5 - 60.0) / std::hypot(159.5, 119.5), 2);
   EXPECT_NEAR(frame_.metres(100, 60), 1.3 * (1.0 + 0.02 * share), 0.0006);
+}
+
+/// Beside the board there is nothing, at an infinite depth, which no factor makes a negative one.
+TEST_F(DeviatingSensor, DepthThatShrinksWithTheDistanceLeavesNothingWhereNothingIs) {
+  SensorDeviation deviation;
+  deviation.depth = {1.0, -0.006, 0.0};
+  for (const char* sensor : {"ideal", "primesense", "stereo", "time-of-flight"}) {
+    draw(deviation, 1.31, sensor);
+    EXPECT_NEAR(frame_.metres(160, 65), 1.3 * (1.0 - 0.006 * 1.3), 0.02) << sensor;
+    EXPECT_EQ(frame_.metres(2, 65), 0.0) << sensor;
+  }
 }
 
 TEST_F(DeviatingSensor, WithoutADeviationTheBaseAppearsWhereItIs) {

@@ -104,7 +104,8 @@ double DeviatingView::measured_depth(int u, int v, double z) const {
   const double farthest = std::hypot(std::max(samples_.cx, samples_.width - 1 - samples_.cx),
                                      std::max(samples_.cy, samples_.height - 1 - samples_.cy));
   const double squared = (Eigen::Vector2d(u, v) - centre).squaredNorm() / (farthest * farthest);
-  return z * (depth_.scale + depth_.bend * z + depth_.corners * squared);
+  const double measured = z * (depth_.scale + depth_.bend * z + depth_.corners * squared);
+  return measured > 0.0 ? measured : std::numeric_limits<double>::infinity();
 }
 
 void DeviatingView::measure(const RenderedDepth& scene, RenderedDepth& measured) const {
