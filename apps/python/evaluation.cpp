@@ -5,44 +5,19 @@
 #include <filesystem>
 #include <optional>
 
+#include "../lockbox/compared_files.hpp"
 #include "../lockbox/evaluation_tree.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
-#include "lockbox/core/error.hpp"
-#include "lockbox/evaluation/matching_stamps.hpp"
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/report.hpp"
-#include "lockbox/evaluation/tum_trajectory.hpp"
 
 namespace lockbox::python {
 namespace {
 
-KinematicTree rigid_tree() {
-  KinematicTree tree;
-  tree.bodies.resize(1);
-  return tree;
-}
-
-KinematicTree tree_of(const std::string& estimate, const ModelPointer& model) {
-  return model ? model->tree : app::tree_of_columns(estimate);
-}
-
-/// The text of summary.json. Remarks go into warnings.
-std::string summary(const std::string& estimate_file, const std::string& reference_file,
-                    const ModelPointer& model, Warnings& warnings) {
-  for (const auto& file : {estimate_file, reference_file}) {
-    if (!std::filesystem::exists(file)) throw InputError(file, "there is no such file");
-  }
-  const bool base_only = is_tum_trajectory(reference_file);
-  const KinematicTree tree = base_only ? rigid_tree() : tree_of(estimate_file, model);
-  StatesFile estimate = read_states(estimate_file, tree);
-  StatesFile reference =
-      base_only ? read_tum_trajectory(reference_file) : read_states(reference_file, tree);
-  for (const auto& remark : match_stamps(estimate, reference, reference_file)) warnings.add(remark);
-  if (base_only) reference = at_times_of(estimate, reference);
-  const bool is_rigid = model && model->tree.variables() == 0;
-  return summary_text(tree, evaluate(tree, estimate, reference, std::nullopt, {},
-                                     is_rigid ? EqualPoses(*model) : EqualPoses()));
+ModelPointer model_of_run(const std::filesystem::path& estimate) {
+  auto model = app::model_of_run(estimate, {});
+  return model ? std::make_shared<const ArticulatedModel>(std::move(*model)) : nullptr;
 }
 
 py::object evaluate_files(const std::filesystem::path& estimate,
@@ -52,13 +27,13 @@ py::object evaluate_files(const std::filesystem::path& estimate,
   std::string text;
   {
     const py::gil_scoped_release others_go_on;
-    ModelPointer known = model ? model->model : nullptr;
-    if (!model) {
-      if (auto of_run = app::model_of_run(estimate, {})) {
-        known = std::make_shared<const ArticulatedModel>(std::move(*of_run));
-      }
-    }
-    text = summary(estimate.string(), reference.string(), known, warnings);
+    app::require_comparable(estimate.string(), reference.string());
+    const auto of_run = model ? nullptr : model_of_run(estimate);
+    const auto files = app::read_compared_files(
+        estimate.string(), reference.string(), model ? model->model.get() : of_run.get(),
+        {[&](const std::string& warning) { warnings.add(warning); }, [](const std::string&) {}});
+    text = summary_text(files.tree, evaluate(files.tree, files.estimate, files.reference,
+                                             std::nullopt, {}, files.equal));
   }
   warnings.issue();
   return py::module_::import("json").attr("loads")(text);
