@@ -3,6 +3,7 @@
 
 import csv
 import os
+import shutil
 import signal
 import threading
 import time
@@ -128,6 +129,37 @@ def test_wrong_arguments_are_refused(model, frames, recording):
         lockbox.Tracker(model, initial_state=lockbox.State(far))
     with pytest.raises(lockbox.InputError, match="none.oni"):
         lockbox.open_source("none.oni")
+
+
+def test_waiting_for_a_frame_ends_at_ctrl_c(recording, tmp_path):
+    shutil.copytree(recording, tmp_path / "gap")
+    (tmp_path / "gap" / "depth.txt").write_text(
+        "0 depth/000000.png\n3600 depth/000001.png\n")
+    source = lockbox.open_source(tmp_path / "gap", realtime=True)
+    next(source)
+    signals = []
+
+    def press_ctrl_c():
+        time.sleep(0.2)
+        signals.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=press_ctrl_c)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        next(source)
+        time.sleep(10)
+    assert time.monotonic() - signals[0] < 1
+    thread.join()
+
+
+def test_searches_in_the_background_do_not_hold_frames(frames):
+    tracker = lockbox.Tracker(lockbox.load_model("cabinet"), frames[0].intrinsics,
+                              background_search=True)
+    begin = time.monotonic()
+    for frame in frames[:3]:
+        assert tracker.track(frame.depth).status == "initializing"
+    assert time.monotonic() - begin < 5, "the search takes longer"
 
 
 def test_search_lets_other_threads_go_on_and_ends_at_ctrl_c(frames):
