@@ -2,7 +2,9 @@
 // The extension module `lockbox._lockbox`.
 #include <pybind11/pybind11.h>
 
+#include <exception>
 #include <filesystem>
+#include <utility>
 
 #include "bindings.hpp"
 #include "lockbox/core/error.hpp"
@@ -19,7 +21,7 @@ void register_errors(py::module_& module) {
       "A camera has failed, or has stopped delivering frames.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const std::filesystem::filesystem_error& error) {
       PyErr_SetString(PyExc_OSError, error.what());
     }

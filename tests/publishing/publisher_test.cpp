@@ -102,7 +102,7 @@ TEST(Publisher, DropsTheOldestLinesOfAReaderThatDoesNotReadAndCountsThem) {
   });
   const auto begin = Clock::now();
   for (int i = 0; i < kLines; ++i) publisher.publish(std::to_string(i) + filling);
-  EXPECT_LT(Clock::now() - begin, std::chrono::seconds(1)) << "it has waited";
+  EXPECT_LT(Clock::now() - begin, std::chrono::seconds(5)) << "it has waited";
   publisher.close();
   reading.join();
   const auto last_line = std::to_string(kLines - 1) + filling;

@@ -84,6 +84,8 @@ def test_errors_have_the_text_of_the_tool(box, tmp_path):
         box.render(lockbox.State(pose(1)), K, (1 << 30, 1 << 30))
     with pytest.raises(lockbox.InputError, match="lid"):
         box.body_poses(lockbox.State(pose(1), {"lid": 0.1}))
+    with pytest.raises(OSError, match="too long"):
+        lockbox.load_model("x" * 5000)
     file = tmp_path / "bad.urdf"
     file.write_text(BOX.replace("0.2 0.1 0.4", "0.2 0.1"))
     with pytest.raises(lockbox.InputError, match="bad.urdf:1"):
