@@ -5,21 +5,19 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "compared_files.hpp"
 #include "counted.hpp"
 #include "evaluation_tree.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/units.hpp"
-#include "lockbox/evaluation/matching_stamps.hpp"
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/report.hpp"
-#include "lockbox/evaluation/tum_trajectory.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "model_options.hpp"
 #include "option_checks.hpp"
 #include "output_paths.hpp"
 #include "plausible_states.hpp"
 #include "progress.hpp"
-#include "symmetry_note.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -52,45 +50,12 @@ void print_evaluation(const KinematicTree& tree, const Evaluation& evaluation) {
             << "; without an estimate near in time: " << evaluation.unmatched << '\n';
 }
 
+void note(const std::string& text) {
+  std::cerr << "lockbox: " << text << '\n';
+}
+
 void warn(const std::string& text) {
-  std::cerr << "lockbox: warning: " << text << '\n';
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text.append(text.empty() ? "" : ", ").append(name);
-  return text.empty() ? "none" : text;
-}
-
-/// Joints of the file, judged by its header, that the tree has not.
-std::vector<std::string> foreign_joints(const std::string& file, const KinematicTree& tree) {
-  std::vector<std::string> names;
-  for (const Joint& found : tree_of_columns(file).joints) {
-    if (std::none_of(tree.joints.begin(), tree.joints.end(),
-                     [&found](const Joint& joint) { return joint.name == found.name; })) {
-      names.push_back(found.name);
-    }
-  }
-  return names;
-}
-
-/// The reference, or what is wrong about it, also if it belongs to another model.
-StatesFile read_reference(const std::string& file, const KinematicTree& tree) try {
-  StatesFile reference = read_states(file, tree);
-  const auto foreign = foreign_joints(file, tree);
-  if (!foreign.empty()) {
-    warn(file + " has joints that the model of the estimate has not: " + listed(foreign) +
-         "; is it the truth of another model?");
-  }
-  return reference;
-} catch (const InputError& error) {
-  const auto foreign = foreign_joints(file, tree);
-  if (foreign.empty()) throw;
-  std::vector<std::string> own;
-  for (const Joint& joint : tree.joints) own.push_back(joint.name);
-  throw InputError(std::string(error.what()) + "\n" + file,
-                   "is it the truth of another model? Its joints are " + listed(foreign) +
-                       ", those of the estimate's model " + listed(own));
+  note("warning: " + text);
 }
 
 class EvaluateCommand : public Command {
@@ -116,27 +81,13 @@ class EvaluateCommand : public Command {
   }
 
   ExitStatus run() override {
-    for (const auto& file : {estimate_, reference_}) {
-      if (!std::filesystem::exists(file)) throw InputError(file, "there is no such file");
-    }
-    if (is_tum_trajectory(estimate_)) {
-      throw InputError(estimate_, "is a TUM trajectory; give the states.csv that stands beside it");
-    }
-    const bool base_only = is_tum_trajectory(reference_);
+    require_comparable(estimate_, reference_);
     const std::optional<ArticulatedModel> model = known_model();
-    const KinematicTree tree = base_only ? tree_without_joints() : tree_of(model);
+    const auto [tree, estimate, reference, equal] =
+        read_compared_files(estimate_, reference_, model ? &*model : nullptr, {warn, note});
     std::optional<std::vector<FrameBound>> bounds;
     if (!bounds_.empty()) bounds = read_bounds(bounds_, tree);
-    StatesFile estimate = read_states(estimate_, tree);
-    StatesFile reference =
-        base_only ? read_tum_trajectory(reference_) : read_reference(reference_, tree);
-    for (const auto& remark : match_stamps(estimate, reference, reference_)) warn(remark);
-    if (base_only) {
-      std::cerr << "lockbox: " << reference_ << " is a TUM trajectory: joints are not compared\n";
-      reference = at_times_of(estimate, reference);
-    }
-    const Evaluation evaluation =
-        evaluate(tree, estimate, reference, bounds, {}, model ? equal_poses(*model) : EqualPoses());
+    const Evaluation evaluation = evaluate(tree, estimate, reference, bounds, {}, equal);
     print_evaluation(tree, evaluation);
     warn_of_reference(implausibility(tree, reference.states), evaluation.judgement);
     if (!output_.empty()) write_files(tree, evaluation);
@@ -148,34 +99,6 @@ class EvaluateCommand : public Command {
     const Activity activity("loading the model");
     if (model_.is_given()) return model_.load();
     return model_of_run(estimate_, model_.load_options());
-  }
-
-  KinematicTree tree_of(const std::optional<ArticulatedModel>& model) const {
-    if (model) return model->tree;
-    KinematicTree tree = tree_of_columns(estimate_);
-    if (!tree.joints.empty()) {
-      std::cerr << "lockbox: warning: the model is not known (--model): all joints are taken for "
-                   "angles, the distances of sliding ones, too\n";
-    }
-    return tree;
-  }
-
-  /// Those that count as the true one. Where joints move, turning the whole does not leave it as
-  /// it looks.
-  static EqualPoses equal_poses(const ArticulatedModel& model) {
-    EqualPoses equal(model);
-    if (!equal.any()) return equal;
-    const bool is_rigid = model.tree.variables() == 0;
-    std::cerr << "lockbox: " << symmetry_text(model.tree, equal)
-              << (is_rigid ? ": errors are those from the nearest of these poses\n"
-                           : ": an estimate that is turned so counts as wrong\n");
-    return is_rigid ? equal : EqualPoses();
-  }
-
-  static KinematicTree tree_without_joints() {
-    KinematicTree tree;
-    tree.bodies.resize(1);
-    return tree;
   }
 
   void warn_of_reference(const std::string& implausible, const JudgementCount& judgement) const {

@@ -18,6 +18,7 @@ CLI::Validator table_name();      ///< ends in .csv
 CLI::Validator recording_name();  ///< ends in .oni, or no source would know it again
 CLI::Validator folder_name();     ///< neither that of a file of a known kind nor `-`
 CLI::Validator recording_or_folder_name();
+CLI::Validator publish_target_name();
 
 /// Declares --threads, of which no more are taken than an Executor takes.
 void add_threads_option(CLI::App& options, int& threads);

@@ -63,6 +63,18 @@ void emit_totals(YAML::Emitter& out, const RunTotals& totals, const std::string&
   out << YAML::EndMap;
 }
 
+void emit_published(YAML::Emitter& out, const std::vector<Publication>& published) {
+  if (published.empty()) return;
+  out << YAML::Key << "published" << YAML::Value << YAML::BeginSeq;
+  for (const auto& publication : published) {
+    out << YAML::Flow << YAML::BeginMap;
+    out << YAML::Key << "target" << YAML::Value << publication.target;
+    out << YAML::Key << "readers" << YAML::Value << publication.readers;
+    out << YAML::Key << "dropped" << YAML::Value << publication.dropped << YAML::EndMap;
+  }
+  out << YAML::EndSeq;
+}
+
 }  // namespace
 
 void RunTotals::add(const TrackingResult& result, const SourceFaults& faults) {
@@ -83,7 +95,8 @@ double RunTotals::latency_percentile(double share) const {
 }
 
 void write_run_description(const std::filesystem::path& file, const RunDescription& description,
-                           const RunTotals& totals, const std::string& end, double seconds) {
+                           const RunTotals& totals, const std::vector<Publication>& published,
+                           const std::string& end, double seconds) {
   constexpr std::size_t kDigits = 10;
   YAML::Emitter out;
   out.SetDoublePrecision(kDigits);
@@ -99,6 +112,7 @@ void write_run_description(const std::filesystem::path& file, const RunDescripti
   emit_values(out, "parameters", description.parameters);
   emit_versions(out);
   emit_totals(out, totals, end, seconds);
+  emit_published(out, published);
   out << YAML::EndMap;
   write_whole_file(file, std::string(out.c_str()) + '\n');
 }

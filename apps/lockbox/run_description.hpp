@@ -8,6 +8,7 @@
 
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/core/pinhole_camera.hpp"
+#include "lockbox/publishing/publisher.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "run_origin.hpp"
 
@@ -46,6 +47,7 @@ class RunTotals {
 /// Writes run.yaml anew: first when the run starts, then when it has ended. end: why it has.
 /// seconds: wall time.
 void write_run_description(const std::filesystem::path& file, const RunDescription& description,
-                           const RunTotals& totals, const std::string& end, double seconds);
+                           const RunTotals& totals, const std::vector<Publication>& published,
+                           const std::string& end, double seconds);
 
 }  // namespace lockbox::app

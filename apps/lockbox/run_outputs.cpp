@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "lockbox/publishing/state_line.hpp"
 #include "lockbox/visualization/scene_composer.hpp"
 
 namespace lockbox::app {
@@ -13,8 +14,12 @@ constexpr int kRecordingRate = 30;  // nominal; the stamps say when frames reall
 }  // namespace
 
 RunOutputs::RunOutputs(const ArticulatedModel& model, RunDescription description,
-                       const RunSettings& settings)
-    : settings_(settings), description_(std::move(description)), start_(Clock::now()) {
+                       const RunSettings& settings, Publisher& publisher)
+    : settings_(settings),
+      tree_(model.tree),
+      publisher_(publisher),
+      description_(std::move(description)),
+      start_(Clock::now()) {
   if (settings.view) view_.emplace(model);
   if (!settings.output.empty()) {
     folder_.emplace(settings.output);
@@ -29,6 +34,7 @@ RunOutputs::RunOutputs(const ArticulatedModel& model, RunDescription description
 void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result,
                      const SourceFaults& faults) {
   if (totals_.frames() == 0) begin(frame);
+  if (!settings_.publish.empty()) publisher_.publish(state_line(tree_, frame.index, result));
   totals_.add(result, faults);
   if (states_) states_->write(result);
   if (recording_) recording_->write(frame);
@@ -40,6 +46,7 @@ void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result,
 }
 
 void RunOutputs::finish(const std::string& end) {
+  publisher_.close();
   describe(end);
   if (recording_) recording_->finish();
 }
@@ -64,7 +71,8 @@ void RunOutputs::begin(const DepthFrame& frame) {
 void RunOutputs::describe(const std::string& end) const {
   if (settings_.output.empty()) return;
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  write_run_description(settings_.output / "run.yaml", description_, totals_, end, seconds);
+  write_run_description(settings_.output / "run.yaml", description_, totals_,
+                        publisher_.publications(), end, seconds);
 }
 
 }  // namespace lockbox::app

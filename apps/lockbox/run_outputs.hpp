@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lockbox/capture/oni_writer.hpp"
+#include "lockbox/publishing/publisher.hpp"
 #include "lockbox/visualization/live_view.hpp"
 #include "locked_folder.hpp"
 #include "run_description.hpp"
@@ -18,9 +19,9 @@ namespace lockbox::app {
 /// Everything that a run writes, each part only if it was asked for.
 class RunOutputs {
  public:
-  /// Model and settings are referred to. Throws InputError.
-  RunOutputs(const ArticulatedModel& model, RunDescription description,
-             const RunSettings& settings);
+  /// Model, settings and publisher are referred to. Throws InputError.
+  RunOutputs(const ArticulatedModel& model, RunDescription description, const RunSettings& settings,
+             Publisher& publisher);
 
   /// faults: of the source, up to this frame.
   void add(const DepthFrame& frame, const TrackingResult& result, const SourceFaults& faults);
@@ -40,6 +41,8 @@ class RunOutputs {
   void describe(const std::string& end) const;
 
   const RunSettings& settings_;
+  const KinematicTree& tree_;
+  Publisher& publisher_;
   RunDescription description_;
   RunTotals totals_;
   std::optional<LiveView> view_;  // first: without a display no file is begun

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace lockbox::app {
 
@@ -17,6 +19,7 @@ struct RunSettings {
   bool overwrite = false;      ///< what an earlier run has left there
   bool view = false;           ///< show every frame in a window
   bool quiet = false;
+  std::vector<std::string> publish;  ///< targets, see lockbox/publishing/publish_target.hpp
 };
 
 }  // namespace lockbox::app

@@ -10,6 +10,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
+#include "lockbox/tracking/reported.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -33,18 +34,6 @@ void end_row(std::ofstream& stream, const std::filesystem::path& file) {
 /// Some libraries would print "-nan".
 double plain(double value) {
   return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value;
-}
-
-bool is_known(const TrackingResult& result) {
-  return result.status == TrackingStatus::tracking || result.status == TrackingStatus::uncertain;
-}
-
-/// Standard deviation of a joint's position; infinite where the view does not determine it.
-double joint_sigma(const Joint& joint, const TrackingResult& result) {
-  if (!is_known(result)) return std::numeric_limits<double>::quiet_NaN();
-  const auto unknown = static_cast<std::size_t>(6 + joint.variable);
-  if (!result.observable[unknown]) return std::numeric_limits<double>::infinity();
-  return std::abs(joint.multiplier) * result.sigma(6 + joint.variable);
 }
 
 void write_covariance_header(std::ofstream& stream, const KinematicTree& tree) {

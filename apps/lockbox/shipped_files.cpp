@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "lockbox/core/component.hpp"
 #include "lockbox/core/error.hpp"
 #include "nearest_name.hpp"
 
@@ -12,9 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the folder of the program, installed or in a build folder.
+/// Beside the folder of the program, installed or in a build folder; where other programs have
+/// loaded this code (Python), above the folder of its library.
 fs::path share_folder() {
-  return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share" / "lockbox";
+  const fs::path beside_program =
+      fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share" / "lockbox";
+  if (fs::is_directory(beside_program / "models")) return beside_program;
+  return lockbox::share_folder(reinterpret_cast<const void*>(&find_model));
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {

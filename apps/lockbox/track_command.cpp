@@ -9,6 +9,7 @@
 #include "interruption.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
+#include "lockbox/publishing/publisher.hpp"
 #include "locked_folder.hpp"
 #include "model_options.hpp"
 #include "nearest_name.hpp"
@@ -66,6 +67,8 @@ class TrackCommand : public Command {
   ExitStatus run() override {
     require_known_inputs();
     require_free_output();
+    Publisher publisher(publish_targets());
+    if (!settings_.quiet) print_addresses(publisher);
     const ArticulatedModel model = load();
     auto source = open();
     TrackerOptions tracker_options = make_tracker_options(model.tree);
@@ -90,7 +93,7 @@ class TrackCommand : public Command {
     description.source = source_.name();
     description.options = options_in_force(*options_);
     description.parameters = parameters_in_force(tracker.options());
-    return track_source(*source, tracker, model, std::move(description), settings_);
+    return track_source(*source, tracker, model, std::move(description), settings_, publisher);
   }
 
  private:
@@ -120,6 +123,17 @@ class TrackCommand : public Command {
                   << " holds a run that ended before its first row; it is replaced\n";
       }
     }
+  }
+
+  std::vector<PublishTarget> publish_targets() const {
+    std::vector<PublishTarget> targets;
+    for (const auto& text : settings_.publish) targets.push_back(parse_publish_target(text));
+    return targets;
+  }
+
+  static void print_addresses(const Publisher& publisher) {
+    for (const auto& address : publisher.addresses())
+      std::cerr << "publishing: " << address << '\n';
   }
 
   static void print_symmetries(const ArticulatedModel& model) {
@@ -173,6 +187,13 @@ class TrackCommand : public Command {
     options.add_flag("--view", settings_.view,
                      "Also show the newest frame and estimate in a 3D window (keys are explained "
                      "there); closing it ends the view only");
+    options
+        .add_option("--publish", settings_.publish,
+                    "Also give each frame's state to other programs, as one line of JSON: stdout, "
+                    "tcp:PORT, tcp:HOST:PORT, unix:PATH or udp:HOST:PORT (repeatable)")
+        ->check(publish_target_name())
+        ->type_name("TARGET")
+        ->default_str("");
     options.add_option("--max-frames", settings_.max_frames, "Stop after so many frames; 0: never")
         ->check(not_negative())
         ->check(whole_number());

@@ -58,36 +58,49 @@ std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& 
   return interruption::requested() ? signal_text() : end;
 }
 
-void print_summary(const RunTotals& totals, const RunSettings& settings) {
-  std::cout << counted(totals.frames(), "frame");
+/// Standard output, unless lines for other programs go there.
+std::ostream& summary_stream(const RunSettings& settings) {
+  const auto& targets = settings.publish;
+  const bool is_taken = std::find(targets.begin(), targets.end(), "stdout") != targets.end();
+  return is_taken ? std::cerr : std::cout;
+}
+
+void print_published(std::ostream& out, const std::vector<Publication>& published) {
+  for (const auto& [target, readers, dropped] : published) {
+    if (dropped == 0) continue;
+    out << target << ": " << counted(dropped, "line")
+        << " dropped: a reader was too slow, or has stopped reading\n";
+  }
+}
+
+void print_summary(std::ostream& out, const RunTotals& totals, const RunSettings& settings) {
+  out << counted(totals.frames(), "frame");
   for (const auto status : {TrackingStatus::initializing, TrackingStatus::tracking,
                             TrackingStatus::uncertain, TrackingStatus::lost}) {
     if (totals.frames_with(status) > 0) {
-      std::cout << ", " << totals.frames_with(status) << ' ' << to_string(status);
+      out << ", " << totals.frames_with(status) << ' ' << to_string(status);
     }
   }
   if (totals.frames() > 0) {
-    std::cout << std::fixed << std::setprecision(1) << "; latency "
-              << totals.latency_percentile(0.5) << " ms (median), "
-              << totals.latency_percentile(0.95) << " ms (95 %)";
+    out << std::fixed << std::setprecision(1) << "; latency " << totals.latency_percentile(0.5)
+        << " ms (median), " << totals.latency_percentile(0.95) << " ms (95 %)";
   }
-  std::cout << '\n';
+  out << '\n';
   if (totals.faults().unreadable > 0) {
-    std::cout << counted(totals.faults().unreadable, "frame") << " could not be read\n";
+    out << counted(totals.faults().unreadable, "frame") << " could not be read\n";
   }
   if (totals.faults().restamped > 0) {
-    std::cout << counted(totals.faults().restamped, "time stamp") << " advanced\n";
+    out << counted(totals.faults().restamped, "time stamp") << " advanced\n";
   }
   if (totals.faults().dropped > 0) {
-    std::cout << counted(totals.faults().dropped, "frame")
-              << " dropped: they came while the one before was worked on\n";
+    out << counted(totals.faults().dropped, "frame")
+        << " dropped: they came while the one before was worked on\n";
   }
   if (!settings.output.empty()) {
-    std::cout << (totals.frames() > 0 ? "results: "
-                                      : "no results; the same command begins anew in ")
-              << settings.output.string() << '\n';
+    out << (totals.frames() > 0 ? "results: " : "no results; the same command begins anew in ")
+        << settings.output.string() << '\n';
   }
-  std::cout.flush();  // while a closed pipe is still noted
+  out.flush();  // while a closed pipe is still noted
 }
 
 ExitStatus status_of(const RunTotals& totals) {
@@ -98,9 +111,10 @@ ExitStatus status_of(const RunTotals& totals) {
 }  // namespace
 
 ExitStatus track_source(FrameSource& source, Tracker& tracker, const ArticulatedModel& model,
-                        RunDescription description, const RunSettings& settings) {
+                        RunDescription description, const RunSettings& settings,
+                        Publisher& publisher) {
   const Interruption interruption;
-  RunOutputs outputs(model, std::move(description), settings);
+  RunOutputs outputs(model, std::move(description), settings, publisher);
   SearchReport report(settings.quiet);
   std::string end;
   try {
@@ -120,7 +134,10 @@ ExitStatus track_source(FrameSource& source, Tracker& tracker, const Articulated
   if (totals.frames() == 0 && !interruption.requested()) {
     throw InputError(source.description(), "delivered no frame");
   }
-  if (!settings.quiet) print_summary(totals, settings);
+  if (!settings.quiet) {
+    print_published(summary_stream(settings), publisher.publications());
+    print_summary(summary_stream(settings), totals, settings);
+  }
   const ExitStatus status = status_of(totals);
   if (status == ExitStatus::never_tracked) SearchReport::print_summary(tracker, totals);
   return status;

@@ -39,8 +39,7 @@ Json to_json(const JudgementCount& judgement, std::size_t frames) {
 
 }  // namespace
 
-void write_summary(const std::filesystem::path& file, const KinematicTree& tree,
-                   const Evaluation& evaluation) {
+std::string summary_text(const KinematicTree& tree, const Evaluation& evaluation) {
   Json joints = Json::object();
   for (const JointSummary& summary : evaluation.joints) {
     const Joint& joint = tree.joints[static_cast<std::size_t>(summary.joint)];
@@ -58,8 +57,13 @@ void write_summary(const std::filesystem::path& file, const KinematicTree& tree,
                          {{"translation", to_json(evaluation.translation, "m")},
                           {"rotation", to_json(evaluation.rotation, "rad")}}},
                         {"joints", joints}};
+  return summary.dump(2) + '\n';
+}
+
+void write_summary(const std::filesystem::path& file, const KinematicTree& tree,
+                   const Evaluation& evaluation) {
   OutputFile out(file);
-  out.stream() << summary.dump(2) << '\n';
+  out.stream() << summary_text(tree, evaluation);
   out.close();
 }
 

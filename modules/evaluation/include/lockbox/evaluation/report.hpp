@@ -10,7 +10,9 @@
 namespace lockbox {
 
 /// Totals as JSON: metres, radians, seconds; null where there is nothing to sum.
-/// Throws InputError if the file cannot be written, as do the functions below.
+std::string summary_text(const KinematicTree& tree, const Evaluation& evaluation);
+
+/// The same as a file. Throws InputError if it cannot be written, as do the functions below.
 void write_summary(const std::filesystem::path& file, const KinematicTree& tree,
                    const Evaluation& evaluation);
 

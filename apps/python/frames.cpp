@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "bindings.hpp"
+#include "calls.hpp"
+#include "lockbox/capture/frame_source.hpp"
+#include "lockbox/core/error.hpp"
+#include "poses.hpp"
+
+namespace lockbox::python {
+namespace {
+
+using Units = py::array_t<std::uint16_t, py::array::c_style | py::array::forcecast>;
+using Metres = py::array_t<float, py::array::c_style | py::array::forcecast>;
+
+constexpr double kMostUnits = std::numeric_limits<std::uint16_t>::max();
+
+bool is_measured(float z) {
+  return std::isfinite(z) && z > 0.0F;
+}
+
+/// Metres: a millimetre if all depths are whole ones, as most cameras give them; else a tenth of
+/// it, unless that does not reach the farthest point.
+float unit_of(const float* depth, std::size_t count) {
+  float farthest = 0.0F;
+  bool is_whole = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_measured(depth[i])) continue;
+    farthest = std::max(farthest, depth[i]);
+    const double millimetres = 1e3 * double{depth[i]};
+    is_whole = is_whole && std::abs(millimetres - std::round(millimetres)) <= 1e-3;
+  }
+  return is_whole || double{farthest} > kMostUnits * 1e-4 ? 1e-3F : 1e-4F;
+}
+
+/// What is beyond the reach of the unit was not measured.
+void set_depth(const Metres& depth, DepthFrame& frame) {
+  const float* const from = depth.data();
+  frame.depth.resize(static_cast<std::size_t>(depth.size()));
+  frame.metres_per_unit = unit_of(from, frame.depth.size());
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    const double units =
+        is_measured(from[i]) ? std::round(double{from[i]} / double{frame.metres_per_unit}) : 0.0;
+    frame.depth[i] = units <= kMostUnits ? static_cast<std::uint16_t>(units) : std::uint16_t{0};
+  }
+}
+
+/// A source that is iterated over.
+struct Source {
+  std::shared_ptr<Interruptible> calls = std::make_shared<Interruptible>();
+  std::shared_ptr<Warnings> warnings = std::make_shared<Warnings>();
+  std::shared_ptr<FrameSource> source;
+};
+
+Source open(const std::filesystem::path& name,
+            const std::optional<std::filesystem::path>& camera_info,
+            const std::optional<double>& depth_scale, bool realtime) {
+  if (depth_scale && !(*depth_scale > 0.0)) {
+    throw InputError("depth_scale", "is not a positive number");
+  }
+  Source result;
+  SourceOptions options;
+  options.camera_info = camera_info;
+  options.depth_scale = depth_scale;
+  options.realtime = realtime;
+  options.stop = [calls = result.calls] { return calls->requested(); };
+  options.warn = [warnings = result.warnings](const std::string& text) { warnings->add(text); };
+  result.source = result.calls->run(
+      [&] { return std::shared_ptr<FrameSource>(open_source(name.string(), options)); });
+  result.warnings->issue();
+  return result;
+}
+
+DepthFrame next(Source& self) {
+  DepthFrame frame;
+  const bool is_there = self.calls->run([&] { return self.source->next(frame); });
+  self.warnings->issue();
+  if (!is_there) throw py::stop_iteration();
+  return frame;
+}
+
+py::array_t<std::uint16_t> depth_of(const DepthFrame& frame) {
+  return py::array_t<std::uint16_t>({frame.camera.height, frame.camera.width}, frame.depth.data());
+}
+
+py::array_t<float> metres_of(const DepthFrame& frame) {
+  py::array_t<float> result({frame.camera.height, frame.camera.width});
+  float* const to = result.mutable_data();
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    to[i] = static_cast<float>(frame.depth[i]) * frame.metres_per_unit;
+  }
+  return result;
+}
+
+}  // namespace
+
+DepthFrame to_frame(const py::array& depth, const Eigen::Matrix3d& intrinsics,
+                    double units_per_metre) {
+  if (depth.ndim() != 2 || depth.size() == 0) {
+    throw InputError("depth", "is not an image: an array of rows x columns is needed");
+  }
+  if (std::max(depth.shape(0), depth.shape(1)) > std::numeric_limits<std::uint16_t>::max()) {
+    throw InputError("depth", "is too large for an image");
+  }
+  DepthFrame frame;
+  frame.camera =
+      to_camera(intrinsics, static_cast<int>(depth.shape(1)), static_cast<int>(depth.shape(0)));
+  const char kind = depth.dtype().kind();
+  if (kind == 'f') {
+    set_depth(Metres(depth), frame);
+  } else if (kind == 'u' && depth.itemsize() == sizeof(std::uint16_t)) {
+    const Units units(depth);
+    frame.metres_per_unit = static_cast<float>(1.0 / units_per_metre);
+    frame.depth.assign(units.data(), units.data() + units.size());
+  } else {
+    throw InputError("depth", "is an array of " + py::str(depth.dtype()).cast<std::string>() +
+                                  "; uint16 (millimetres) or floats (metres) are needed");
+  }
+  return frame;
+}
+
+void bind_frames(py::module_& module) {
+  py::class_<DepthFrame>(module, "Frame", "A depth image with its camera and its time.")
+      .def_property_readonly("depth", &depth_of,
+                             "Depths (rows x columns, uint16) in `metres_per_unit`; 0 is no "
+                             "measurement.")
+      .def_property_readonly("metres", &metres_of,
+                             "Depths (rows x columns, float32) in metres; 0 is no measurement.")
+      .def_readonly("metres_per_unit", &DepthFrame::metres_per_unit, "The unit of `depth`, metres.")
+      .def_property_readonly(
+          "intrinsics", [](const DepthFrame& frame) { return to_matrix(frame.camera); },
+          "The 3x3 camera matrix, pixels; centres of pixels are whole numbers.")
+      .def_readonly("time", &DepthFrame::stamp, "Its time, seconds.")
+      .def_readonly("index", &DepthFrame::index, "Its number in its source, from 0.");
+  py::class_<Source>(module, "Source", "Depth frames, one after the other: iterate over it.")
+      .def("__iter__", [](py::object self) { return self; })
+      .def("__next__", &next)
+      .def_property_readonly(
+          "frame_count", [](const Source& self) { return self.source->frame_count(); },
+          "The number of frames of a recording; None of a live source.")
+      .def_property_readonly(
+          "description", [](const Source& self) { return self.source->description(); },
+          "What it is, for people.");
+  module.def("open_source", &open, py::arg("source"), py::arg("camera_info") = py::none(),
+             py::arg("depth_scale") = py::none(), py::arg("realtime") = false,
+             "Opens `openni2:`, `openni2:<uri>`, a .oni file, a folder with depth.txt, or a folder "
+             "of .pcd files. camera_info: file of a ROS camera calibration (YAML), used instead of "
+             "the source's own. depth_scale: units per metre of images in a folder. realtime: "
+             "recordings come at recorded speed. Raises InputError or DeviceError.");
+}
+
+}  // namespace lockbox::python

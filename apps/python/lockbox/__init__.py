@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tracks articulated objects with a depth camera.
+
+Metres, radians, seconds. Poses are those of the base link in the depth camera's optical frame
+(x right, y down, z forward).
+"""
+
+from lockbox._lockbox import (
+    DeviceError,
+    Frame,
+    InputError,
+    Joint,
+    Model,
+    Result,
+    Source,
+    State,
+    Tracker,
+    evaluate,
+    load_model,
+    open_source,
+)
+
+__all__ = [
+    "DeviceError",
+    "Frame",
+    "InputError",
+    "Joint",
+    "Model",
+    "Result",
+    "Source",
+    "State",
+    "Tracker",
+    "evaluate",
+    "load_model",
+    "open_source",
+]
+
+for _name in __all__:
+    globals()[_name].__module__ = "lockbox"  # where users find it
+del _name

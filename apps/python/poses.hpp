@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Poses, cameras and configurations as numpy arrays and dicts.
+#pragma once
+
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <map>
+#include <string>
+
+#include "lockbox/core/pinhole_camera.hpp"
+#include "lockbox/model/configuration.hpp"
+
+namespace lockbox::python {
+
+namespace py = pybind11;
+
+/// What is estimated, or given as a start.
+struct State {
+  Eigen::Matrix4d base = Eigen::Matrix4d::Identity();
+  std::map<std::string, double> joints;
+};
+
+/// Joints that are not named are at rest. Throws InputError for what is no pose, and for names that
+/// the tree has not.
+Configuration to_configuration(const KinematicTree& tree, const State& state);
+State to_state(const KinematicTree& tree, const Configuration& configuration);
+
+/// K: 3x3. Throws InputError for what is no camera without skew.
+PinholeCamera to_camera(const Eigen::Matrix3d& intrinsics, int width, int height);
+Eigen::Matrix3d to_matrix(const PinholeCamera& camera);
+
+}  // namespace lockbox::python

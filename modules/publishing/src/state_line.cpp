@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/publishing/state_line.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "lockbox/tracking/reported.hpp"
+
+namespace lockbox {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Of REP 103's frames that of the depth camera, as ROS's drivers call it.
+constexpr auto kFrameId = "camera_depth_optical_frame";
+
+/// JSON knows neither NaN nor infinity.
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+/// ROS turns about the axes of the camera's frame through the base's origin, and moves along them;
+/// the tracker does both along the base's own axes.
+Eigen::Matrix<double, 6, 6> covariance_in_camera(const TrackingResult& result) {
+  Eigen::Matrix<double, 6, 6> turn = Eigen::Matrix<double, 6, 6>::Zero();
+  turn.topLeftCorner<3, 3>() = result.configuration.T_camera_base.linear();
+  turn.bottomRightCorner<3, 3>() = result.configuration.T_camera_base.linear();
+  return turn * result.covariance.topLeftCorner<6, 6>() * turn.transpose();
+}
+
+Json pose_of(const Eigen::Isometry3d& T_camera_base) {
+  const Eigen::Vector3d p = T_camera_base.translation();
+  const Eigen::Quaterniond r(T_camera_base.linear());
+  return {
+      {"position", {{"x", number(p.x())}, {"y", number(p.y())}, {"z", number(p.z())}}},
+      {"orientation",
+       {{"x", number(r.x())}, {"y", number(r.y())}, {"z", number(r.z())}, {"w", number(r.w())}}}};
+}
+
+}  // namespace
+
+std::string state_line(const KinematicTree& tree, std::uint64_t frame,
+                       const TrackingResult& result) {
+  const bool is_told = is_known(result);
+  const Configuration configuration = is_told ? result.configuration : unknown_configuration(tree);
+  Json names = Json::array();
+  Json positions = Json::array();
+  Json sigmas = Json::array();
+  for (const int index : tree.file_order) {
+    const Joint& joint = tree.joints[static_cast<std::size_t>(index)];
+    names.push_back(joint.name);
+    positions.push_back(number(joint_position(tree, configuration, index)));
+    sigmas.push_back(number(joint_sigma(joint, result)));
+  }
+  Json covariance = nullptr;
+  if (is_told) {
+    covariance = Json::array();
+    for (const double value : covariance_in_camera(result).reshaped()) {  // symmetric
+      covariance.push_back(number(value));
+    }
+  }
+  const Json line = {
+      {"header", {{"stamp", number(result.stamp)}, {"frame_id", kFrameId}}},
+      {"frame", frame},
+      {"status", to_string(result.status)},
+      {"name", names},
+      {"position", positions},
+      {"sigma", sigmas},
+      {"pose", {{"pose", pose_of(configuration.T_camera_base)}, {"covariance", covariance}}}};
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace lockbox

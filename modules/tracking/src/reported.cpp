@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/tracking/reported.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace lockbox {
+
+bool is_known(const TrackingResult& result) {
+  return result.status == TrackingStatus::tracking || result.status == TrackingStatus::uncertain;
+}
+
+double joint_sigma(const Joint& joint, const TrackingResult& result) {
+  if (!is_known(result)) return std::numeric_limits<double>::quiet_NaN();
+  const auto unknown = static_cast<std::size_t>(6 + joint.variable);
+  if (!result.observable[unknown]) return std::numeric_limits<double>::infinity();
+  return std::abs(joint.multiplier) * result.sigma(6 + joint.variable);
+}
+
+}  // namespace lockbox

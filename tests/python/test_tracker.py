@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tracking from a source, and from arrays."""
+
+import csv
+import os
+import shutil
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import lockbox
+
+
+@pytest.fixture(scope="module")
+def model():
+    return lockbox.load_model("rigid_block")
+
+
+@pytest.fixture(scope="module")
+def frames(recording):
+    return list(lockbox.open_source(recording))
+
+
+@pytest.fixture(scope="module")
+def truth(recording):
+    with open(recording / "groundtruth.csv") as file:
+        return list(csv.DictReader(file))
+
+
+def position(row):
+    return np.array([float(row[name]) for name in ("tx", "ty", "tz")])
+
+
+def start_of(row):
+    x, y, z, w = (float(row[name]) for name in ("qx", "qy", "qz", "qw"))
+    base = np.eye(4)
+    base[:3, 3] = position(row)
+    base[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+    return lockbox.State(base)
+
+
+def test_source_delivers_its_frames(recording, frames):
+    source = lockbox.open_source(recording)
+    assert source.frame_count == len(frames) == 30
+    assert "depth images" in source.description
+    frame = frames[3]
+    assert frame.index == 3 and frame.time == pytest.approx(0.1)
+    assert frame.depth.dtype == np.uint16 and frame.depth.shape == (120, 160)
+    np.testing.assert_allclose(frame.metres, frame.depth * frame.metres_per_unit, rtol=1e-6)
+    assert frame.intrinsics[0, 0] == 142 and frame.intrinsics[0, 2] == 79.5
+    with pytest.raises(StopIteration):
+        for _ in range(31):
+            next(source)
+
+
+def test_frames_units_and_metres_give_the_same_and_the_truth(model, frames, truth):
+    start = start_of(truth[0])
+    K = frames[0].intrinsics
+    trackers = [lockbox.Tracker(model, initial_state=start),
+                lockbox.Tracker(model, K, initial_state=start),
+                lockbox.Tracker(model, K, initial_state=start)]
+    for frame, row in list(zip(frames, truth))[:10]:
+        millimetres = np.round(1000 * frame.metres).astype(np.uint16)
+        metres = np.where(millimetres > 0, millimetres / 1000.0, np.nan)
+        results = [trackers[0].track(frame), trackers[1].track(millimetres, frame.time),
+                   trackers[2].track(metres, frame.time)]
+        for result in results:
+            assert np.linalg.norm(result.base[:3, 3] - position(row)) < 0.01
+            np.testing.assert_allclose(result.base, results[0].base, atol=1e-3)
+        assert results[0].time == frame.time
+    result = results[0]
+    assert result.status in ("tracking", "uncertain")
+    assert result.joints == result.sigma == {}
+    assert result.covariance.shape == (6, 6) and np.all(np.diag(result.covariance) > 0)
+    assert 0 < result.seconds < 10
+    assert 0 <= result.contradicted <= result.explained <= 1
+    assert trackers[0].initial_state.base[2, 3] == start.base[2, 3]
+    assert trackers[0].model.name == model.name
+
+
+def test_without_a_start_it_is_found_and_reset_begins_anew(model, frames, truth):
+    tracker = lockbox.Tracker(model, frames[0].intrinsics)
+    first = tracker.track(frames[0].depth)
+    again = tracker.track(frames[1].depth)
+    assert again.time == pytest.approx(1 / 30) and tracker.initial_state is None
+    tracker.reset(start_of(truth[0]))
+    assert tracker.track(frames[0].depth).time == 0
+    assert tracker.initial_state is not None
+    assert first.status in ("tracking", "uncertain", "initializing")
+
+
+def test_nothing_known_is_nan(model, frames):
+    tracker = lockbox.Tracker(model, frames[0].intrinsics)
+    result = tracker.track(np.zeros((120, 160), np.uint16))
+    assert result.status == "initializing"
+    assert np.isnan(result.base[:3]).all() and np.isnan(result.covariance).all()
+
+
+@pytest.mark.parametrize("depth, text", [
+    (np.zeros((120, 160), np.int64), "array of int64; uint16"),
+    (np.zeros((120, 160, 3), np.uint16), "rows x columns"),
+    (np.zeros((0, 160), np.float32), "rows x columns"),
+])
+def test_what_is_no_depth_image_is_refused(model, frames, depth, text):
+    with pytest.raises(lockbox.InputError, match=text):
+        lockbox.Tracker(model, frames[0].intrinsics).track(depth)
+
+
+def test_wrong_arguments_are_refused(model, frames, recording):
+    with pytest.raises(lockbox.InputError, match="are needed for arrays"):
+        lockbox.Tracker(model).track(frames[0].depth)
+    tracker = lockbox.Tracker(model, initial_state=lockbox.State(np.eye(4)))
+    tracker.track(frames[0])
+    with pytest.raises(lockbox.InputError, match="not later"):
+        tracker.track(frames[0])
+    with pytest.raises(lockbox.InputError, match="lid"):
+        lockbox.Tracker(model, locked_joints=["lid"])
+    with pytest.raises(lockbox.InputError, match="kinectt"):
+        lockbox.Tracker(model, sensor="kinectt")
+    far = np.eye(4)
+    far[2, 3] = 1250.0
+    with pytest.raises(lockbox.InputError, match="millimetres"):
+        lockbox.Tracker(model, initial_state=lockbox.State(far))
+    with pytest.raises(lockbox.InputError, match="none.oni"):
+        lockbox.open_source("none.oni")
+
+
+def test_waiting_for_a_frame_ends_at_ctrl_c(recording, tmp_path):
+    shutil.copytree(recording, tmp_path / "gap")
+    (tmp_path / "gap" / "depth.txt").write_text(
+        "0 depth/000000.png\n3600 depth/000001.png\n")
+    source = lockbox.open_source(tmp_path / "gap", realtime=True)
+    next(source)
+    signals = []
+
+    def press_ctrl_c():
+        time.sleep(0.2)
+        signals.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=press_ctrl_c)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        next(source)
+        time.sleep(10)
+    assert time.monotonic() - signals[0] < 1
+    thread.join()
+
+
+def test_searches_in_the_background_do_not_hold_frames(frames):
+    tracker = lockbox.Tracker(lockbox.load_model("cabinet"), frames[0].intrinsics,
+                              background_search=True)
+    begin = time.monotonic()
+    for frame in frames[:3]:
+        assert tracker.track(frame.depth).status == "initializing"
+    assert time.monotonic() - begin < 5, "the search takes longer"
+
+
+def test_search_lets_other_threads_go_on_and_ends_at_ctrl_c(frames):
+    """Another model than the frame shows is sought for a long time."""
+    tracker = lockbox.Tracker(lockbox.load_model("cabinet"), frames[0].intrinsics)
+    steps = []
+    ended = threading.Event()
+
+    def press_ctrl_c():
+        while len(steps) < 30:
+            steps.append(time.monotonic())
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGINT)
+        steps.append(time.monotonic())
+        ended.set()
+
+    thread = threading.Thread(target=press_ctrl_c)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        tracker.track(frames[0].depth)
+        ended.wait()
+    late = time.monotonic() - steps[-1]
+    thread.join()
+    assert late < 1
+    assert max(np.diff(steps)) < 0.5, "other threads have waited"
+    tracker.reset(lockbox.State(np.eye(4)))
