@@ -96,6 +96,7 @@ class ForeignRun {
     const bool has_answer = answer.status != TrackingStatus::initializing;
     if (has_answer) frame.evidence = verifier_.evidence(answer.configuration).total();
     if (frame.is_right()) return frame;
+    stop_if(settings_.stop_request);
     EqualViews equal(model_, comparison_, settings_.camera, sensor_, scene_, truth_, bound_,
                      settings_.seed, executor_);
     frame.looks_equal = (has_answer && equal.holds(answer)) || (!frame.is_trusted() && equal.any());
@@ -127,6 +128,7 @@ Deviation deviation_of(const ForeignSettings& settings, std::uint64_t number,
 ForeignResult track_foreign_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number,
                                    const ForeignSettings& settings, const Executor& executor) {
   const ArticulatedModel model = load_object(kind, block, number, settings.folder);
+  stop_if(settings.stop_request);
   ForeignResult result;
   result.parts = static_cast<int>(model.tree.joints.size());
   result.view = draw_view(kind, model, settings.camera, block, number);
@@ -144,6 +146,7 @@ ForeignResult track_foreign_object(DrawnKind kind, const ObjectBlock& block, std
   const SensorModel sensor = sensor_model(result.sensor);
   Simulator simulator(built, settings.camera, PlacedScene(result.view.scene, run), sensor,
                       settings.seed, executor, deviation.sensor);
+  stop_if(settings.stop_request);
   ForeignRun tracked(model, settings, sensor, result.view, executor);
   result.determined = determines_base(tracked.bound());
   DepthFrame image;
