@@ -7,15 +7,18 @@
 namespace lockbox {
 namespace {
 
-constexpr int kLongestSearchPause = 8;  // frames
-constexpr int kMostAnswersPassed = 2;   // in a row by the object; after that, the answers are wrong
+// Frames. Doubled, an object that comes back is found up to so much later, and a recording without
+// it takes half as long.
+constexpr int kLongestPauseNear = 8;       // where it was: a few alignments
+constexpr int kLongestPauseAnywhere = 64;  // two seconds; a search takes as long as many frames
+constexpr int kMostAnswersPassed = 2;  // in a row by the object; after that, the answers are wrong
 
-/// While nothing is found, the search of the whole frame pauses for longer and longer.
-bool search_is_due(int frames_searched) {
-  if (frames_searched < kLongestSearchPause) {
-    return (frames_searched & (frames_searched - 1)) == 0;  // 0, 1, 2, 4
+/// While nothing is found, a search pauses for longer and longer.
+bool search_is_due(int frames_searched, int longest_pause) {
+  if (frames_searched < longest_pause) {
+    return (frames_searched & (frames_searched - 1)) == 0;  // 0, 1, 2, 4, ...
   }
-  return frames_searched % kLongestSearchPause == 0;
+  return frames_searched % longest_pause == 0;
 }
 
 }  // namespace
@@ -32,8 +35,10 @@ void Tracker::search(const DepthFrame& frame) {
   report(*found);
   is_kept_ = result_.status == TrackingStatus::tracking || (is_kept_ && agrees(*found, options_));
   if (is_known()) {
-    frames_searched_ = 0;
-    if (result_.status == TrackingStatus::tracking) guess_ = found->at_rest;
+    if (result_.status == TrackingStatus::tracking) {
+      guess_ = found->at_rest;
+      frames_searched_ = 0;
+    }
     predictor_.reset(frame.stamp, found->at_rest);
     std::transform(found->observable.begin() + 6, found->observable.end(), frames_in_sight_.begin(),
                    [](bool is_known) { return is_known ? kFramesToKnowMotion : 0; });
@@ -42,13 +47,15 @@ void Tracker::search(const DepthFrame& frame) {
 
 /// What is found in this frame, if a search is due, or one in the background has ended.
 std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, SearchScope scope) {
-  const bool is_due = search_is_due(frames_searched_);
+  const bool is_near_due = search_is_due(frames_searched_, kLongestPauseNear);
   std::optional<RegistrationResult> found;
   if (options_.background_search) {
-    found = sought_in_background(frame, scope, is_due);
-  } else if (is_due) {
+    found = sought_in_background(frame, scope, is_near_due);
+  } else if (search_is_due(frames_searched_, kLongestPauseAnywhere)) {
     found = acquisition_.find(frame, guess_, scope);
     result_.searches = acquisition_.searches();
+  } else if (is_near_due && guess_ && scope != SearchScope::anywhere) {
+    found = acquisition_.find(frame, guess_, SearchScope::near);
   }
   ++frames_searched_;
   return found;
