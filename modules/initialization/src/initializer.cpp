@@ -86,8 +86,8 @@ std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledC
                                                                     bool is_thorough) {
   std::vector<Candidate> answers;
   double most_evidence = -std::numeric_limits<double>::infinity();
-  const auto belief_in = [&](const PlanarScene& from, const Breadth& breadth) {
-    assess(cloud, seek(cloud, from, breadth), answers);
+  const auto belief_in = [&](std::vector<Hypothesis> matched, const Breadth& breadth) {
+    assess(cloud, followed(cloud, std::move(matched), breadth), answers);
     if (answers.empty()) return 0.0;
     // Back to front or upside down, it may look nearly the same, and be passed over.
     if (answers.front().evidence > most_evidence) {
@@ -97,10 +97,16 @@ std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledC
     return answers.front().belief;
   };
   const auto seek_until = [&] {
-    if (belief_in(scene, kUsual) >= kConvincing || !is_thorough) return;
+    if (belief_in(match(scene, kUsual), kUsual) >= kConvincing) return;
+    if (!is_flat) {
+      belief_in(match_points(fine_view, scene, kUsual), kUsual);
+      return;
+    }
+    if (!is_thorough) return;
     const PlanarScene closer = planes(fine_view, fine_view_noise());
-    if (belief_in(closer, kUsual) >= kPossible) return;
-    if (belief_in(scene, kWide) < kPossible) belief_in(closer, kWide);
+    if (belief_in(match(closer, kUsual), kUsual) >= kPossible) return;
+    if (belief_in(match_points(fine_view, scene, kUsual), kUsual) >= kPossible) return;
+    if (belief_in(match(scene, kWide), kWide) < kPossible) belief_in(match(closer, kWide), kWide);
   };
   seek_until();
   answers.resize(std::min(answers.size(), options.most_candidates));

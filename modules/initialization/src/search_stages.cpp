@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kHardlyLess = 0.9;
 constexpr double kHardlyWorse = 0.01;  // of the visible surface
+/// Of the surface: then planes tell more than points. Bottles and mugs have a tenth, furniture and
+/// boards eight tenths and more.
+constexpr double kMostlyFlat = 0.5;
 constexpr int kAnchorSteps = 4;        // of a joint between base and a matched side
 
 constexpr bool kHoldJoints = true;
@@ -37,6 +40,7 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
     : model(articulated_model),
       options(given),
       executor(workers),
+      is_flat(flat_share(model.tree) > kMostlyFlat),
       levers(model_levers(model.tree)),
       symmetries(find_symmetries(model)),
       turns(box_turns(levers, symmetries)),
@@ -60,11 +64,10 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
   }
 }
 
-/// The configurations at which the relief's body is where the match says.
-void Initializer::Workspace::add_matched(const ModelRelief& relief, const ReliefMatch& match,
+/// The configurations at which that body is there.
+void Initializer::Workspace::add_matched(std::size_t body, const Eigen::Isometry3d& T_camera_body,
                                          std::vector<Hypothesis>& hypotheses) const {
   const KinematicTree& tree = model.tree;
-  const auto body = static_cast<std::size_t>(relief.body);
   Hypothesis hypothesis{held, std::vector<std::uint8_t>(tree.bodies.size(), 0)};
   // Base and body alone: how other joints stand is not known yet.
   hypothesis.bodies[0] = 1;
@@ -79,15 +82,14 @@ void Initializer::Workspace::add_matched(const ModelRelief& relief, const Relief
     if (is_free) configuration.q[variable] = position;
     configuration.T_camera_base.setIdentity();
     forward_kinematics(tree, configuration, poses);
-    configuration.T_camera_base = match.T_camera_body * poses[body].inverse();
+    configuration.T_camera_base = T_camera_body * poses[body].inverse();
     hypotheses.push_back(hypothesis);
   }
 }
 
-std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
-                                                     const PlanarScene& scene,
-                                                     const Breadth& breadth) {
-  std::vector<Hypothesis> hypotheses = match(scene, breadth);
+std::vector<Hypothesis> Initializer::Workspace::followed(const TiledCloud& cloud,
+                                                         std::vector<Hypothesis> hypotheses,
+                                                         const Breadth& breadth) {
   place(hypotheses, breadth);
   pose(hypotheses, breadth);
   fit(hypotheses, breadth);
@@ -102,12 +104,7 @@ std::vector<Hypothesis> Initializer::Workspace::seek_turned(const TiledCloud& cl
     hypotheses.push_back({held, all_bodies});
     hypotheses.back().configuration.T_camera_base = found.T_camera_base * turn;
   }
-  if (hypotheses.empty()) return hypotheses;
-  place(hypotheses, kAll);
-  pose(hypotheses, kAll);
-  fit(hypotheses, kAll);
-  fit_closely(cloud, hypotheses, kAll);
-  return hypotheses;
+  return followed(cloud, std::move(hypotheses), kAll);
 }
 
 /// Flat sides of the model laid onto flat regions of the view.
@@ -115,14 +112,14 @@ std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
                                                       const Breadth& breadth) {
   const auto& regions = scene.regions;
   if (!reliefs) reliefs = make_reliefs(model.tree, executor, options.stop_request);
-  const std::size_t pairs = regions.size() * reliefs->size();
-  std::vector<std::vector<Hypothesis>> found(pairs);
-  executor.for_each(pairs, [&](std::size_t pair) {
+  const std::size_t trials = regions.size() * reliefs->size();
+  std::vector<std::vector<Hypothesis>> found(trials);
+  executor.for_each(trials, [&](std::size_t pair) {
     const ModelRelief& relief = (*reliefs)[pair % reliefs->size()];
     const PlanarRegion& region = regions[pair / reliefs->size()];
     for (const auto& match : match_relief(scene.view, region, relief, scene.noise,
                                           breadth.matches_each, options.stop_request)) {
-      add_matched(relief, match, found[pair]);
+      add_matched(static_cast<std::size_t>(relief.body), match.T_camera_body, found[pair]);
     }
     for (Hypothesis& hypothesis : found[pair]) hypothesis.score = judge(hypothesis, 0.02, 1.0);
   });
