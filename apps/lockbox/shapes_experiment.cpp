@@ -42,9 +42,9 @@ void print_wrong(const Table& table, const Row& row) {
   std::cout << "  piece " << table.word(row, "piece") << ", " << table.word(row, "kind") << ": "
             << table.word(row, "wrong") << ", " << std::fixed << std::setprecision(0)
             << kMillimetres * table.number(row, "translation") << " mm, "
-            << kDegrees * table.number(row, "rotation") << " degrees, "
-            << table.word(row, "status") << "; evidence " << table.number(row, "evidence")
-            << ", of the truth " << table.number(row, "evidence_of_truth") << '\n';
+            << kDegrees * table.number(row, "rotation") << " degrees, " << table.word(row, "status")
+            << "; evidence " << table.number(row, "evidence") << ", of the truth "
+            << table.number(row, "evidence_of_truth") << '\n';
 }
 
 /// Right ones, and all.
@@ -76,8 +76,8 @@ void print_report(const std::string& title, const Table& table) {
     std::cout << "  " << what << ": " << share.first << " of " << share.second << '\n';
   }
   const Statistics times = summarize(seconds);
-  std::cout << std::fixed << std::setprecision(2) << "  time: median " << times.median << " s, 95 % "
-            << times.percentile_95 << " s, longest " << times.maximum << " s\n";
+  std::cout << std::fixed << std::setprecision(2) << "  time: median " << times.median
+            << " s, 95 % " << times.percentile_95 << " s, longest " << times.maximum << " s\n";
   for (const Row& row : table.rows()) {
     if (table.number(row, "right") == 0.0) print_wrong(table, row);
   }
@@ -115,8 +115,8 @@ class Shapes : public Experiment {
       if (!shard_.holds(piece) || done.count(piece) > 0) continue;
       ShapeResult result;
       const auto search = [&] {
-        result = search_shape(block, piece,
-                              piece_settings(settings, stem / std::to_string(piece)), Executor());
+        result = search_shape(block, piece, piece_settings(settings, stem / std::to_string(piece)),
+                              Executor());
       };
       if (!is_done(search)) break;
       add_row(table, piece, result);

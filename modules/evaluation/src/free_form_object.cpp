@@ -54,8 +54,7 @@ std::string description(const FreeFormObject& object) {
 }  // namespace
 
 FreeFormObject draw_free_form(const ObjectBlock& block, std::uint64_t number) {
-  const auto kinds =
-      block.is_for_tuning() ? evaluation::tuning_kinds() : evaluation::test_kinds();
+  const auto kinds = block.is_for_tuning() ? evaluation::tuning_kinds() : evaluation::test_kinds();
   RandomDraws random = block.draws(ObjectBlock::Purpose::shape, number);
   return kinds[number % kinds.size()](random);
 }

@@ -71,8 +71,8 @@ void add_clutter(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to_ca
     Eigen::Vector3d centre =
         object.center() + (reach + 0.5 * size.norm() + random.uniform(0.01, 0.3)) * way;
     if (on_table) centre.z() = 0.5 * size.z();
-    scene.boxes.push_back(box_at(size, centre, turn,
-                                 on_table ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : way));
+    scene.boxes.push_back(
+        box_at(size, centre, turn, on_table ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : way));
   }
 }
 
@@ -82,12 +82,12 @@ void add_room(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to_camer
   const double behind = object.diagonal().norm() + random.uniform(0.3, 1.0);
   Eigen::Vector3d normal = to_camera + 0.2 * random.direction();
   if (on_table) normal.z() = 0.0;
-  scene.planes.push_back({SceneFrame::base, object.center() - behind * to_camera,
-                          normal.normalized(), {8.0, 8.0}});
+  scene.planes.push_back(
+      {SceneFrame::base, object.center() - behind * to_camera, normal.normalized(), {8.0, 8.0}});
   if (!on_table) return;
-  scene.boxes.push_back(box_at({1.4, 0.9, 0.04}, {random.uniform(-0.3, 0.3),
-                               random.uniform(-0.2, 0.2), -0.02},
-                               random.uniform(-std::numbers::pi, std::numbers::pi), Eigen::Vector3d::UnitZ()));
+  scene.boxes.push_back(
+      box_at({1.4, 0.9, 0.04}, {random.uniform(-0.3, 0.3), random.uniform(-0.2, 0.2), -0.02},
+             random.uniform(-std::numbers::pi, std::numbers::pi), Eigen::Vector3d::UnitZ()));
 }
 
 SceneBox draw_cover(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to_camera,
@@ -98,7 +98,8 @@ SceneBox draw_cover(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to
   const Eigen::Vector3d centre = object.center() +
                                  (0.5 * size + 0.5 * edges.norm() + 0.02) * to_camera +
                                  random.uniform(0.0, 0.8) * size * random.direction();
-  return box_at(edges, centre, random.uniform(-std::numbers::pi, std::numbers::pi), random.direction());
+  return box_at(edges, centre, random.uniform(-std::numbers::pi, std::numbers::pi),
+                random.direction());
 }
 
 }  // namespace
@@ -121,12 +122,11 @@ FreeFormScene draw_free_form_scene(const ArticulatedModel& model, const PinholeC
       to_camera = std::cos(height) * to_camera.normalized();
       to_camera.z() = std::sin(height);
     }
-    const double roll =
-        drawn.on_table ? random.uniform(-0.2, 0.2) : random.uniform(-std::numbers::pi, std::numbers::pi);
+    const double roll = drawn.on_table ? random.uniform(-0.2, 0.2)
+                                       : random.uniform(-std::numbers::pi, std::numbers::pi);
     const double distance = random.uniform(0.5, 1.1);
     const Eigen::Vector3d target = object.center() + 0.15 * distance * random.direction();
-    truth.T_camera_base =
-        looking(object.center() + distance * to_camera, target, roll).inverse();
+    truth.T_camera_base = looking(object.center() + distance * to_camera, target, roll).inverse();
     drawn.scene = Scene{};
     drawn.scene.moving = Moving::camera;
     add_room(object, to_camera, drawn.on_table, random, drawn.scene);

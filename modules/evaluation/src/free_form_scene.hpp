@@ -12,9 +12,9 @@ namespace lockbox::evaluation {
 struct FreeFormScene {
   State truth;
   Scene scene;
-  bool on_table = false;   ///< or in the air, turned anyhow
-  bool is_covered = false; ///< by a box before it
-  double hidden = 0.0;     ///< share of its view
+  bool on_table = false;    ///< or in the air, turned anyhow
+  bool is_covered = false;  ///< by a box before it
+  double hidden = 0.0;      ///< share of its view
 };
 
 /// The object among boxes, on a table or in the air, 0.5 to 1.1 m away; a box hides about a third

@@ -10,22 +10,20 @@
 namespace lockbox::evaluation {
 namespace {
 
-
 FreeFormObject draw_bottle(RandomDraws& random) {
   const double radius = random.uniform(0.032, 0.045);
   const double height = random.uniform(0.22, 0.30);
   const double neck = random.uniform(0.012, 0.016);
   const double shoulder = random.uniform(0.55, 0.70) * height;
-  const std::array<Eigen::Vector2d, 9> profile{
-      {{0.85 * radius, 0.0},
-       {radius, 0.1 * radius},
-       {radius, shoulder},
-       {0.92 * radius, shoulder + 0.08 * height},
-       {0.5 * (radius + neck), shoulder + 0.15 * height},
-       {neck, shoulder + 0.22 * height},
-       {neck, 0.95 * height},
-       {1.15 * neck, 0.96 * height},
-       {1.15 * neck, height}}};
+  const std::array<Eigen::Vector2d, 9> profile{{{0.85 * radius, 0.0},
+                                                {radius, 0.1 * radius},
+                                                {radius, shoulder},
+                                                {0.92 * radius, shoulder + 0.08 * height},
+                                                {0.5 * (radius + neck), shoulder + 0.15 * height},
+                                                {neck, shoulder + 0.22 * height},
+                                                {neck, 0.95 * height},
+                                                {1.15 * neck, 0.96 * height},
+                                                {1.15 * neck, height}}};
   return {"bottle", {{"bottle", revolved(profile)}}, {}};
 }
 
@@ -61,8 +59,8 @@ FreeFormObject draw_tap(RandomDraws& random) {
   TriangleMesh mesh = revolved(foot);
   std::vector<Eigen::Vector3d> way{{0.0, 0.0, 2.0 * radius}};
   const Eigen::Vector3d centre(reach, 0.0, height);
-  const auto curve =
-      arc(centre, centre - reach * Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), std::numbers::pi);
+  const auto curve = arc(centre, centre - reach * Eigen::Vector3d::UnitX(),
+                         Eigen::Vector3d::UnitY(), std::numbers::pi);
   way.insert(way.end(), curve.begin(), curve.end());
   way.emplace_back(way.back() - 0.3 * reach * Eigen::Vector3d::UnitZ());
   append(mesh, tube(way, radius));
@@ -97,7 +95,8 @@ FreeFormObject draw_hand(RandomDraws& random) {
   for (std::size_t i = 0; i < kLengths.size(); ++i) {
     const double share = (static_cast<double>(i) - 1.5) / 1.5;
     const double length = kLengths[i] * random.uniform(0.9, 1.1);
-    const Eigen::Vector3d root(0.0, 0.75 * share * width, middle + (0.85 - 0.2 * share * share) * palm);
+    const Eigen::Vector3d root(0.0, 0.75 * share * width,
+                               middle + (0.85 - 0.2 * share * share) * palm);
     const Eigen::Vector3d way(random.uniform(0.0, 0.3), 0.22 * share, 1.0);
     const Eigen::Vector3d bent(random.uniform(0.3, 0.8), 0.2 * share, 1.0);
     const Eigen::Vector3d knuckle = root + 0.55 * length * way.normalized();
@@ -134,7 +133,7 @@ FreeFormObject draw_lamp(RandomDraws& random) {
 }
 
 constexpr std::array<DrawFreeForm, 6> kTestKinds{draw_bottle, draw_can,  draw_tap,
-                                             draw_drill,  draw_hand, draw_lamp};
+                                                 draw_drill,  draw_hand, draw_lamp};
 
 }  // namespace
 

@@ -9,7 +9,6 @@
 namespace lockbox::evaluation {
 namespace {
 
-
 FreeFormObject draw_mug(RandomDraws& random) {
   const double radius = random.uniform(0.036, 0.046);
   const double height = random.uniform(0.085, 0.115);
@@ -54,8 +53,8 @@ FreeFormObject draw_animal(RandomDraws& random) {
     }
   }
   const Eigen::Vector3d rump(-0.47 * length, 0.0, height + 0.3 * girth);
-  append(mesh, tube({rump, rump + Eigen::Vector3d(-0.2 * length, 0.0, 0.2 * length)},
-                    0.045 * length));
+  append(mesh,
+         tube({rump, rump + Eigen::Vector3d(-0.2 * length, 0.0, 0.2 * length)}, 0.045 * length));
   return {"animal", {{"animal", mesh}}, {}};
 }
 
@@ -66,8 +65,8 @@ FreeFormObject draw_elbow(RandomDraws& random) {
   const double collar = 1.25 * radius;
   const Eigen::Vector3d centre(bend, 0.0, straight + collar);
   std::vector<Eigen::Vector3d> way{{0.0, 0.0, collar}};
-  const auto curve = arc(centre, centre - bend * Eigen::Vector3d::UnitX(),
-                         Eigen::Vector3d::UnitY(), 0.5 * std::numbers::pi);
+  const auto curve = arc(centre, centre - bend * Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                         0.5 * std::numbers::pi);
   way.insert(way.end(), curve.begin(), curve.end());
   way.emplace_back(way.back() + 2.0 * straight * Eigen::Vector3d::UnitX());
   TriangleMesh mesh = tube(way, radius);

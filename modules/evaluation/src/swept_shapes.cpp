@@ -7,10 +7,10 @@
 namespace lockbox::evaluation {
 namespace {
 
-constexpr int kSides = 32;       // of a ring
-constexpr int kEndRings = 5;     // of a round end
-constexpr int kMeridian = 15;    // rings of an ellipsoid
-constexpr int kArcPoints = 12;   // of an arc
+constexpr int kSides = 32;      // of a ring
+constexpr int kEndRings = 5;    // of a round end
+constexpr int kMeridian = 15;   // rings of an ellipsoid
+constexpr int kArcPoints = 12;  // of an arc
 
 /// The next ring's axes, turned as little as the way bends.
 Ring carried(const Ring& ring, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
@@ -30,8 +30,7 @@ TriangleMesh swept(const std::vector<Ring>& rings) {
   for (const Ring& ring : rings) {
     for (int side = 0; side < kSides; ++side) {
       const double angle = 2.0 * std::numbers::pi * side / kSides;
-      mesh.vertices.emplace_back(ring.centre + std::cos(angle) * ring.x +
-                                 std::sin(angle) * ring.y);
+      mesh.vertices.emplace_back(ring.centre + std::cos(angle) * ring.x + std::sin(angle) * ring.y);
     }
   }
   mesh.vertices.push_back(rings.back().centre);

@@ -62,15 +62,15 @@ std::vector<bool> are_round(const TriangleMesh& mesh, const Partition& partition
   for_each_edge(sorted_half_edges(mesh), [&](std::span<const HalfEdge> edge) {
     const double length = (mesh.vertices[edge[0].high] - mesh.vertices[edge[0].low]).norm();
     const bool is_manifold = edge.size() == 2;
-    const bool goes_on = is_manifold && area_vector(mesh.corners(edge[0].triangle))
-                                                .normalized()
-                                                .dot(area_vector(mesh.corners(edge[1].triangle))
-                                                         .normalized()) > kGoesOn;
+    const bool goes_on =
+        is_manifold &&
+        area_vector(mesh.corners(edge[0].triangle))
+                .normalized()
+                .dot(area_vector(mesh.corners(edge[1].triangle)).normalized()) > kGoesOn;
     for (const HalfEdge& half : edge) {
       const std::size_t side = partition.of_triangle[half.triangle];
-      const bool is_within =
-          is_manifold && partition.of_triangle[edge[0].triangle] ==
-                             partition.of_triangle[edge[1].triangle];
+      const bool is_within = is_manifold && partition.of_triangle[edge[0].triangle] ==
+                                                partition.of_triangle[edge[1].triangle];
       if (side == Partition::kNone || is_within) continue;
       border[side] += length;
       if (goes_on) smooth[side] += length;

@@ -22,8 +22,12 @@ constexpr std::size_t kMostRegions = 32;
 /// is with more of everything.
 constexpr double kConvincing = 0.99999;
 constexpr double kPossible = 0.99;
-constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, false};
-constexpr Breadth kWide{32, {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 4}, true};
+constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, false, false};
+constexpr Breadth kWide{32,   {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 4}, true,
+                        false};
+/// Of points: small things, of which many wrong places look alike from afar.
+constexpr Breadth kOfPoints{
+    8, {0.03, 128, 0.5, 16}, {0.03, 64, 0.5, 12}, {0.05, 16, 0.5, 4}, false, true};
 
 PlanarScene planes(const CoarseView& view, double noise) {
   return {view, noise, find_planar_regions(view, noise, kLeastSamples, kMostRegions)};
@@ -99,13 +103,13 @@ std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledC
   const auto seek_until = [&] {
     if (belief_in(match(scene, kUsual), kUsual) >= kConvincing) return;
     if (!is_flat) {
-      belief_in(match_points(fine_view, scene, kUsual), kUsual);
+      belief_in(match_points(fine_view, scene, kOfPoints), kOfPoints);
       return;
     }
     if (!is_thorough) return;
     const PlanarScene closer = planes(fine_view, fine_view_noise());
     if (belief_in(match(closer, kUsual), kUsual) >= kPossible) return;
-    if (belief_in(match_points(fine_view, scene, kUsual), kUsual) >= kPossible) return;
+    if (belief_in(match_points(fine_view, scene, kOfPoints), kOfPoints) >= kPossible) return;
     if (belief_in(match(scene, kWide), kWide) < kPossible) belief_in(match(closer, kWide), kWide);
   };
   seek_until();

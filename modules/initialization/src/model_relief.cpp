@@ -227,7 +227,8 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
   std::vector<ModelRelief> sides;
   double largest = 0.0;
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
-    for (const FlatSide& side : flat_sides(tree.bodies[b].mesh, std::max(least, kLeastShare * largest))) {
+    for (const FlatSide& side :
+         flat_sides(tree.bodies[b].mesh, std::max(least, kLeastShare * largest))) {
       sides.push_back(relief_of(static_cast<int>(b), side.normal, side.offset));
       largest = std::max(largest, side.area);
     }

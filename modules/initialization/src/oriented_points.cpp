@@ -14,16 +14,16 @@
 namespace lockbox {
 namespace {
 
-constexpr int kLeastRadius = 2;         // of a window, samples: with fewer, noise turns normals
-constexpr int kMostRadius = 8;          // more only take time
-constexpr std::size_t kLeastFit = 8;    // samples that make a plane
-constexpr double kSurface = 1.5;        // of the spacing, in depth: what belongs together
-constexpr double kSteepest = 0.17;      // cosine of 80 degrees: beyond, depths are of two surfaces
-constexpr int kDirections = 32;         // from which a model is looked at
-constexpr double kAway = 6.0;           // diameters: from where it is
-constexpr double kSamplesAStep = 3.0;   // of the image of a model, from one point to the next
-constexpr float kSamePoint = 0.75F;     // of the spacing
-constexpr float kSameNormal = 0.87F;    // cosine of 30 degrees
+constexpr int kLeastRadius = 2;        // of a window, samples: with fewer, noise turns normals
+constexpr int kMostRadius = 8;         // more only take time
+constexpr std::size_t kLeastFit = 8;   // samples that make a plane
+constexpr double kSurface = 1.5;       // of the spacing, in depth: what belongs together
+constexpr double kSteepest = 0.17;     // cosine of 80 degrees: beyond, depths are of two surfaces
+constexpr int kDirections = 32;        // from which a model is looked at
+constexpr double kAway = 6.0;          // diameters: from where it is
+constexpr double kSamplesAStep = 3.0;  // of the image of a model, from one point to the next
+constexpr float kSamePoint = 0.75F;    // of the spacing
+constexpr float kSameNormal = 0.87F;   // cosine of 30 degrees
 
 /// Fits planes m.r = 1/depth around samples.
 class PlaneFit {
@@ -59,9 +59,9 @@ class PlaneFit {
   }
 
   double depth(int u, int v) const {
-    return static_cast<double>(view_.depth[static_cast<std::size_t>(v) *
-                                               static_cast<std::size_t>(view_.camera.width) +
-                                           static_cast<std::size_t>(u)]);
+    return static_cast<double>(
+        view_.depth[static_cast<std::size_t>(v) * static_cast<std::size_t>(view_.camera.width) +
+                    static_cast<std::size_t>(u)]);
   }
 
  private:

@@ -38,8 +38,7 @@ BodyPairs make_body_pairs(const KinematicTree& tree, const Executor& executor) {
   }
   const double diameter = bounds(tree.bodies[largest].mesh).diagonal().norm();
   const double spacing = kSpacing * diameter;
-  return {largest,
-          PointPairs(points_of_body(tree, largest, spacing, executor), diameter, spacing)};
+  return {largest, PointPairs(points_of_body(tree, largest, spacing, executor), diameter, spacing)};
 }
 
 std::vector<float> without_wide_planes(const CoarseView& view, const PlanarScene& scene,
@@ -78,8 +77,12 @@ std::vector<Hypothesis> Initializer::Workspace::match_points(const CoarseView& v
   std::vector<Hypothesis> found;
   for (const PoseVote& vote : votes) add_matched(pairs->body, vote.T_camera_body, found);
   executor.for_each(found.size(),
-                    [&](std::size_t i) { found[i].score = judge(found[i], 0.02, 1.0); });
-  return best_apart(std::move(found), breadth.matched, levers);
+                    [&](std::size_t i) { found[i].score = judge(found[i], 0.02, 0.7, true); });
+  found = best_apart(std::move(found), breadth.matched, levers);
+  // Bins are coarse: what they say is 15 degrees off, which one registration does not always mend.
+  // Joints that stand elsewhere would pull the base away in it.
+  if (variables.empty()) place(found, breadth);
+  return found;
 }
 
 }  // namespace lockbox

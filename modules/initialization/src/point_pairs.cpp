@@ -10,9 +10,9 @@ namespace lockbox {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kAngles = 12;        // bins of an angle between directions: 15 degrees each
-constexpr int kDistances = 18;     // bins of a distance
-constexpr int kTurns = 30;         // bins of a turn about a normal: 12 degrees each
+constexpr int kAngles = 12;     // bins of an angle between directions: 15 degrees each
+constexpr int kDistances = 18;  // bins of a distance
+constexpr int kTurns = 30;      // bins of a turn about a normal: 12 degrees each
 constexpr std::size_t kBins = static_cast<std::size_t>(kDistances) * kAngles * kAngles * kAngles;
 constexpr std::size_t kMostReferences = 700;  // points of the scene that are taken for the body's
 constexpr std::size_t kPeaks = 3;             // of one of them
@@ -71,8 +71,8 @@ void for_bins_around(const Feature& feature, const Visit& visit) {
 /// The point in the origin, its normal along x.
 Eigen::Isometry3f local_frame(const OrientedPoint& point) {
   Eigen::Isometry3f T = Eigen::Isometry3f::Identity();
-  T.linear() = Eigen::Quaternionf::FromTwoVectors(point.normal, Eigen::Vector3f::UnitX())
-                   .toRotationMatrix();
+  T.linear() =
+      Eigen::Quaternionf::FromTwoVectors(point.normal, Eigen::Vector3f::UnitX()).toRotationMatrix();
   T.translation() = -(T.linear() * point.position);
   return T;
 }
@@ -94,9 +94,9 @@ PointPairs::PointPairs(std::vector<OrientedPoint> points, double diameter, doubl
     : points_(std::move(points)), diameter_(diameter), spacing_(spacing) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const OrientedPoint& point : points_) sum += point.position;
-  centre_ = points_.empty() ? Eigen::Vector3d::Zero()
-                            : Eigen::Vector3d((sum / static_cast<float>(points_.size()))
-                                                  .cast<double>());
+  centre_ = points_.empty()
+                ? Eigen::Vector3d::Zero()
+                : Eigen::Vector3d((sum / static_cast<float>(points_.size())).cast<double>());
   fill();
 }
 
@@ -156,6 +156,7 @@ std::vector<PoseVote> PointPairs::vote_of(const std::vector<OrientedPoint>& scen
       at[d] = std::min(static_cast<int>(seen[d]), bins_of(d) - 1);
     }
     const std::size_t index = bin(at);
+    if (first_[index] == first_[index + 1]) continue;
     const int turn = turn_bin(turn_of(T, scene[i].position));
     for (std::uint32_t e = first_[index]; e < first_[index + 1]; ++e) {
       const int difference = turn - entries_[e].angle;
@@ -197,8 +198,8 @@ std::vector<PoseVote> PointPairs::peaks(const OrientedPoint& reference,
     const float angle = 2.0F * kPi * (static_cast<float>(peak->turn) + 0.5F) / kTurns;
     const Eigen::Isometry3f pose = back * Eigen::AngleAxisf(angle, Eigen::Vector3f::UnitX()) *
                                    local_frame(points_[peak->point]);
-    poses.push_back({Eigen::Isometry3d(pose.matrix().cast<double>()),
-                     static_cast<double>(peak->votes)});
+    poses.push_back(
+        {Eigen::Isometry3d(pose.matrix().cast<double>()), static_cast<double>(peak->votes)});
   }
   return poses;
 }
@@ -215,10 +216,8 @@ std::vector<PoseVote> PointPairs::clustered(std::vector<PoseVote> votes, std::si
     bool is_new = true;
     for (std::size_t c = 0; c < clusters.size(); ++c) {
       if ((places[c] - place).norm() > kNear * diameter_) continue;
-      const double trace = clusters[c]
-                               .T_camera_body.linear()
-                               .cwiseProduct(vote.T_camera_body.linear())
-                               .sum();
+      const double trace =
+          clusters[c].T_camera_body.linear().cwiseProduct(vote.T_camera_body.linear()).sum();
       if (trace < least_trace) continue;
       clusters[c].votes += vote.votes;
       is_new = false;

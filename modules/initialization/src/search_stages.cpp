@@ -18,11 +18,11 @@ constexpr double kHardlyWorse = 0.01;  // of the visible surface
 /// Of the surface: then planes tell more than points. Bottles and mugs have a tenth, furniture and
 /// boards eight tenths and more.
 constexpr double kMostlyFlat = 0.5;
-constexpr int kAnchorSteps = 4;        // of a joint between base and a matched side
+constexpr int kAnchorSteps = 4;  // of a joint between base and a matched side
 
 constexpr bool kHoldJoints = true;
 constexpr Selection kEach{0.0, 24, 0.0, 1};
-constexpr Breadth kAll{1, kEach, kEach, kEach, false};
+constexpr Breadth kAll{1, kEach, kEach, kEach, false, false};
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
 
 // Coarse steps for a view of coarse pixels; fine ones, with what real objects differ from their
@@ -133,13 +133,14 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Br
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis refined = hypotheses[i];
     align_coarsely(0.025, 4, refined.configuration, kHoldJoints);
-    refined.score = judge(refined, 0.01, 1.0);
-    hypotheses[i].score = judge(hypotheses[i], 0.01, 1.0);
+    refined.score = judge(refined, 0.01, 1.0, breadth.is_close);
+    hypotheses[i].score = judge(hypotheses[i], 0.01, 1.0, breadth.is_close);
     // Joints that stand elsewhere than assumed may have pulled the base away.
     if (refined.score > hypotheses[i].score) hypotheses[i] = std::move(refined);
     hypotheses[i].bodies = all_bodies;
     scan_joints(model.tree, levers, score(), variables, 0.02, kGlance, hypotheses[i].configuration);
-    hypotheses[i].score = judge(hypotheses[i], 0.02, 0.5);
+    hypotheses[i].score =
+        breadth.is_close ? judge(hypotheses[i], 0.008, 0.5, true) : judge(hypotheses[i], 0.02, 0.5);
   });
   hypotheses = best_apart(std::move(hypotheses), breadth.placed, levers);
 }
@@ -275,8 +276,10 @@ void Initializer::Workspace::climb_far(Configuration& configuration) {
         configuration);
 }
 
-double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance) {
-  return score().evidence(hypothesis.configuration, slack, hypothesis.bodies).total(tolerance);
+double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance,
+                                     bool is_close) {
+  ViewScore& view = is_close ? halves[Executor::worker()] : score();
+  return view.evidence(hypothesis.configuration, slack, hypothesis.bodies).total(tolerance);
 }
 
 /// In a finer view, which shows more of what the camera saw through.

@@ -31,9 +31,9 @@ struct ShapeResult {
 struct ShapeSettings {
   PinholeCamera camera;
   SensorModel sensor;
-  std::uint64_t seed = 1;             ///< of the sensor's noise
-  std::filesystem::path folder;       ///< made if needed; the object's files are written there
-  StopRequest stop_request = nullptr; ///< of the search
+  std::uint64_t seed = 1;              ///< of the sensor's noise
+  std::filesystem::path folder;        ///< made if needed; the object's files are written there
+  StopRequest stop_request = nullptr;  ///< of the search
 };
 
 /// Draws the object and its scene, simulates it, and lets the tracker find it. Right is a base
