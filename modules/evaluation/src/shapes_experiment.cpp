@@ -2,12 +2,14 @@
 #include "lockbox/evaluation/shapes_experiment.hpp"
 
 #include <chrono>
+#include <optional>
 
 #include "free_form_scene.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/equal_poses.hpp"
 #include "lockbox/evaluation/free_form_object.hpp"
 #include "lockbox/simulation/simulator.hpp"
+#include "lockbox/tracking/acquisition.hpp"
 #include "lockbox/verification/verifier.hpp"
 #include "stoppable.hpp"
 
@@ -50,18 +52,27 @@ ShapeResult search_shape(const ObjectBlock& block, std::uint64_t number,
   result.kind = object.name;
   result.on_table = drawn.on_table;
   result.is_covered = drawn.is_covered;
-  Tracker tracker(model, stoppable(settings.stop_request));
+  const TrackerOptions options = stoppable(settings.stop_request);
+  TiledCloud cloud;
+  ArticulatedRegistration registration(model, options.registration, executor);
+  Acquisition acquisition(model, options, executor, registration, cloud);
   const auto began = std::chrono::steady_clock::now();
-  const TrackingResult& answer = tracker.process(frame);
+  cloud.assign(frame, options.cloud, executor);
+  const auto found = acquisition.find(frame, std::nullopt, SearchScope::anywhere);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  result.errors = errors_of(model, answer, drawn.truth);
   Verifier verifier(model.tree);
-  verifier.look_at(tracker.cloud(), tracker.options().registration.noise.sigma_inverse_depth(),
-                   executor);
+  verifier.look_at(cloud, options.registration.noise.sigma_inverse_depth(), executor);
   result.evidence_of_truth = verifier.evidence(drawn.truth.configuration).total();
-  if (answer.status != TrackingStatus::initializing) {
-    result.evidence = verifier.evidence(answer.configuration).total();
+  if (!found) {
+    result.errors.wrong = "nothing";
+    return result;
   }
+  result.evidence = verifier.evidence(found->configuration).total();
+  TrackingResult answer;
+  answer.status = judge(*found, options);
+  answer.configuration = found->configuration;
+  answer.observable = known_unknowns(*found, model.tree, options);
+  result.errors = errors_of(model, answer, drawn.truth);
   return result;
 }
 

@@ -36,7 +36,8 @@ struct ShapeSettings {
   StopRequest stop_request = nullptr;  ///< of the search
 };
 
-/// Draws the object and its scene, simulates it, and lets the tracker find it. Right is a base
+/// Draws the object and its scene, simulates it, and searches it as the tracker does with a first
+/// frame; an answer is trusted if its status is `tracking`. Right is a base
 /// within 2 cm and 5 degrees of a pose that looks the same, every joint within 10 degrees. Throws
 /// InputError if a file cannot be written, and Stopped if it was stopped.
 ShapeResult search_shape(const ObjectBlock& block, std::uint64_t number,
