@@ -83,6 +83,16 @@ void print_report(const std::string& title, const Table& table) {
   }
 }
 
+/// Of all shards.
+Table all_rows(const std::filesystem::path& stem) {
+  Table table(columns());
+  for (const auto& file : rows_files(stem)) {
+    const Table part = read_table(file, columns());
+    for (const Row& row : part.rows()) table.add(row);
+  }
+  return table;
+}
+
 class Shapes : public Experiment {
  public:
   bool continues() const override { return true; }
@@ -124,7 +134,7 @@ class Shapes : public Experiment {
       progress.update(++finished, result.is_right() ? "right" : result.errors.wrong);
     }
     progress.finish();
-    print_report("shapes, " + block_, table);
+    print_report("shapes, " + block_, all_rows(stem));
     return !interruption.requested();
   }
 

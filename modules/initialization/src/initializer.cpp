@@ -25,7 +25,7 @@ constexpr double kPossible = 0.99;
 constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, false, false};
 constexpr Breadth kWide{32,   {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 4}, true,
                         false};
-/// Of points: small things, of which many wrong places look alike from afar.
+/// Of points, which propose many places that look alike from afar, of things that are mostly small.
 constexpr Breadth kOfPoints{
     8, {0.03, 128, 0.5, 16}, {0.03, 64, 0.5, 12}, {0.05, 16, 0.5, 4}, false, true};
 

@@ -14,16 +14,24 @@
 namespace lockbox {
 namespace {
 
-constexpr int kLeastRadius = 2;        // of a window, samples: with fewer, noise turns normals
-constexpr int kMostRadius = 8;         // more only take time
-constexpr std::size_t kLeastFit = 8;   // samples that make a plane
-constexpr double kSurface = 1.5;       // of the spacing, in depth: what belongs together
-constexpr double kSteepest = 0.17;     // cosine of 80 degrees: beyond, depths are of two surfaces
-constexpr int kDirections = 32;        // from which a model is looked at
-constexpr double kAway = 6.0;          // diameters: from where it is
+/// Samples, of the window of a fit: in fewer, noise turns normals by more than a bin; more take
+/// time.
+constexpr int kLeastRadius = 2;
+constexpr int kMostRadius = 8;
+constexpr std::size_t kLeastFit = 8;  // samples that make a plane: of a window's 13, most
+/// Of the spacing, in depth: what belongs to one surface. Doubled, a handle and what is behind it
+/// are taken for one slope.
+constexpr double kSurface = 1.5;
+constexpr double kSteepest = 0.17;  // cosine of 80 degrees: beyond, it is an edge that is seen
+/// From which a model is looked at: no two are more than 40 degrees apart, and a surface that is
+/// steep in one is not in the next.
+constexpr int kDirections = 32;
+constexpr double kAway = 6.0;          // diameters, from where it is: nearly parallel rays
 constexpr double kSamplesAStep = 3.0;  // of the image of a model, from one point to the next
-constexpr float kSamePoint = 0.75F;    // of the spacing
-constexpr float kSameNormal = 0.87F;   // cosine of 30 degrees
+/// What is told apart of points from several directions, in shares of the spacing, and the cosine
+/// of 30 degrees, two bins of PointPairs.
+constexpr float kSamePoint = 0.75F;
+constexpr float kSameNormal = 0.87F;
 
 /// Fits planes m.r = 1/depth around samples.
 class PlaneFit {

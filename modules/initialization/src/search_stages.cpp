@@ -121,7 +121,8 @@ std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
                                           breadth.matches_each, options.stop_request)) {
       add_matched(static_cast<std::size_t>(relief.body), match.T_camera_body, found[pair]);
     }
-    for (Hypothesis& hypothesis : found[pair]) hypothesis.score = judge(hypothesis, 0.02, 1.0);
+    for (Hypothesis& hypothesis : found[pair])
+      hypothesis.score = judge(hypothesis, 0.02, 1.0, breadth.is_close);
   });
   std::vector<Hypothesis> all;
   for (auto& part : found) all.insert(all.end(), part.begin(), part.end());
@@ -130,6 +131,7 @@ std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
 
 /// Base poses made exact as far as the known bodies tell, and a glance at the joints.
 void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Breadth& breadth) {
+  const double slack = breadth.is_close ? 0.008 : 0.02;
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis refined = hypotheses[i];
     align_coarsely(0.025, 4, refined.configuration, kHoldJoints);
@@ -139,8 +141,7 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Br
     if (refined.score > hypotheses[i].score) hypotheses[i] = std::move(refined);
     hypotheses[i].bodies = all_bodies;
     scan_joints(model.tree, levers, score(), variables, 0.02, kGlance, hypotheses[i].configuration);
-    hypotheses[i].score =
-        breadth.is_close ? judge(hypotheses[i], 0.008, 0.5, true) : judge(hypotheses[i], 0.02, 0.5);
+    hypotheses[i].score = judge(hypotheses[i], slack, 0.5, breadth.is_close);
   });
   hypotheses = best_apart(std::move(hypotheses), breadth.placed, levers);
 }

@@ -25,8 +25,8 @@ struct Breadth {
   Selection matched;
   Selection placed;
   Selection posed;
-  bool climbs;  ///< poses are improved by the drawing, too, before all but the best are left out
-  bool is_close;
+  bool climbs;    ///< poses are improved by the drawing, too, before all but the best are left out
+  bool is_close;  ///< for small things: judged in the finer view from the start
 };
 
 /// The memory of the search, and its stages in their order.
@@ -104,7 +104,7 @@ struct Initializer::Workspace {
   void align_coarsely(double spread, int iterations, Configuration& configuration,
                       bool hold_joints = false);
   void climb_far(Configuration& configuration);
-  double judge(const Hypothesis& hypothesis, double slack, double tolerance, bool is_close = false);
+  double judge(const Hypothesis& hypothesis, double slack, double tolerance, bool is_close);
   double judge_closely(const Configuration& configuration, double slack);
   static constexpr double kFineSlack = 0.003;  ///< metres that surfaces may be off at last
   static constexpr double kMedianNoise = 0.6;  ///< of the noise is left in a median of 4 x 4
