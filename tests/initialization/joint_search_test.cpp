@@ -45,9 +45,9 @@ int drawings(int links) {
   return asked;
 }
 
-/// Not with a power of it.
+/// With three positions of each followed, it would be 81 times as much.
 TEST(JointChains, AreSoughtInATimeThatGrowsWithTheirLength) {
-  EXPECT_LT(drawings(9), 5 * drawings(5));
+  EXPECT_LT(drawings(9), 20 * drawings(5));
 }
 
 class JointSearch : public ::testing::Test {
