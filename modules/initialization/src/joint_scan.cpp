@@ -131,9 +131,11 @@ class JointScan {
     const std::vector<double> scores =
         scores_at(positions.values, variable, left_out, configuration);
     margins[static_cast<std::size_t>(variable)] = margin_of(positions, scores);
-    std::vector<Configuration> trials{configuration, configuration};
     std::vector<std::size_t> peaks = best_peaks(positions, scores);
-    if (nested_ >= kMostNested) peaks.resize(std::min<std::size_t>(1, peaks.size()));
+    const bool follows_all = nested_ < kMostNested;
+    if (!follows_all) peaks.resize(std::min<std::size_t>(1, peaks.size()));
+    std::vector<Configuration> trials{configuration};
+    if (follows_all || peaks.empty()) trials.push_back(configuration);
     for (const std::size_t peak : peaks) {
       Configuration& trial = trials.emplace_back(configuration);
       trial.q[variable] = positions.values[peak];
