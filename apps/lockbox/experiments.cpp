@@ -25,6 +25,8 @@ const std::vector<ExperimentEntry>& experiments() {
        make_furniture_experiment},
       {"boards", "Random puzzle boards that nobody tuned for, found without a guess",
        make_boards_experiment},
+      {"shapes", "Random round and free-form objects, found without a guess",
+       make_shapes_experiment},
       {"peers", "The scene on which M3T was measured, beside its figures", make_peers_experiment},
   };
   return entries;

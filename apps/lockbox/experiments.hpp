@@ -32,6 +32,7 @@ std::unique_ptr<Experiment> make_occlusion_experiment();
 std::unique_ptr<Experiment> make_order_experiment();
 std::unique_ptr<Experiment> make_peers_experiment();
 std::unique_ptr<Experiment> make_rigid_experiment();
+std::unique_ptr<Experiment> make_shapes_experiment();
 std::unique_ptr<Experiment> make_speed_experiment();
 
 }  // namespace lockbox::app

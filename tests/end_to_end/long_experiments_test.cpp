@@ -211,5 +211,24 @@ TEST(ForeignObjects, ComeFromBlocksThatThereAre) {
   EXPECT_THAT(result.errors, HasSubstr("test:1"));
 }
 
+TEST(Shapes, HaveRowsAndContinueWhereTheyWereStopped) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& pieces) {
+    const ToolResult result = run_tool({"experiment", "shapes", "--block", "tune", "--pieces",
+                                        pieces, "--output", (folder / "out").string(), "--quiet"});
+    EXPECT_EQ(result.status, 0) << result.errors;
+    return result.output;
+  };
+  const auto file = folder / "out/shapes_tune_primesense_seed1.csv";
+  run("2");
+  const auto first = read_text(file);
+  EXPECT_THAT(run("3"), HasSubstr("shapes, tune: right in"));
+  EXPECT_EQ(read_text(file).substr(0, first.size()), first);
+  const auto rows = read_rows(file);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[2].at("kind"), "elbow");
+  EXPECT_EQ(rows[2].at("right"), "1");
+}
+
 }  // namespace
 }  // namespace lockbox

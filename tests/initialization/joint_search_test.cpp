@@ -3,13 +3,52 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 #include "seen_model.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
+
+/// Links in a row, each on a hinge on the one before.
+ArticulatedModel chain(int links) {
+  std::string text = "<robot name=\"chain\">";
+  for (int i = 0; i < links; ++i) {
+    const std::string name = std::to_string(i);
+    text += "<link name=\"l" + name +
+            "\"><visual><geometry><box size=\".03 .03 .02\"/></geometry></visual></link>";
+    if (i == 0) continue;
+    text += "<joint name=\"j" + name + "\" type=\"revolute\"><parent link=\"l" +
+            std::to_string(i - 1) + "\"/><child link=\"l" + name +
+            "\"/><origin xyz=\"0.04 0 0\"/><axis xyz=\"0 0 1\"/>"
+            "<limit lower=\"-0.5\" upper=\"0.5\" effort=\"1\" velocity=\"1\"/></joint>";
+  }
+  const TemporaryFolder folder;
+  return load_model(folder.write("chain.urdf", text + "</robot>"), with_cache());
+}
+
+/// How often something is drawn to find all joints of the chain.
+int drawings(int links) {
+  const ArticulatedModel model = chain(links);
+  Configuration truth = rest_configuration(model.tree);
+  truth.T_camera_base = facing_pose(0.9);
+  std::vector<int> all(static_cast<std::size_t>(model.tree.variables()));
+  std::iota(all.begin(), all.end(), 0);
+  int asked = 0;
+  InitializerOptions options;
+  options.stop_request = [&asked] { return ++asked < 0; };
+  Initializer(model, options, Executor(1))
+      .find_joints(seen(model, truth, wall_behind(0.3)), truth, all);
+  return asked;
+}
+
+/// With several positions of each followed, it would be hundreds of times as much.
+TEST(JointChains, AreSoughtInATimeThatGrowsWithTheirLength) {
+  EXPECT_LT(drawings(9), 8 * drawings(5));
+}
 
 class JointSearch : public ::testing::Test {
  protected:

@@ -15,7 +15,8 @@ struct FlatSide {
   double area;             ///< m^2
 };
 
-/// The flat sides of at least least_area, the largest first.
+/// The flat sides of at least least_area, the largest first; none that are pieces of something
+/// round, as the faces of a cylinder are.
 std::vector<FlatSide> flat_sides(const TriangleMesh& mesh, double least_area);
 
 }  // namespace lockbox

@@ -22,8 +22,12 @@ constexpr std::size_t kMostRegions = 32;
 /// is with more of everything.
 constexpr double kConvincing = 0.99999;
 constexpr double kPossible = 0.99;
-constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, false};
-constexpr Breadth kWide{32, {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 4}, true};
+constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, false, false};
+constexpr Breadth kWide{32,   {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 4}, true,
+                        false};
+/// Of points, which propose many places that look alike from afar, of things that are mostly small.
+constexpr Breadth kOfPoints{
+    8, {0.03, 128, 0.5, 16}, {0.03, 64, 0.5, 12}, {0.05, 16, 0.5, 4}, false, true};
 
 PlanarScene planes(const CoarseView& view, double noise) {
   return {view, noise, find_planar_regions(view, noise, kLeastSamples, kMostRegions)};
@@ -86,8 +90,8 @@ std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledC
                                                                     bool is_thorough) {
   std::vector<Candidate> answers;
   double most_evidence = -std::numeric_limits<double>::infinity();
-  const auto belief_in = [&](const PlanarScene& from, const Breadth& breadth) {
-    assess(cloud, seek(cloud, from, breadth), answers);
+  const auto belief_in = [&](std::vector<Hypothesis> matched, const Breadth& breadth) {
+    assess(cloud, followed(cloud, std::move(matched), breadth), answers);
     if (answers.empty()) return 0.0;
     // Back to front or upside down, it may look nearly the same, and be passed over.
     if (answers.front().evidence > most_evidence) {
@@ -97,10 +101,16 @@ std::vector<Candidate> Initializer::Workspace::seek_until_convinced(const TiledC
     return answers.front().belief;
   };
   const auto seek_until = [&] {
-    if (belief_in(scene, kUsual) >= kConvincing || !is_thorough) return;
+    if (belief_in(match(scene, kUsual), kUsual) >= kConvincing) return;
+    if (!is_flat) {
+      belief_in(match_points(fine_view, scene, kOfPoints), kOfPoints);
+      return;
+    }
+    if (!is_thorough) return;
     const PlanarScene closer = planes(fine_view, fine_view_noise());
-    if (belief_in(closer, kUsual) >= kPossible) return;
-    if (belief_in(scene, kWide) < kPossible) belief_in(closer, kWide);
+    if (belief_in(match(closer, kUsual), kUsual) >= kPossible) return;
+    if (belief_in(match_points(fine_view, scene, kOfPoints), kOfPoints) >= kPossible) return;
+    if (belief_in(match(scene, kWide), kWide) < kPossible) belief_in(match(closer, kWide), kWide);
   };
   seek_until();
   answers.resize(std::min(answers.size(), options.most_candidates));

@@ -13,7 +13,10 @@ namespace {
 
 constexpr int kFewestSteps = 2;
 constexpr int kMostSteps = 63;
-constexpr std::size_t kMostPeaks = 3;     // of what carries others
+constexpr std::size_t kMostPeaks = 3;  // of what carries others
+/// Joints in a row, each on the one before, of which several positions are tried. Beyond, in long
+/// chains, the best one is taken: each more triples the time.
+constexpr int kMostNested = 2;
 constexpr double kLeastGain = 1.0;        // pixels: worth moving for
 constexpr double kHardlyStandsOut = 4.0;  // standard deviations of a depth
 constexpr double kDoubt = 5.0;      // pixels: that two positions may differ by without telling
@@ -128,16 +131,22 @@ class JointScan {
     const std::vector<double> scores =
         scores_at(positions.values, variable, left_out, configuration);
     margins[static_cast<std::size_t>(variable)] = margin_of(positions, scores);
-    std::vector<Configuration> trials{configuration, configuration};
-    for (const std::size_t peak : best_peaks(positions, scores)) {
+    std::vector<std::size_t> peaks = best_peaks(positions, scores);
+    const bool follows_all = nested_ < kMostNested;
+    if (!follows_all) peaks.resize(std::min<std::size_t>(1, peaks.size()));
+    std::vector<Configuration> trials{configuration};
+    if (follows_all || peaks.empty()) trials.push_back(configuration);
+    for (const std::size_t peak : peaks) {
       Configuration& trial = trials.emplace_back(configuration);
       trial.q[variable] = positions.values[peak];
       look_closer(positions.step, variable, left_out, 0.0, trial);
     }
     std::vector<std::vector<double>> margins_there(trials.size(), margins);
+    ++nested_;
     for (std::size_t i = 1; i < trials.size(); ++i) {
       scan_each(carried, trials[i], margins_there[i]);
     }
+    --nested_;
     const std::vector<double> totals = score_.scan(trials, variable, nothing_, slack_);
     const auto best =
         static_cast<std::size_t>(std::max_element(totals.begin(), totals.end()) - totals.begin());
@@ -206,6 +215,7 @@ class JointScan {
   const Eigen::VectorXd& levers_;
   std::vector<std::uint8_t> nothing_;  ///< left out, by body
   std::vector<Configuration> trials_;
+  int nested_ = 0;  ///< joints under way that carry the one that is scanned
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "flat_sides.hpp"
@@ -20,6 +21,11 @@ constexpr int kSubsamples = 3;        // along each side of a cell
 constexpr int kJointDraws = 40;       // to see what joints may change
 constexpr double kDistance = 200.0;   // metres: so far away a pinhole sees parallel rays
 constexpr double kLeastShare = 0.25;  // of the largest side's area: worth a relief
+/// Shares of the square of the model's diameter, and of its surface, of which the smaller is the
+/// area of a flat side that can be told in a view: a hand's breadth of a metre. Doubled, narrow
+/// sides of large models are no longer matched; halved, the search takes longer for round ones.
+constexpr double kLeastOfSquare = 0.02;
+constexpr double kLeastOfSurface = 0.02;
 constexpr float kFlat = 0.004F;       // metres: heights that are one height
 constexpr float kHeightStep = 0.02F;  // metres: so exactly ranges of heights are told apart
 constexpr int kRing = 2;              // cells around the model where nothing is expected
@@ -192,6 +198,17 @@ ModelRelief make_relief(const KinematicTree& tree, int body, const Eigen::Vector
   return relief;
 }
 
+double surface_of(const KinematicTree& tree) {
+  return std::accumulate(
+      tree.bodies.begin(), tree.bodies.end(), 0.0,
+      [](double sum, const Body& body) { return sum + surface_area(body.mesh); });
+}
+
+double least_side(const KinematicTree& tree) {
+  return std::min(kLeastOfSquare * rest_bounds(tree, 0).diagonal().squaredNorm(),
+                  kLeastOfSurface * surface_of(tree));
+}
+
 bool same_view(const ModelRelief& a, const ModelRelief& b) {
   const Eigen::Isometry3d difference = a.T_body_plane.inverse() * b.T_body_plane;
   return a.body == b.body && difference.linear().col(2).z() > 0.999 &&
@@ -206,10 +223,12 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
     stop_if(stop_request);
     return make_relief(tree, body, z, offset, executor);
   };
+  const double least = least_side(tree);
   std::vector<ModelRelief> sides;
   double largest = 0.0;
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
-    for (const FlatSide& side : flat_sides(tree.bodies[b].mesh, kLeastShare * largest)) {
+    for (const FlatSide& side :
+         flat_sides(tree.bodies[b].mesh, std::max(least, kLeastShare * largest))) {
       sides.push_back(relief_of(static_cast<int>(b), side.normal, side.offset));
       largest = std::max(largest, side.area);
     }
@@ -241,6 +260,15 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
     add(relief_of(0, z, support(tree.bodies[0].mesh, z)));
   }
   return reliefs;
+}
+
+double flat_share(const KinematicTree& tree) {
+  const double least = least_side(tree);
+  double flat = 0.0;
+  for (const Body& body : tree.bodies) {
+    for (const FlatSide& side : flat_sides(body.mesh, least)) flat += side.area;
+  }
+  return flat / surface_of(tree);
 }
 
 }  // namespace lockbox

@@ -44,4 +44,7 @@ struct ModelRelief {
 std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor& executor,
                                       const StopRequest& stop_request);
 
+/// The share of the model's surface that its large flat sides make up.
+double flat_share(const KinematicTree& tree);
+
 }  // namespace lockbox

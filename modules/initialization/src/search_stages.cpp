@@ -15,11 +15,14 @@ namespace {
 
 constexpr double kHardlyLess = 0.9;
 constexpr double kHardlyWorse = 0.01;  // of the visible surface
-constexpr int kAnchorSteps = 4;        // of a joint between base and a matched side
+/// Of the surface: then planes tell more than points. Bottles and mugs have a tenth, furniture and
+/// boards eight tenths and more.
+constexpr double kMostlyFlat = 0.5;
+constexpr int kAnchorSteps = 4;  // of a joint between base and a matched side
 
 constexpr bool kHoldJoints = true;
 constexpr Selection kEach{0.0, 24, 0.0, 1};
-constexpr Breadth kAll{1, kEach, kEach, kEach, false};
+constexpr Breadth kAll{1, kEach, kEach, kEach, false, false};
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
 
 // Coarse steps for a view of coarse pixels; fine ones, with what real objects differ from their
@@ -37,6 +40,7 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
     : model(articulated_model),
       options(given),
       executor(workers),
+      is_flat(flat_share(model.tree) > kMostlyFlat),
       levers(model_levers(model.tree)),
       symmetries(find_symmetries(model)),
       turns(box_turns(levers, symmetries)),
@@ -60,11 +64,10 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
   }
 }
 
-/// The configurations at which the relief's body is where the match says.
-void Initializer::Workspace::add_matched(const ModelRelief& relief, const ReliefMatch& match,
+/// The configurations at which that body is there.
+void Initializer::Workspace::add_matched(std::size_t body, const Eigen::Isometry3d& T_camera_body,
                                          std::vector<Hypothesis>& hypotheses) const {
   const KinematicTree& tree = model.tree;
-  const auto body = static_cast<std::size_t>(relief.body);
   Hypothesis hypothesis{held, std::vector<std::uint8_t>(tree.bodies.size(), 0)};
   // Base and body alone: how other joints stand is not known yet.
   hypothesis.bodies[0] = 1;
@@ -79,15 +82,14 @@ void Initializer::Workspace::add_matched(const ModelRelief& relief, const Relief
     if (is_free) configuration.q[variable] = position;
     configuration.T_camera_base.setIdentity();
     forward_kinematics(tree, configuration, poses);
-    configuration.T_camera_base = match.T_camera_body * poses[body].inverse();
+    configuration.T_camera_base = T_camera_body * poses[body].inverse();
     hypotheses.push_back(hypothesis);
   }
 }
 
-std::vector<Hypothesis> Initializer::Workspace::seek(const TiledCloud& cloud,
-                                                     const PlanarScene& scene,
-                                                     const Breadth& breadth) {
-  std::vector<Hypothesis> hypotheses = match(scene, breadth);
+std::vector<Hypothesis> Initializer::Workspace::followed(const TiledCloud& cloud,
+                                                         std::vector<Hypothesis> hypotheses,
+                                                         const Breadth& breadth) {
   place(hypotheses, breadth);
   pose(hypotheses, breadth);
   fit(hypotheses, breadth);
@@ -102,12 +104,7 @@ std::vector<Hypothesis> Initializer::Workspace::seek_turned(const TiledCloud& cl
     hypotheses.push_back({held, all_bodies});
     hypotheses.back().configuration.T_camera_base = found.T_camera_base * turn;
   }
-  if (hypotheses.empty()) return hypotheses;
-  place(hypotheses, kAll);
-  pose(hypotheses, kAll);
-  fit(hypotheses, kAll);
-  fit_closely(cloud, hypotheses, kAll);
-  return hypotheses;
+  return followed(cloud, std::move(hypotheses), kAll);
 }
 
 /// Flat sides of the model laid onto flat regions of the view.
@@ -115,16 +112,17 @@ std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
                                                       const Breadth& breadth) {
   const auto& regions = scene.regions;
   if (!reliefs) reliefs = make_reliefs(model.tree, executor, options.stop_request);
-  const std::size_t pairs = regions.size() * reliefs->size();
-  std::vector<std::vector<Hypothesis>> found(pairs);
-  executor.for_each(pairs, [&](std::size_t pair) {
+  const std::size_t trials = regions.size() * reliefs->size();
+  std::vector<std::vector<Hypothesis>> found(trials);
+  executor.for_each(trials, [&](std::size_t pair) {
     const ModelRelief& relief = (*reliefs)[pair % reliefs->size()];
     const PlanarRegion& region = regions[pair / reliefs->size()];
     for (const auto& match : match_relief(scene.view, region, relief, scene.noise,
                                           breadth.matches_each, options.stop_request)) {
-      add_matched(relief, match, found[pair]);
+      add_matched(static_cast<std::size_t>(relief.body), match.T_camera_body, found[pair]);
     }
-    for (Hypothesis& hypothesis : found[pair]) hypothesis.score = judge(hypothesis, 0.02, 1.0);
+    for (Hypothesis& hypothesis : found[pair])
+      hypothesis.score = judge(hypothesis, 0.02, 1.0, breadth.is_close);
   });
   std::vector<Hypothesis> all;
   for (auto& part : found) all.insert(all.end(), part.begin(), part.end());
@@ -133,16 +131,17 @@ std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
 
 /// Base poses made exact as far as the known bodies tell, and a glance at the joints.
 void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Breadth& breadth) {
+  const double slack = breadth.is_close ? 0.008 : 0.02;
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis refined = hypotheses[i];
     align_coarsely(0.025, 4, refined.configuration, kHoldJoints);
-    refined.score = judge(refined, 0.01, 1.0);
-    hypotheses[i].score = judge(hypotheses[i], 0.01, 1.0);
+    refined.score = judge(refined, 0.01, 1.0, breadth.is_close);
+    hypotheses[i].score = judge(hypotheses[i], 0.01, 1.0, breadth.is_close);
     // Joints that stand elsewhere than assumed may have pulled the base away.
     if (refined.score > hypotheses[i].score) hypotheses[i] = std::move(refined);
     hypotheses[i].bodies = all_bodies;
     scan_joints(model.tree, levers, score(), variables, 0.02, kGlance, hypotheses[i].configuration);
-    hypotheses[i].score = judge(hypotheses[i], 0.02, 0.5);
+    hypotheses[i].score = judge(hypotheses[i], slack, 0.5, breadth.is_close);
   });
   hypotheses = best_apart(std::move(hypotheses), breadth.placed, levers);
 }
@@ -278,8 +277,10 @@ void Initializer::Workspace::climb_far(Configuration& configuration) {
         configuration);
 }
 
-double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance) {
-  return score().evidence(hypothesis.configuration, slack, hypothesis.bodies).total(tolerance);
+double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance,
+                                     bool is_close) {
+  ViewScore& view = is_close ? halves[Executor::worker()] : score();
+  return view.evidence(hypothesis.configuration, slack, hypothesis.bodies).total(tolerance);
 }
 
 /// In a finer view, which shows more of what the camera saw through.

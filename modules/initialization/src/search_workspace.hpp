@@ -11,6 +11,7 @@
 #include "lockbox/verification/coarse_view.hpp"
 #include "lockbox/verification/verifier.hpp"
 #include "overlap.hpp"
+#include "point_match.hpp"
 #include "scene_relief.hpp"
 #include "surroundings.hpp"
 #include "view_score.hpp"
@@ -24,7 +25,8 @@ struct Breadth {
   Selection matched;
   Selection placed;
   Selection posed;
-  bool climbs;  ///< poses are improved by the drawing, too, before all but the best are left out
+  bool climbs;    ///< poses are improved by the drawing, too, before all but the best are left out
+  bool is_close;  ///< for small things: judged in the finer view from the start
 };
 
 /// The memory of the search, and its stages in their order.
@@ -33,6 +35,8 @@ struct Initializer::Workspace {
   InitializerOptions options;
   Executor executor;
   std::optional<std::vector<ModelRelief>> reliefs;  ///< made when first matched
+  bool is_flat;                                     ///< most of its surface
+  std::optional<BodyPairs> pairs;                   ///< made when first needed
   ModelLevers levers;
   std::vector<Eigen::Isometry3d> symmetries;  ///< of the model
   std::vector<Eigen::Isometry3d> turns;       ///< of its box, which are none of the model
@@ -72,21 +76,24 @@ struct Initializer::Workspace {
                        Configuration& configuration);
 
  private:
-  /// All stages up to rank.
-  std::vector<Hypothesis> seek(const TiledCloud& cloud, const PlanarScene& scene,
-                               const Breadth& breadth);
+  /// The stages from place up to rank.
+  std::vector<Hypothesis> followed(const TiledCloud& cloud, std::vector<Hypothesis> hypotheses,
+                                   const Breadth& breadth);
   /// What else the object may be that was taken for this: turned to where its box is the same.
   std::vector<Hypothesis> seek_turned(const TiledCloud& cloud, const Configuration& found);
   /// Adds what stages sought, made exact, the most convincing first.
   void assess(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses,
               std::vector<Candidate>& answers);
   std::vector<Hypothesis> match(const PlanarScene& scene, const Breadth& breadth);
+  /// Proposals of pairs of points of the view, but for its wide planes.
+  std::vector<Hypothesis> match_points(const CoarseView& view, const PlanarScene& scene,
+                                       const Breadth& breadth);
   void place(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
   void pose(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
   void fit(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
   void fit_closely(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses,
                    const Breadth& breadth);
-  void add_matched(const ModelRelief& relief, const ReliefMatch& match,
+  void add_matched(std::size_t body, const Eigen::Isometry3d& T_camera_body,
                    std::vector<Hypothesis>& hypotheses) const;
   void align_if_better(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses,
                        const Breadth& breadth);
@@ -97,7 +104,7 @@ struct Initializer::Workspace {
   void align_coarsely(double spread, int iterations, Configuration& configuration,
                       bool hold_joints = false);
   void climb_far(Configuration& configuration);
-  double judge(const Hypothesis& hypothesis, double slack, double tolerance);
+  double judge(const Hypothesis& hypothesis, double slack, double tolerance, bool is_close);
   double judge_closely(const Configuration& configuration, double slack);
   static constexpr double kFineSlack = 0.003;  ///< metres that surfaces may be off at last
   static constexpr double kMedianNoise = 0.6;  ///< of the noise is left in a median of 4 x 4

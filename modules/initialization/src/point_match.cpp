@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "point_match.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "search_workspace.hpp"
+
+namespace lockbox {
+namespace {
+
+/// Of a body's diameter: from one of its points to the next. A handle or a leg is as thick.
+/// Doubled, such parts are lost; halved, it takes sixteen times as long.
+constexpr double kSpacing = 0.06;
+/// Of a body: all its pairs take 40 MB. A mug has 600. Doubled, what is all folds and ribs takes
+/// four times the memory.
+constexpr std::size_t kMostPoints = 800;
+constexpr double kWider = 1.25;  // than the spacing that gives more
+/// Places that are drawn: of 32 objects the right one of 29 was among the first 120. Doubled, it
+/// takes a tenth of a second longer.
+constexpr std::size_t kMostVotes = 300;
+/// Of the diameter that a plane reaches beyond its middle, if it is the model's: half, and as much
+/// as grows into what is beside it.
+constexpr double kWide = 0.7;
+constexpr double kInPlane = 4.0;  // standard deviations of a sample: all of a plane, its ends too
+
+double reach_of(const CoarseView& view, const PlanarRegion& region) {
+  const Eigen::Vector3f middle = region_frame(view, region).translation().cast<float>();
+  const auto width = static_cast<std::size_t>(view.camera.width);
+  float farthest = 0.0F;
+  for (const std::size_t sample : region.samples) {
+    const Eigen::Vector3f p =
+        view.point(static_cast<int>(sample % width), static_cast<int>(sample / width));
+    farthest = std::max(farthest, (p - middle).norm());
+  }
+  return static_cast<double>(farthest);
+}
+
+}  // namespace
+
+BodyPairs make_body_pairs(const KinematicTree& tree, const Executor& executor) {
+  std::size_t largest = 0;
+  for (std::size_t b = 1; b < tree.bodies.size(); ++b) {
+    if (surface_area(tree.bodies[b].mesh) > surface_area(tree.bodies[largest].mesh)) largest = b;
+  }
+  const double diameter = bounds(tree.bodies[largest].mesh).diagonal().norm();
+  const double spacing = kSpacing * diameter;
+  return {largest, PointPairs(points_of_body(tree, largest, spacing, executor), diameter, spacing)};
+}
+
+std::vector<float> without_wide_planes(const CoarseView& view, const PlanarScene& scene,
+                                       double diameter) {
+  std::vector<float> depth = view.depth;
+  const int factor = std::max(1, view.camera.width / scene.view.camera.width);
+  const auto tolerance = static_cast<float>(kInPlane * scene.noise);
+  const auto width = static_cast<std::size_t>(scene.view.camera.width);
+  for (const PlanarRegion& region : scene.regions) {
+    if (reach_of(scene.view, region) < kWide * diameter) continue;
+    for (const std::size_t sample : region.samples) {
+      const int u0 = static_cast<int>(sample % width) * factor;
+      const int v0 = static_cast<int>(sample / width) * factor;
+      // What lies beside a plane's samples belongs to it if it is in the plane, too.
+      for (int v = v0 - factor; v < v0 + 2 * factor; ++v) {
+        for (int u = u0 - factor; u < u0 + 2 * factor; ++u) {
+          if (!view.contains(u, v)) continue;
+          float& here = depth[view.index(u, v)];
+          const Eigen::Vector3f ray = view.camera.back_project(u, v, 1.0).cast<float>();
+          if (here > 0.0F && std::abs(1.0F / here - region.m.dot(ray)) < tolerance) here = 0.0F;
+        }
+      }
+    }
+  }
+  return depth;
+}
+
+std::vector<Hypothesis> Initializer::Workspace::match_points(const CoarseView& view,
+                                                             const PlanarScene& scene,
+                                                             const Breadth& breadth) {
+  if (!pairs) pairs = make_body_pairs(model.tree, executor);
+  const std::vector<float> depth = without_wide_planes(view, scene, 2.0 * levers.radius);
+  const double spacing = pairs->pairs.spacing();
+  const auto points = points_of_view({view.camera, depth, fine_view_noise()}, spacing);
+  const auto votes = pairs->pairs.vote(points, kMostVotes, executor, options.stop_request);
+  std::vector<Hypothesis> found;
+  for (const PoseVote& vote : votes) add_matched(pairs->body, vote.T_camera_body, found);
+  executor.for_each(found.size(), [&](std::size_t i) {
+    found[i].score = judge(found[i], 0.02, 0.7, breadth.is_close);
+  });
+  found = best_apart(std::move(found), breadth.matched, levers);
+  // Bins are coarse: what they say is 15 degrees off, which one registration does not always mend.
+  // Joints that stand elsewhere would pull the base away in it.
+  if (variables.empty()) place(found, breadth);
+  return found;
+}
+
+}  // namespace lockbox
