@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "mechanism.hpp"
 
@@ -75,6 +77,23 @@ TEST_F(TrackerTest, AGoodStartNeedsNoSearch) {
     EXPECT_EQ(result.status, TrackingStatus::tracking);
     EXPECT_EQ(result.searches, 0);
   }
+}
+
+/// A search of the whole frame takes as long as many frames. What comes into view when the camera
+/// is uncovered is sought at once.
+TEST_F(TrackerTest, SearchesInVainPauseForLongerAndLongerUntilTheViewIsAnother) {
+  DepthFrame covered = frame_of(truth);
+  std::fill(covered.depth.begin(), covered.depth.end(), std::uint16_t{0});
+  std::vector<int> searched;
+  int searches = 0;
+  for (int i = 0; i < 150; ++i) {
+    covered.depth.front() = static_cast<std::uint16_t>(500 + i);  // another image each time
+    const TrackingResult& result = tracker.process(covered);
+    if (result.searches > searches) searched.push_back(i);
+    searches = result.searches;
+  }
+  EXPECT_EQ(searched, (std::vector{0, 1, 2, 4, 8, 16, 32, 64, 128}));
+  EXPECT_EQ(tracker.process(frame_of(truth)).searches, searches + 1);
 }
 
 TEST_F(TrackerTest, WithoutTheObjectInViewNothingIsReported) {

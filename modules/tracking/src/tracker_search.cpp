@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the tracker does while it does not know where the object is.
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 
 #include "lockbox/tracking/tracker.hpp"
 
@@ -19,6 +21,18 @@ bool search_is_due(int frames_searched, int longest_pause) {
     return (frames_searched & (frames_searched - 1)) == 0;  // 0, 1, 2, 4, ...
   }
   return frames_searched % longest_pause == 0;
+}
+
+std::ptrdiff_t measured_pixels(const TiledCloud& cloud) {
+  return std::count_if(cloud.depth().begin(), cloud.depth().end(),
+                       [](float depth) { return depth > 0.0F; });
+}
+
+/// As when a camera is uncovered, or its cable is back.
+bool is_another_view(std::ptrdiff_t measured, std::ptrdiff_t before) {
+  constexpr double kOther = 0.2;  // of its pixels
+  return static_cast<double>(std::abs(measured - before)) >
+         kOther * static_cast<double>(std::max(measured, before));
 }
 
 }  // namespace
@@ -47,6 +61,11 @@ void Tracker::search(const DepthFrame& frame) {
 
 /// What is found in this frame, if a search is due, or one in the background has ended.
 std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, SearchScope scope) {
+  const std::ptrdiff_t measured = measured_pixels(cloud_);
+  if (is_another_view(measured, measured_before_)) {
+    measured_before_ = measured;
+    frames_searched_ = 0;
+  }
   const bool is_near_due = search_is_due(frames_searched_, kLongestPauseNear);
   std::optional<RegistrationResult> found;
   if (options_.background_search) {

@@ -2,6 +2,7 @@
 // The frame loop: predict, register, judge. Frames in, states out.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -117,16 +118,17 @@ class Tracker {
   std::vector<std::uint16_t> last_depth_;  ///< the image that was processed last
   PinholeCamera last_camera_;
   float last_unit_ = 0.0F;
-  int repeats_ = 0;                   ///< of that image, in a row, since the object was found in it
-  int frames_searched_ = 0;           ///< since the object was last tracked
-  std::vector<int> sought_joints_;    ///< variables to be sought over their whole range
-  JointMargins hidden_margins_;       ///< of those that were sought since they were hidden
-  double rival_distance_ = 0.0;       ///< of what was last reported: until a search tells
-  RegistrationResult best_;           ///< of several tries at the same frame
-  double belief_ = 0.0;               ///< of what was last reported, where it was asked for
-  std::vector<int> doubted_;          ///< variables whose parts contradicted that, in order
-  int frames_doubted_ = 0;            ///< since the image was asked
-  std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
+  int repeats_ = 0;          ///< of that image, in a row, since the object was found in it
+  int frames_searched_ = 0;  ///< since the object was last tracked, or the view is another
+  std::ptrdiff_t measured_before_ = 0;  ///< pixels, when that view was first searched
+  std::vector<int> sought_joints_;      ///< variables to be sought over their whole range
+  JointMargins hidden_margins_;         ///< of those that were sought since they were hidden
+  double rival_distance_ = 0.0;         ///< of what was last reported: until a search tells
+  RegistrationResult best_;             ///< of several tries at the same frame
+  double belief_ = 0.0;                 ///< of what was last reported, where it was asked for
+  std::vector<int> doubted_;            ///< variables whose parts contradicted that, in order
+  int frames_doubted_ = 0;              ///< since the image was asked
+  std::vector<int> frames_in_sight_;    ///< by variable: consecutive, up to the present
   /// By variable: in view, but flush with what is around it, so that seeking would find nothing.
   std::vector<bool> is_flush_;
   TrackingResult result_;
