@@ -154,6 +154,30 @@ std::optional<RegistrationResult> Tracker::where_it_was() {
   return here;
 }
 
+/// Over their whole ranges.
+void Tracker::seek_contradicted_joints(RegistrationResult& best) {
+  sought_joints_ = contradicted_variables(best, model_.tree, options_);
+  if (!sought_joints_.empty()) {
+    keep_better(acquisition_.with_joints_sought(best.at_rest, sought_joints_), options_, best);
+  }
+}
+
+/// A joint that was hidden may have moved anywhere: what is seen of it decides where it is now.
+Configuration Tracker::with_hidden_joints_sought(const Configuration& prediction) {
+  sought_joints_.clear();
+  for (int v = 0; v < model_.tree.variables(); ++v) {
+    const auto variable = static_cast<std::size_t>(v);
+    if (frames_in_sight_[variable] < kFramesToKnowMotion && !is_flush_[variable]) {
+      sought_joints_.push_back(v);
+    }
+  }
+  hidden_margins_.clear();
+  if (sought_joints_.empty()) return prediction;
+  SoughtJoints sought = acquisition_.find_joints(prediction, sought_joints_);
+  hidden_margins_ = std::move(sought.margins);
+  return sought.configuration;
+}
+
 const std::optional<SearchFailure>& Tracker::search_failure() const {
   return background_ ? background_->failure() : acquisition_.failure();
 }
