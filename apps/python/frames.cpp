@@ -84,8 +84,16 @@ DepthFrame next(Source& self) {
   return frame;
 }
 
+/// What would be written into it would be lost.
+template <typename Number>
+py::array_t<Number> read_only(py::array_t<Number> array) {
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
 py::array_t<std::uint16_t> depth_of(const DepthFrame& frame) {
-  return py::array_t<std::uint16_t>({frame.camera.height, frame.camera.width}, frame.depth.data());
+  return read_only(
+      py::array_t<std::uint16_t>({frame.camera.height, frame.camera.width}, frame.depth.data()));
 }
 
 py::array_t<float> metres_of(const DepthFrame& frame) {
@@ -94,7 +102,7 @@ py::array_t<float> metres_of(const DepthFrame& frame) {
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     to[i] = static_cast<float>(frame.depth[i]) * frame.metres_per_unit;
   }
-  return result;
+  return read_only(std::move(result));
 }
 
 }  // namespace
@@ -128,9 +136,12 @@ void bind_frames(py::module_& module) {
   py::class_<DepthFrame>(module, "Frame", "A depth image with its camera and its time.")
       .def_property_readonly("depth", &depth_of,
                              "Depths (rows x columns, uint16) in `metres_per_unit`; 0 is no "
-                             "measurement.")
+                             "measurement. It cannot be written to. To take points away: "
+                             "depth = frame.depth.copy(); depth[mask] = 0; "
+                             "tracker.track(depth, time=frame.time).")
       .def_property_readonly("metres", &metres_of,
-                             "Depths (rows x columns, float32) in metres; 0 is no measurement.")
+                             "Depths (rows x columns, float32) in metres; 0 is no measurement. It "
+                             "cannot be written to.")
       .def_readonly("metres_per_unit", &DepthFrame::metres_per_unit, "The unit of `depth`, metres.")
       .def_property_readonly(
           "intrinsics", [](const DepthFrame& frame) { return to_matrix(frame.camera); },

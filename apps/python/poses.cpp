@@ -42,10 +42,25 @@ State to_state(const KinematicTree& tree, const Configuration& configuration) {
   State state;
   state.base = configuration.T_camera_base.matrix();
   for (const int joint : tree.file_order) {
-    state.joints[tree.joints[static_cast<std::size_t>(joint)].name] =
-        joint_position(tree, configuration, joint);
+    state.joints.emplace_back(tree.joints[static_cast<std::size_t>(joint)].name,
+                              joint_position(tree, configuration, joint));
   }
   return state;
+}
+
+std::vector<int> variables_of_file(const KinematicTree& tree) {
+  std::vector<int> variables;
+  for (const int index : tree.file_order) {
+    const Joint& joint = tree.joints[static_cast<std::size_t>(index)];
+    if (!joint.is_mimic) variables.push_back(joint.variable);
+  }
+  return variables;
+}
+
+py::dict to_dict(const JointValues& values) {
+  py::dict result;
+  for (const auto& [name, value] : values) result[py::str(name)] = value;
+  return result;
 }
 
 PinholeCamera to_camera(const Eigen::Matrix3d& intrinsics, int width, int height) {

@@ -19,14 +19,21 @@ constexpr double kFramePeriod = 1.0 / 30.0;  // seconds, as of sources that tell
 struct Result {
   double time;
   std::string status;
-  State state;                          ///< NaN while nothing is known
-  std::map<std::string, double> sigma;  ///< see joint_sigma()
+  State state;        ///< NaN while nothing is known
+  JointValues sigma;  ///< see joint_sigma()
   Eigen::MatrixXd covariance;
   double residual_rms;
   double explained;
   double contradicted;
   double seconds;
 };
+
+/// The rows of the base, then those of the variables in the order of the file.
+Eigen::MatrixXd in_order_of_file(const KinematicTree& tree, const Eigen::MatrixXd& covariance) {
+  std::vector<int> rows = {0, 1, 2, 3, 4, 5};
+  for (const int variable : variables_of_file(tree)) rows.push_back(6 + variable);
+  return covariance(rows, rows);
+}
 
 Result to_result(const KinematicTree& tree, const TrackingResult& result) {
   const bool is_told = is_known(result);
@@ -36,9 +43,12 @@ Result to_result(const KinematicTree& tree, const TrackingResult& result) {
   copy.status = to_string(result.status);
   copy.state = to_state(tree, is_told ? result.configuration : unknown_configuration(tree));
   if (!is_told) copy.state.base.topRows<3>().setConstant(TrackingResult::kNothingFound);
-  for (const Joint& joint : tree.joints) copy.sigma[joint.name] = joint_sigma(joint, result);
+  for (const int index : tree.file_order) {
+    const Joint& joint = tree.joints[static_cast<std::size_t>(index)];
+    copy.sigma.emplace_back(joint.name, joint_sigma(joint, result));
+  }
   copy.covariance =
-      is_told ? result.covariance
+      is_told ? in_order_of_file(tree, result.covariance)
               : Eigen::MatrixXd::Constant(unknowns, unknowns, TrackingResult::kNothingFound);
   copy.residual_rms = result.residual_rms;
   copy.explained = result.explained;
@@ -156,18 +166,20 @@ void bind_result(py::module_& module) {
           "base", [](const Result& self) { return self.state.base; },
           "The 4x4 pose of the base in the camera's frame, metres; NaN while nothing is known.")
       .def_property_readonly(
-          "joints", [](const Result& self) { return self.state.joints; },
-          "Positions by name, radians or metres; NaN while nothing is known.")
+          "joints", [](const Result& self) { return to_dict(self.state.joints); },
+          "Positions by name in the order of `Model.joints`, radians or metres; NaN while nothing "
+          "is known.")
       .def_readonly("state", &Result::state, "Base and joints as a State.")
-      .def_readonly(
-          "sigma", &Result::sigma,
-          "Standard deviations of the joints by name, radians or metres; inf where the "
-          "frame does not determine a joint, 0 for held ones, NaN while nothing is known.")
+      .def_property_readonly(
+          "sigma", [](const Result& self) { return to_dict(self.sigma); },
+          "Standard deviations of the joints by name in the order of `Model.joints`, radians or "
+          "metres; inf where the frame does not determine a joint, 0 for held ones, NaN while "
+          "nothing is known.")
       .def_readonly(
           "covariance", &Result::covariance,
-          "The covariance ((6 + variables) square) of base twist and joint variables. The "
-          "twist (v, w) moves the base as base @ exp(v, w): metres and radians, in the "
-          "base's frame.")
+          "The covariance ((6 + variables) square) of base twist and joint variables, "
+          "which are in the order of `Model.variables`. The twist (v, w) moves the base as base @ "
+          "exp(v, w): metres and radians, in the base's frame.")
       .def_readonly("residual_rms", &Result::residual_rms,
                     "The whitened residual: 1 where the sensor errs as assumed; NaN where nothing "
                     "was found.")

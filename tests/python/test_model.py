@@ -36,6 +36,21 @@ def test_shipped_model_has_the_joints_of_its_urdf():
     assert drawer.lower == 0 and 0.1 < drawer.upper < 1 and not drawer.is_mimic
 
 
+def test_joints_of_a_state_cannot_be_changed_in_place():
+    model = lockbox.load_model("cabinet")
+    state = model.rest_state
+    assert list(state.joints) == [joint.name for joint in model.joints]
+    with pytest.raises(TypeError):
+        state.joints["door"] = 1.0
+    state.joints = {**state.joints, "door": 1.0}
+    assert state.joints["door"] == 1.0 and state.joints["drawer"] == 0
+    assert lockbox.State(state.base, state.joints).joints == state.joints
+    with pytest.raises(TypeError):
+        state.joints = {1: 1.0}
+    with pytest.raises(ValueError, match="wide"):
+        state.joints = {"door": "wide"}
+
+
 def test_distances_are_those_to_the_surface(box):
     points = np.array([[0, 0, 0], [0, 0.05, 0], [0, 0.25, 0], [0.3, 0, 0]])
     np.testing.assert_allclose(box.signed_distance("base", points), [-0.05, 0, 0.2, 0.2],

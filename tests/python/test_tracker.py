@@ -30,6 +30,10 @@ def truth(recording):
         return list(csv.DictReader(file))
 
 
+# Half a turn about x: what is in front of the cabinet (its z) is towards the camera.
+FRONT = np.array([[1.0, 0, 0, 0], [0, -1, 0, 0], [0, 0, -1, 1.2], [0, 0, 0, 1]])
+
+
 def position(row):
     return np.array([float(row[name]) for name in ("tx", "ty", "tz")])
 
@@ -82,6 +86,33 @@ def test_frames_units_and_metres_give_the_same_and_the_truth(model, frames, trut
     assert 0 <= result.contradicted <= result.explained <= 1
     assert trackers[0].initial_state.base[2, 3] == start.base[2, 3]
     assert trackers[0].model.name == model.name
+
+
+def test_joints_have_one_order():
+    model = lockbox.load_model("cabinet")
+    assert model.variables == [joint.name for joint in model.joints if not joint.is_mimic]
+    start = lockbox.State(FRONT, {"drawer": 0.1, "door": 0.6})
+    K = [[285, 0, 159.5], [0, 285, 119.5], [0, 0, 1]]
+    depth, _ = model.render(start, K, (240, 320))
+    result = lockbox.Tracker(model, K, initial_state=start).track(depth)
+    names = [joint.name for joint in model.joints]
+    assert list(result.joints) == list(result.sigma) == list(result.state.joints) == names
+    sigma = dict(zip(model.variables, np.sqrt(np.diag(result.covariance)[6:])))
+    known = [name for name in names if np.isfinite(result.sigma[name])]
+    assert {"drawer", "door"} <= set(known)
+    assert sigma["drawer"] != pytest.approx(sigma["door"], rel=1e-3)
+    for name in known:
+        assert sigma[name] == pytest.approx(result.sigma[name]), name
+
+
+def test_images_of_a_frame_cannot_be_changed_in_place(model, frames, truth):
+    for image in (frames[0].depth, frames[0].metres):
+        with pytest.raises(ValueError, match="read-only"):
+            image[:] = 0
+    depth = frames[0].depth.copy()
+    depth[:10] = 0
+    tracker = lockbox.Tracker(model, frames[0].intrinsics, initial_state=start_of(truth[0]))
+    assert tracker.track(depth, time=frames[0].time).time == frames[0].time
 
 
 def test_without_a_start_it_is_found_and_reset_begins_anew(model, frames, truth):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import os
-from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -26,8 +26,11 @@ class Joint:
 
 class State:
     base: NDArray[numpy.float64]
-    joints: Dict[str, float]
-    def __init__(self, base: ArrayLike, joints: Dict[str, float] = ...) -> None: ...
+    @property
+    def joints(self) -> Mapping[str, float]: ...
+    @joints.setter
+    def joints(self, joints: Mapping[str, float]) -> None: ...
+    def __init__(self, base: ArrayLike, joints: Mapping[str, float] = ...) -> None: ...
 
 class Model:
     @property
@@ -36,6 +39,8 @@ class Model:
     def file(self) -> str: ...
     @property
     def joints(self) -> List[Joint]: ...
+    @property
+    def variables(self) -> List[str]: ...
     @property
     def bodies(self) -> List[str]: ...
     @property
