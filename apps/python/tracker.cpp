@@ -9,6 +9,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/sensor/sensor_profile.hpp"
 #include "lockbox/tracking/reported.hpp"
+#include "lockbox/tracking/search_failure.hpp"
 #include "poses.hpp"
 
 namespace lockbox::python {
@@ -22,6 +23,7 @@ struct Result {
   State state;        ///< NaN while nothing is known
   JointValues sigma;  ///< see joint_sigma()
   Eigen::MatrixXd covariance;
+  std::optional<std::string> reason;  ///< why nothing is known
   double residual_rms;
   double explained;
   double contradicted;
@@ -55,6 +57,12 @@ Result to_result(const KinematicTree& tree, const TrackingResult& result) {
   copy.contradicted = result.contradicted;
   copy.seconds = 1e-3 * result.latency_ms;
   return copy;
+}
+
+std::string in_lines(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "\n") + sentence;
+  return text;
 }
 
 struct Settings {
@@ -91,7 +99,10 @@ class PythonTracker {
       if (time_ && !(frame.stamp > *time_)) {
         throw InputError("time", "is not later than that of the frame before; reset() begins anew");
       }
-      const Result result = to_result(model_->tree, tracker_->process(frame));
+      const TrackingResult& tracked = tracker_->process(frame);
+      Result result = to_result(model_->tree, tracked);
+      const auto& failure = tracker_->search_failure();
+      if (failure && !is_known(tracked)) result.reason = in_lines(reasons(*failure));
       time_ = frame.stamp;
       return result;
     });
@@ -180,6 +191,9 @@ void bind_result(py::module_& module) {
           "The covariance ((6 + variables) square) of base twist and joint variables, "
           "which are in the order of `Model.variables`. The twist (v, w) moves the base as base @ "
           "exp(v, w): metres and radians, in the base's frame.")
+      .def_readonly("reason", &Result::reason,
+                    "Why a search has found nothing, and what to do: lines of text, the surest "
+                    "reason first. None while something is known, and before the first search.")
       .def_readonly("residual_rms", &Result::residual_rms,
                     "The whitened residual: 1 where the sensor errs as assumed; NaN where nothing "
                     "was found.")

@@ -81,6 +81,7 @@ def test_frames_units_and_metres_give_the_same_and_the_truth(model, frames, trut
     result = results[0]
     assert result.status in ("tracking", "uncertain")
     assert result.joints == result.sigma == {}
+    assert result.reason is None
     assert result.covariance.shape == (6, 6) and np.all(np.diag(result.covariance) > 0)
     assert 0 < result.seconds < 10
     assert 0 <= result.contradicted <= result.explained <= 1
@@ -131,6 +132,7 @@ def test_nothing_known_is_nan(model, frames):
     result = tracker.track(np.zeros((120, 160), np.uint16))
     assert result.status == "initializing"
     assert np.isnan(result.base[:3]).all() and np.isnan(result.covariance).all()
+    assert result.reason.startswith("No pixel has a depth")
 
 
 @pytest.mark.parametrize("depth, text", [
