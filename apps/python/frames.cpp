@@ -54,7 +54,11 @@ void set_depth(const Metres& depth, DepthFrame& frame) {
 struct Source {
   std::shared_ptr<Interruptible> calls = std::make_shared<Interruptible>();
   std::shared_ptr<Warnings> warnings = std::make_shared<Warnings>();
-  std::shared_ptr<FrameSource> source;
+  std::shared_ptr<FrameSource> source;  ///< null: closed
+  std::string name;
+  std::optional<std::size_t> frame_count;
+  std::string description;
+  bool is_at_end = false;
 };
 
 Source open(const std::filesystem::path& name,
@@ -73,12 +77,34 @@ Source open(const std::filesystem::path& name,
   result.source = result.calls->run(
       [&] { return std::shared_ptr<FrameSource>(open_source(name.string(), options)); });
   result.warnings->issue();
+  result.name = name.string();
+  result.frame_count = result.source->frame_count();
+  result.description = result.source->description();
   return result;
+}
+
+void close(Source& self) {
+  self.calls->run([&] {
+    self.source.reset();
+    return true;
+  });
+}
+
+/// For `for`, which would silently do nothing at the end of the source.
+Source& begin(Source& self) {
+  if (self.is_at_end) {
+    throw InputError(self.name, "all of its frames were taken; open_source() opens it anew");
+  }
+  return self;
 }
 
 DepthFrame next(Source& self) {
   DepthFrame frame;
-  const bool is_there = self.calls->run([&] { return self.source->next(frame); });
+  const bool is_there = self.calls->run([&] {
+    if (!self.source) throw InputError(self.name, "was closed; open_source() opens it anew");
+    return self.source->next(frame);
+  });
+  self.is_at_end = !is_there;
   self.warnings->issue();
   if (!is_there) throw py::stop_iteration();
   return frame;
@@ -148,15 +174,16 @@ void bind_frames(py::module_& module) {
           "The 3x3 camera matrix, pixels; centres of pixels are whole numbers.")
       .def_readonly("time", &DepthFrame::stamp, "Its time, seconds.")
       .def_readonly("index", &DepthFrame::index, "Its number in its source, from 0.");
-  py::class_<Source>(module, "Source", "Depth frames, one after the other: iterate over it.")
-      .def("__iter__", [](py::object self) { return self; })
+  py::class_<Source>(module, "Source",
+                     "Depth frames, one after the other: iterate over it, once. `with` closes it.")
+      .def("__iter__", &begin, py::return_value_policy::reference)
       .def("__next__", &next)
-      .def_property_readonly(
-          "frame_count", [](const Source& self) { return self.source->frame_count(); },
-          "The number of frames of a recording; None of a live source.")
-      .def_property_readonly(
-          "description", [](const Source& self) { return self.source->description(); },
-          "What it is, for people.");
+      .def("__enter__", [](py::object self) { return self; })
+      .def("__exit__", [](Source& self, const py::args&) { close(self); })
+      .def("close", &close, "Gives the device or the files back. Closing it again does nothing.")
+      .def_readonly("frame_count", &Source::frame_count,
+                    "The number of frames of a recording; None of a live source.")
+      .def_readonly("description", &Source::description, "What it is, for people.");
   module.def("open_source", &open, py::arg("source"), py::arg("camera_info") = py::none(),
              py::arg("depth_scale") = py::none(), py::arg("realtime") = false,
              "Opens `openni2:`, `openni2:<uri>`, a .oni file, a folder with depth.txt, or a folder "

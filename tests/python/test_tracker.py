@@ -63,6 +63,21 @@ def test_source_delivers_its_frames(recording, frames):
             next(source)
 
 
+def test_source_is_taken_once_and_can_be_closed(recording):
+    source = lockbox.open_source(recording)
+    assert len(list(source)) == 30
+    with pytest.raises(StopIteration):
+        next(source)
+    with pytest.raises(lockbox.InputError, match="opens it anew"):
+        iter(source)
+    with lockbox.open_source(recording) as source:
+        assert next(source).index == 0
+    assert source.frame_count == 30 and "depth images" in source.description
+    with pytest.raises(lockbox.InputError, match="was closed"):
+        next(source)
+    source.close()
+
+
 def test_frames_units_and_metres_give_the_same_and_the_truth(model, frames, truth):
     start = start_of(truth[0])
     K = frames[0].intrinsics
