@@ -18,6 +18,9 @@ namespace lockbox::python {
 
 namespace py = pybind11;
 
+/// Throws InputError for what is no pose.
+Eigen::Isometry3d to_pose(const Eigen::Matrix4d& matrix);
+
 /// By name, in the order in which Python shows them.
 using JointValues = std::vector<std::pair<std::string, double>>;
 
@@ -39,6 +42,9 @@ std::vector<int> variables_of_file(const KinematicTree& tree);
 py::dict to_dict(const JointValues& values);
 
 /// K: 3x3. Throws InputError for what is no camera without skew.
+void require_camera(const Eigen::Matrix3d& intrinsics);
+
+/// Throws InputError, too, for what is no camera of images of this size.
 PinholeCamera to_camera(const Eigen::Matrix3d& intrinsics, int width, int height);
 Eigen::Matrix3d to_matrix(const PinholeCamera& camera);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/tracking/tracker.hpp"
 
+#include <cmath>
 #include <optional>
 
 #include "../lockbox/plausible_states.hpp"
@@ -108,7 +109,11 @@ class PythonTracker {
     });
   }
 
-  Result track(const py::array& depth, const std::optional<double>& time) {
+  Result track(const py::object& image, const std::optional<double>& time) {
+    const py::array depth(image);  // as numpy.asarray() makes it of a list
+    if (time && !std::isfinite(*time)) {
+      throw InputError("time", "is not a finite number of seconds");
+    }
     if (!settings_.intrinsics) {
       throw InputError("intrinsics", "are needed for arrays; give them to the Tracker");
     }
@@ -153,7 +158,7 @@ std::unique_ptr<PythonTracker> make_tracker(
   if (!(depth_scale > 0.0)) throw InputError("depth_scale", "is not a positive number");
   if (iterations < 1) throw InputError("iterations", "is not a positive number");
   if (threads < 0) throw InputError("threads", "is neither 0 nor positive");
-  if (intrinsics) to_camera(*intrinsics, 1, 1);
+  if (intrinsics) require_camera(*intrinsics);
   TrackerOptions options;
   assume_sensor(find_sensor_profile(sensor), options);
   options.registration.max_iterations = iterations;
@@ -164,6 +169,20 @@ std::unique_ptr<PythonTracker> make_tracker(
   options.threads = threads;
   return std::make_unique<PythonTracker>(model.model,
                                          Settings{intrinsics, initial_state, depth_scale}, options);
+}
+
+py::tuple pickled_result(const Result& result) {
+  return py::make_tuple(result.time, result.status, result.state, result.sigma, result.covariance,
+                        result.reason, result.residual_rms, result.explained, result.contradicted,
+                        result.seconds);
+}
+
+Result unpickled_result(const py::tuple& parts) {
+  return {parts[0].cast<double>(),          parts[1].cast<std::string>(),
+          parts[2].cast<State>(),           parts[3].cast<JointValues>(),
+          parts[4].cast<Eigen::MatrixXd>(), parts[5].cast<std::optional<std::string>>(),
+          parts[6].cast<double>(),          parts[7].cast<double>(),
+          parts[8].cast<double>(),          parts[9].cast<double>()};
 }
 
 void bind_result(py::module_& module) {
@@ -202,6 +221,7 @@ void bind_result(py::module_& module) {
       .def_readonly("contradicted", &Result::contradicted,
                     "The share of the model's visible surface that the image sees through.")
       .def_readonly("seconds", &Result::seconds, "How long the frame took, seconds.")
+      .def(py::pickle(&pickled_result, &unpickled_result))
       .def("__repr__", [](const Result& self) {
         return "<lockbox.Result at " + std::to_string(self.time) + " s: " + self.status + ">";
       });
@@ -231,7 +251,7 @@ void bind_tracker(py::module_& module) {
            "take seconds; Ctrl-C ends it, and the frame then counts as not seen.")
       .def(
           "track",
-          py::overload_cast<const py::array&, const std::optional<double>&>(&PythonTracker::track),
+          py::overload_cast<const py::object&, const std::optional<double>&>(&PythonTracker::track),
           py::arg("depth"), py::arg("time") = py::none(),
           "Takes the next depth image (rows x columns): uint16 in millimetres (see depth_scale) or "
           "floats in metres; 0 and NaN are no measurement. time: seconds, increasing; None: 1/30 s "

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tracking from a source, and from arrays."""
 
+import copy
 import csv
 import os
+import pickle
 import shutil
 import signal
 import threading
@@ -97,6 +99,11 @@ def test_frames_units_and_metres_give_the_same_and_the_truth(model, frames, trut
     assert result.status in ("tracking", "uncertain")
     assert result.joints == result.sigma == {}
     assert result.reason is None
+    assert trackers[2].track(metres.tolist()).status == result.status
+    for twin in (copy.deepcopy(result), pickle.loads(pickle.dumps(result))):
+        np.testing.assert_array_equal(twin.covariance, result.covariance)
+        np.testing.assert_array_equal(twin.state.base, result.base)
+        assert (twin.status, twin.time, twin.sigma) == (result.status, result.time, result.sigma)
     assert result.covariance.shape == (6, 6) and np.all(np.diag(result.covariance) > 0)
     assert 0 < result.seconds < 10
     assert 0 <= result.contradicted <= result.explained <= 1
@@ -167,6 +174,9 @@ def test_wrong_arguments_are_refused(model, frames, recording):
     tracker.track(frames[0])
     with pytest.raises(lockbox.InputError, match="not later"):
         tracker.track(frames[0])
+    for time_ in (np.nan, np.inf):
+        with pytest.raises(lockbox.InputError, match="time"):
+            lockbox.Tracker(model, frames[0].intrinsics).track(frames[0].depth, time_)
     with pytest.raises(lockbox.InputError, match="lid"):
         lockbox.Tracker(model, locked_joints=["lid"])
     with pytest.raises(lockbox.InputError, match="kinectt"):

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 _Path = Union[str, os.PathLike[str]]
 
 __all__: List[str]
+__version__: str
 
 class InputError(ValueError): ...
 class DeviceError(RuntimeError): ...
@@ -126,7 +127,7 @@ class Tracker:
     @overload
     def track(
         self,
-        depth: Union[NDArray[numpy.uint16], NDArray[numpy.floating[Any]]],
+        depth: ArrayLike,
         time: Optional[float] = None,
     ) -> Result: ...
     def reset(self, initial_state: Optional[State] = None) -> None: ...
