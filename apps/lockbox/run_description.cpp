@@ -70,7 +70,8 @@ void emit_published(YAML::Emitter& out, const std::vector<Publication>& publishe
     out << YAML::Flow << YAML::BeginMap;
     out << YAML::Key << "target" << YAML::Value << publication.target;
     out << YAML::Key << "readers" << YAML::Value << publication.readers;
-    out << YAML::Key << "dropped" << YAML::Value << publication.dropped << YAML::EndMap;
+    out << YAML::Key << "dropped" << YAML::Value << publication.dropped;
+    out << YAML::Key << "address" << YAML::Value << publication.address << YAML::EndMap;
   }
   out << YAML::EndSeq;
 }

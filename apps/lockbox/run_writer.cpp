@@ -10,6 +10,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
+#include "lockbox/model/told_rotation.hpp"
 #include "lockbox/tracking/reported.hpp"
 
 namespace lockbox::app {
@@ -107,7 +108,7 @@ void RunWriter::write_state(const TrackingResult& result) {
 
 void RunWriter::write_base(const TrackingResult& result) {
   const Eigen::Isometry3d& T = result.configuration.T_camera_base;
-  const Eigen::Quaterniond rotation(T.linear());
+  const Eigen::Quaterniond rotation = told_rotation(T);
   base_ << fixed_number_text(result.stamp) << ' ' << T.translation().x() << ' '
         << T.translation().y() << ' ' << T.translation().z() << ' ' << rotation.x() << ' '
         << rotation.y() << ' ' << rotation.z() << ' ' << rotation.w();

@@ -11,6 +11,7 @@
 #include "interruption.hpp"
 #include "lockbox/core/error.hpp"
 #include "progress.hpp"
+#include "published_output.hpp"
 #include "run_outputs.hpp"
 #include "search_report.hpp"
 
@@ -35,7 +36,7 @@ std::string signal_text() {
 
 /// Returns why it has ended.
 std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& settings,
-                      RunOutputs& outputs, SearchReport& report) {
+                      RunOutputs& outputs, PublishedOutput& published, SearchReport& report) {
   Progress progress("track", expected_frames(source, settings), settings.quiet);
   DepthFrame frame;
   auto status = TrackingStatus::initializing;
@@ -49,6 +50,7 @@ std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& 
     outputs.add(frame, result, source.faults());
     report.look_at(tracker, frame, outputs.totals());
     progress.update(outputs.totals().frames(), to_string(status));
+    if (published.is_in_vain()) break;
     if (outputs.totals().frames() == settings.max_frames) {
       end = "frame limit reached";
       break;
@@ -66,9 +68,9 @@ std::ostream& summary_stream(const RunSettings& settings) {
 }
 
 void print_published(std::ostream& out, const std::vector<Publication>& published) {
-  for (const auto& [target, readers, dropped] : published) {
-    if (dropped == 0) continue;
-    out << target << ": " << counted(dropped, "line")
+  for (const auto& publication : published) {
+    if (publication.dropped == 0) continue;
+    out << publication.target << ": " << counted(publication.dropped, "line")
         << " dropped: a reader was too slow, or has stopped reading\n";
   }
 }
@@ -115,10 +117,14 @@ ExitStatus track_source(FrameSource& source, Tracker& tracker, const Articulated
                         Publisher& publisher) {
   const Interruption interruption;
   RunOutputs outputs(model, std::move(description), settings, publisher);
+  PublishedOutput published(publisher, settings);
   SearchReport report(settings.quiet);
   std::string end;
+  bool is_in_vain = false;
   try {
-    end = track_all(source, tracker, settings, outputs, report);
+    end = track_all(source, tracker, settings, outputs, published, report);
+    publisher.close();
+    is_in_vain = published.is_in_vain();
   } catch (const Stopped&) {
     if (!interruption.requested()) throw;
     end = signal_text();
@@ -138,6 +144,7 @@ ExitStatus track_source(FrameSource& source, Tracker& tracker, const Articulated
     print_published(summary_stream(settings), publisher.publications());
     print_summary(summary_stream(settings), totals, settings);
   }
+  if (is_in_vain) return ExitStatus::pipe_closed;
   const ExitStatus status = status_of(totals);
   if (status == ExitStatus::never_tracked) SearchReport::print_summary(tracker, totals);
   return status;

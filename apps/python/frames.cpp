@@ -54,7 +54,11 @@ void set_depth(const Metres& depth, DepthFrame& frame) {
 struct Source {
   std::shared_ptr<Interruptible> calls = std::make_shared<Interruptible>();
   std::shared_ptr<Warnings> warnings = std::make_shared<Warnings>();
-  std::shared_ptr<FrameSource> source;
+  std::shared_ptr<FrameSource> source;  ///< null: closed
+  std::string name;
+  std::optional<std::size_t> frame_count;
+  std::string description;
+  bool is_at_end = false;
 };
 
 Source open(const std::filesystem::path& name,
@@ -73,19 +77,49 @@ Source open(const std::filesystem::path& name,
   result.source = result.calls->run(
       [&] { return std::shared_ptr<FrameSource>(open_source(name.string(), options)); });
   result.warnings->issue();
+  result.name = name.string();
+  result.frame_count = result.source->frame_count();
+  result.description = result.source->description();
   return result;
+}
+
+void close(Source& self) {
+  self.calls->run([&] {
+    self.source.reset();
+    return true;
+  });
+}
+
+/// For `for`, which would silently do nothing at the end of the source.
+Source& begin(Source& self) {
+  if (self.is_at_end) {
+    throw InputError(self.name, "all of its frames were taken; open_source() opens it anew");
+  }
+  return self;
 }
 
 DepthFrame next(Source& self) {
   DepthFrame frame;
-  const bool is_there = self.calls->run([&] { return self.source->next(frame); });
+  const bool is_there = self.calls->run([&] {
+    if (!self.source) throw InputError(self.name, "was closed; open_source() opens it anew");
+    return self.source->next(frame);
+  });
+  self.is_at_end = !is_there;
   self.warnings->issue();
   if (!is_there) throw py::stop_iteration();
   return frame;
 }
 
+/// What would be written into it would be lost.
+template <typename Number>
+py::array_t<Number> read_only(py::array_t<Number> array) {
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
 py::array_t<std::uint16_t> depth_of(const DepthFrame& frame) {
-  return py::array_t<std::uint16_t>({frame.camera.height, frame.camera.width}, frame.depth.data());
+  return read_only(
+      py::array_t<std::uint16_t>({frame.camera.height, frame.camera.width}, frame.depth.data()));
 }
 
 py::array_t<float> metres_of(const DepthFrame& frame) {
@@ -94,7 +128,7 @@ py::array_t<float> metres_of(const DepthFrame& frame) {
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     to[i] = static_cast<float>(frame.depth[i]) * frame.metres_per_unit;
   }
-  return result;
+  return read_only(std::move(result));
 }
 
 }  // namespace
@@ -128,24 +162,28 @@ void bind_frames(py::module_& module) {
   py::class_<DepthFrame>(module, "Frame", "A depth image with its camera and its time.")
       .def_property_readonly("depth", &depth_of,
                              "Depths (rows x columns, uint16) in `metres_per_unit`; 0 is no "
-                             "measurement.")
+                             "measurement. It cannot be written to. To take points away: "
+                             "depth = frame.depth.copy(); depth[mask] = 0; "
+                             "tracker.track(depth, time=frame.time).")
       .def_property_readonly("metres", &metres_of,
-                             "Depths (rows x columns, float32) in metres; 0 is no measurement.")
+                             "Depths (rows x columns, float32) in metres; 0 is no measurement. It "
+                             "cannot be written to.")
       .def_readonly("metres_per_unit", &DepthFrame::metres_per_unit, "The unit of `depth`, metres.")
       .def_property_readonly(
           "intrinsics", [](const DepthFrame& frame) { return to_matrix(frame.camera); },
           "The 3x3 camera matrix, pixels; centres of pixels are whole numbers.")
       .def_readonly("time", &DepthFrame::stamp, "Its time, seconds.")
       .def_readonly("index", &DepthFrame::index, "Its number in its source, from 0.");
-  py::class_<Source>(module, "Source", "Depth frames, one after the other: iterate over it.")
-      .def("__iter__", [](py::object self) { return self; })
+  py::class_<Source>(module, "Source",
+                     "Depth frames, one after the other: iterate over it, once. `with` closes it.")
+      .def("__iter__", &begin, py::return_value_policy::reference)
       .def("__next__", &next)
-      .def_property_readonly(
-          "frame_count", [](const Source& self) { return self.source->frame_count(); },
-          "The number of frames of a recording; None of a live source.")
-      .def_property_readonly(
-          "description", [](const Source& self) { return self.source->description(); },
-          "What it is, for people.");
+      .def("__enter__", [](py::object self) { return self; })
+      .def("__exit__", [](Source& self, const py::args&) { close(self); })
+      .def("close", &close, "Gives the device or the files back. Closing it again does nothing.")
+      .def_readonly("frame_count", &Source::frame_count,
+                    "The number of frames of a recording; None of a live source.")
+      .def_readonly("description", &Source::description, "What it is, for people.");
   module.def("open_source", &open, py::arg("source"), py::arg("camera_info") = py::none(),
              py::arg("depth_scale") = py::none(), py::arg("realtime") = false,
              "Opens `openni2:`, `openni2:<uri>`, a .oni file, a folder with depth.txt, or a folder "

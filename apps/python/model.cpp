@@ -130,19 +130,57 @@ void bind_joint(py::module_& module) {
       });
 }
 
+/// joints: a mapping of names to numbers.
+JointValues to_joint_values(const py::object& joints) {
+  JointValues values;
+  for (const auto& [name, value] : py::dict(joints)) {
+    if (!py::isinstance<py::str>(name)) throw py::type_error("names of joints are strings");
+    values.emplace_back(name.cast<std::string>(),
+                        py::float_(py::reinterpret_borrow<py::object>(value)));
+    if (!std::isfinite(values.back().second)) {
+      throw InputError(in_quotes(values.back().first),
+                       "has a position that is not a finite number");
+    }
+  }
+  return values;
+}
+
+/// As they are: those of results may be NaN.
+py::tuple pickled_state(const State& state) {
+  return py::make_tuple(state.base, state.joints);
+}
+
+State unpickled_state(const py::tuple& parts) {
+  return {parts[0].cast<Eigen::Matrix4d>(), parts[1].cast<JointValues>()};
+}
+
 void bind_state(py::module_& module) {
   py::class_<State>(module, "State", "Where the object is, and how its joints stand.")
-      .def(py::init([](const Eigen::Matrix4d& base, const std::map<std::string, double>& joints) {
-             return State{base, joints};
+      .def(py::init([](const Eigen::Matrix4d& base, const py::object& joints) {
+             to_pose(base);
+             return State{base, to_joint_values(joints)};
            }),
-           py::arg("base"), py::arg("joints") = std::map<std::string, double>(),
+           py::arg("base"), py::arg("joints") = py::dict(),
            "base: the 4x4 pose of the base link in the depth camera's optical frame (x right, y "
            "down, z forward; metres). joints: positions by name, radians or metres; those that are "
-           "not named are at rest.")
-      .def_readwrite("base", &State::base,
-                     "The 4x4 pose of the base in the camera's frame, metres.")
-      .def_readwrite("joints", &State::joints,
-                     "Positions by name, radians or metres. It is a copy: assign a whole dict.")
+           "not named are at rest. Raises InputError.")
+      .def_property(
+          "base", [](const State& state) -> const Eigen::Matrix4d& { return state.base; },
+          [](State& state, const Eigen::Matrix4d& base) {
+            to_pose(base);
+            state.base = base;
+          },
+          "The 4x4 pose of the base in the camera's frame, metres; it is assigned as a whole.")
+      .def_property(
+          "joints",
+          [](const State& state) {
+            return py::module_::import("types").attr("MappingProxyType")(to_dict(state.joints));
+          },
+          [](State& state, const py::object& joints) { state.joints = to_joint_values(joints); },
+          "Positions by name, radians or metres; of states that the model or a result gives, in "
+          "the order of `Model.joints`. It cannot be changed in place: assign a whole dict, as in "
+          "state.joints = {**state.joints, 'door': 1.0}.")
+      .def(py::pickle(&pickled_state, &unpickled_state))
       .def("__repr__", [](const State& state) {
         return py::str("<lockbox.State of {} joints, base at {}>")
             .format(state.joints.size(),
@@ -171,6 +209,19 @@ void bind_model(py::module_& module) {
             return joints;
           },
           "Its movable joints in the order of the file.")
+      .def_property_readonly(
+          "variables",
+          [](const Model& self) {
+            const KinematicTree& tree = self.model->tree;
+            std::vector<std::string> names;
+            for (const int variable : variables_of_file(tree)) {
+              const int joint = tree.variable_joint[static_cast<std::size_t>(variable)];
+              names.push_back(tree.joints[static_cast<std::size_t>(joint)].name);
+            }
+            return names;
+          },
+          "The names of the joints that mimic no other, in the order of `joints`. Rows and columns "
+          "6 and up of `Result.covariance` are theirs.")
       .def_property_readonly(
           "bodies",
           [](const Model& self) {

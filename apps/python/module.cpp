@@ -33,6 +33,7 @@ void register_errors(py::module_& module) {
 
 PYBIND11_MODULE(_lockbox, module) {
   using namespace lockbox::python;
+  module.attr("__version__") = LOCKBOX_VERSION;
   module.doc() = "Tracks articulated objects with a depth camera.";
   register_errors(module);
   bind_model(module);

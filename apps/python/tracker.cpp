@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/tracking/tracker.hpp"
 
+#include <cmath>
 #include <optional>
 
 #include "../lockbox/plausible_states.hpp"
@@ -9,6 +10,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/sensor/sensor_profile.hpp"
 #include "lockbox/tracking/reported.hpp"
+#include "lockbox/tracking/search_failure.hpp"
 #include "poses.hpp"
 
 namespace lockbox::python {
@@ -19,14 +21,22 @@ constexpr double kFramePeriod = 1.0 / 30.0;  // seconds, as of sources that tell
 struct Result {
   double time;
   std::string status;
-  State state;                          ///< NaN while nothing is known
-  std::map<std::string, double> sigma;  ///< see joint_sigma()
+  State state;        ///< NaN while nothing is known
+  JointValues sigma;  ///< see joint_sigma()
   Eigen::MatrixXd covariance;
+  std::optional<std::string> reason;  ///< why nothing is known
   double residual_rms;
   double explained;
   double contradicted;
   double seconds;
 };
+
+/// The rows of the base, then those of the variables in the order of the file.
+Eigen::MatrixXd in_order_of_file(const KinematicTree& tree, const Eigen::MatrixXd& covariance) {
+  std::vector<int> rows = {0, 1, 2, 3, 4, 5};
+  for (const int variable : variables_of_file(tree)) rows.push_back(6 + variable);
+  return covariance(rows, rows);
+}
 
 Result to_result(const KinematicTree& tree, const TrackingResult& result) {
   const bool is_told = is_known(result);
@@ -36,15 +46,24 @@ Result to_result(const KinematicTree& tree, const TrackingResult& result) {
   copy.status = to_string(result.status);
   copy.state = to_state(tree, is_told ? result.configuration : unknown_configuration(tree));
   if (!is_told) copy.state.base.topRows<3>().setConstant(TrackingResult::kNothingFound);
-  for (const Joint& joint : tree.joints) copy.sigma[joint.name] = joint_sigma(joint, result);
+  for (const int index : tree.file_order) {
+    const Joint& joint = tree.joints[static_cast<std::size_t>(index)];
+    copy.sigma.emplace_back(joint.name, joint_sigma(joint, result));
+  }
   copy.covariance =
-      is_told ? result.covariance
+      is_told ? in_order_of_file(tree, result.covariance)
               : Eigen::MatrixXd::Constant(unknowns, unknowns, TrackingResult::kNothingFound);
   copy.residual_rms = result.residual_rms;
   copy.explained = result.explained;
   copy.contradicted = result.contradicted;
   copy.seconds = 1e-3 * result.latency_ms;
   return copy;
+}
+
+std::string in_lines(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "\n") + sentence;
+  return text;
 }
 
 struct Settings {
@@ -81,13 +100,20 @@ class PythonTracker {
       if (time_ && !(frame.stamp > *time_)) {
         throw InputError("time", "is not later than that of the frame before; reset() begins anew");
       }
-      const Result result = to_result(model_->tree, tracker_->process(frame));
+      const TrackingResult& tracked = tracker_->process(frame);
+      Result result = to_result(model_->tree, tracked);
+      const auto& failure = tracker_->search_failure();
+      if (failure && !is_known(tracked)) result.reason = in_lines(reasons(*failure));
       time_ = frame.stamp;
       return result;
     });
   }
 
-  Result track(const py::array& depth, const std::optional<double>& time) {
+  Result track(const py::object& image, const std::optional<double>& time) {
+    const py::array depth(image);  // as numpy.asarray() makes it of a list
+    if (time && !std::isfinite(*time)) {
+      throw InputError("time", "is not a finite number of seconds");
+    }
     if (!settings_.intrinsics) {
       throw InputError("intrinsics", "are needed for arrays; give them to the Tracker");
     }
@@ -132,7 +158,7 @@ std::unique_ptr<PythonTracker> make_tracker(
   if (!(depth_scale > 0.0)) throw InputError("depth_scale", "is not a positive number");
   if (iterations < 1) throw InputError("iterations", "is not a positive number");
   if (threads < 0) throw InputError("threads", "is neither 0 nor positive");
-  if (intrinsics) to_camera(*intrinsics, 1, 1);
+  if (intrinsics) require_camera(*intrinsics);
   TrackerOptions options;
   assume_sensor(find_sensor_profile(sensor), options);
   options.registration.max_iterations = iterations;
@@ -143,6 +169,20 @@ std::unique_ptr<PythonTracker> make_tracker(
   options.threads = threads;
   return std::make_unique<PythonTracker>(model.model,
                                          Settings{intrinsics, initial_state, depth_scale}, options);
+}
+
+py::tuple pickled_result(const Result& result) {
+  return py::make_tuple(result.time, result.status, result.state, result.sigma, result.covariance,
+                        result.reason, result.residual_rms, result.explained, result.contradicted,
+                        result.seconds);
+}
+
+Result unpickled_result(const py::tuple& parts) {
+  return {parts[0].cast<double>(),          parts[1].cast<std::string>(),
+          parts[2].cast<State>(),           parts[3].cast<JointValues>(),
+          parts[4].cast<Eigen::MatrixXd>(), parts[5].cast<std::optional<std::string>>(),
+          parts[6].cast<double>(),          parts[7].cast<double>(),
+          parts[8].cast<double>(),          parts[9].cast<double>()};
 }
 
 void bind_result(py::module_& module) {
@@ -156,18 +196,23 @@ void bind_result(py::module_& module) {
           "base", [](const Result& self) { return self.state.base; },
           "The 4x4 pose of the base in the camera's frame, metres; NaN while nothing is known.")
       .def_property_readonly(
-          "joints", [](const Result& self) { return self.state.joints; },
-          "Positions by name, radians or metres; NaN while nothing is known.")
+          "joints", [](const Result& self) { return to_dict(self.state.joints); },
+          "Positions by name in the order of `Model.joints`, radians or metres; NaN while nothing "
+          "is known.")
       .def_readonly("state", &Result::state, "Base and joints as a State.")
-      .def_readonly(
-          "sigma", &Result::sigma,
-          "Standard deviations of the joints by name, radians or metres; inf where the "
-          "frame does not determine a joint, 0 for held ones, NaN while nothing is known.")
+      .def_property_readonly(
+          "sigma", [](const Result& self) { return to_dict(self.sigma); },
+          "Standard deviations of the joints by name in the order of `Model.joints`, radians or "
+          "metres; inf where the frame does not determine a joint, 0 for held ones, NaN while "
+          "nothing is known.")
       .def_readonly(
           "covariance", &Result::covariance,
-          "The covariance ((6 + variables) square) of base twist and joint variables. The "
-          "twist (v, w) moves the base as base @ exp(v, w): metres and radians, in the "
-          "base's frame.")
+          "The covariance ((6 + variables) square) of base twist and joint variables, "
+          "which are in the order of `Model.variables`. The twist (v, w) moves the base as base @ "
+          "exp(v, w): metres and radians, in the base's frame.")
+      .def_readonly("reason", &Result::reason,
+                    "Why a search has found nothing, and what to do: lines of text, the surest "
+                    "reason first. None while something is known, and before the first search.")
       .def_readonly("residual_rms", &Result::residual_rms,
                     "The whitened residual: 1 where the sensor errs as assumed; NaN where nothing "
                     "was found.")
@@ -176,6 +221,7 @@ void bind_result(py::module_& module) {
       .def_readonly("contradicted", &Result::contradicted,
                     "The share of the model's visible surface that the image sees through.")
       .def_readonly("seconds", &Result::seconds, "How long the frame took, seconds.")
+      .def(py::pickle(&pickled_result, &unpickled_result))
       .def("__repr__", [](const Result& self) {
         return "<lockbox.Result at " + std::to_string(self.time) + " s: " + self.status + ">";
       });
@@ -205,7 +251,7 @@ void bind_tracker(py::module_& module) {
            "take seconds; Ctrl-C ends it, and the frame then counts as not seen.")
       .def(
           "track",
-          py::overload_cast<const py::array&, const std::optional<double>&>(&PythonTracker::track),
+          py::overload_cast<const py::object&, const std::optional<double>&>(&PythonTracker::track),
           py::arg("depth"), py::arg("time") = py::none(),
           "Takes the next depth image (rows x columns): uint16 in millimetres (see depth_scale) or "
           "floats in metres; 0 and NaN are no measurement. time: seconds, increasing; None: 1/30 s "

@@ -53,6 +53,13 @@ class Publish : public BlockRuns {
     return Tool(following(run, more), {}, output);
   }
 
+  static std::vector<std::string> without_output(const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {
+        "track", "--model", "rigid_block", "--source", path("block"), "--initial-state", start_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
   /// Every row of the run is a line, of the same numbers.
   static void expect_same(const std::vector<json>& lines, const std::string& run) {
     const auto tree = load_kinematic_tree(LOCKBOX_MODELS "/rigid_block/rigid_block.urdf");
@@ -65,6 +72,7 @@ class Publish : public BlockRuns {
       const auto& position = lines[i]["pose"]["pose"]["position"];
       const Eigen::Vector3d p(position["x"], position["y"], position["z"]);
       EXPECT_EQ(p, rows[i].configuration.T_camera_base.translation());
+      EXPECT_GE(lines[i]["pose"]["pose"]["orientation"]["w"], 0.0) << "as in states.csv";
       EXPECT_THAT(lines[i]["pose"]["covariance"], SizeIs(36));
     }
   }
@@ -92,9 +100,9 @@ TEST_F(Publish, GivesTheSameToAllReadersOfAllTargets) {
   ASSERT_EQ(result.status, 0) << result.errors;
   for (auto& reader : readers) expect_same(states_in(reader.get()), "several");
   EXPECT_THAT(result.errors, HasSubstr("publishing: tcp 127.0.0.1:" + std::to_string(port)));
-  EXPECT_THAT(
-      read_text(path("several/run.yaml")),
-      ContainsRegex("published:\n +- .*tcp:[0-9]+\"?, readers: 2, dropped: 0}\n +- .*unix"));
+  EXPECT_THAT(read_text(path("several/run.yaml")),
+              ContainsRegex("published:\n +- .*tcp:[0-9]+\"?, readers: 2, dropped: 0, "
+                            "address: \"?tcp 127.0.0.1:[0-9]+\"?}\n +- .*unix"));
   EXPECT_FALSE(std::filesystem::exists(socket));
 }
 
@@ -118,7 +126,10 @@ TEST_F(Publish, GoesOnWhenTheReaderOfStandardOutputGoesAwayOrStops) {
   int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   Tool left = publishing("left", {"stdout"}, pipe);
   close(reader);
-  EXPECT_EQ(left.wait().status, 0);
+  const auto left_alone = left.wait();
+  EXPECT_EQ(left_alone.status, 0);
+  EXPECT_THAT(left_alone.errors, HasSubstr("nobody reads standard output any more"));
+  EXPECT_THAT(read_text(path("left/run.yaml")), HasSubstr("dropped: 30,")) << "no line was read";
   EXPECT_THAT(read_lines(path("left/states.csv")), SizeIs(kFrames + 1));
 
   reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -127,6 +138,26 @@ TEST_F(Publish, GoesOnWhenTheReaderOfStandardOutputGoesAwayOrStops) {
   EXPECT_THAT(read_lines(path("full/states.csv")), SizeIs(kFrames + 1));
   EXPECT_THAT(read_text(path("full/run.yaml")), ContainsRegex("target: stdout.*dropped: [1-9]"));
   close(reader);
+}
+
+TEST_F(Publish, EndsTheRunWhenNobodyReadsItsOnlyOutput) {
+  const auto pipe = path("only_pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  Tool tool(without_output({"--publish", "stdout"}), {}, pipe);
+  close(reader);
+  EXPECT_EQ(tool.wait().status, 128 + SIGPIPE);
+}
+
+TEST_F(Publish, FailsWhereStandardOutputCannotBeWritten) {
+  for (const bool has_files : {true, false}) {
+    auto arguments = has_files ? following("no_space") : without_output({});
+    arguments.insert(arguments.end(), {"--publish", "stdout"});
+    const auto result = Tool(arguments, {}, "/dev/full").wait();
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(result.errors, HasSubstr("standard output: cannot be written (No space left"));
+  }
+  EXPECT_THAT(read_text(path("no_space/run.yaml")), HasSubstr("error: standard output"));
 }
 
 TEST_F(Publish, IsRefusedBeforeAnythingIsDone) {

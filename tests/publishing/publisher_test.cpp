@@ -2,6 +2,7 @@
 #include "lockbox/publishing/publisher.hpp"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -79,6 +81,7 @@ TEST(Publisher, GivesEveryReaderEachLineFromThenOn) {
   EXPECT_EQ(second.all(), "two\nthree\n");
   EXPECT_EQ(third.all(), "two\nthree\n");
   const auto published = publisher.publications();
+  EXPECT_EQ(published[0].address, publisher.addresses()[0]);
   EXPECT_EQ(published[0].readers, 2);
   EXPECT_EQ(published[1].readers, 1);
   EXPECT_EQ(published[0].dropped + published[1].dropped, 0);
@@ -175,6 +178,16 @@ TEST(Publisher, NamesAPortThatIsInUseAndAHostThatIsNotThere) {
   EXPECT_THAT(problem({"tcp:192.0.2.1:5555"}), HasSubstr("tcp:192.0.2.1:5555: cannot be"));
   EXPECT_THAT(problem({"udp:no.such.host.invalid:5555"}), HasSubstr("host cannot be found"));
   EXPECT_THAT(problem({"stdout", "stdout"}), HasSubstr("given twice"));
+}
+
+TEST(Publisher, RefusesAStandardOutputThatIsClosed) {
+  std::fflush(stdout);
+  const int kept = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  close(STDOUT_FILENO);
+  const std::string text = problem({"stdout"});
+  dup2(kept, STDOUT_FILENO);
+  close(kept);
+  EXPECT_THAT(text, HasSubstr("standard output is closed"));
 }
 
 TEST(Publisher, ReplacesAUnixSocketOnlyIfNobodyListensThere) {

@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "lockbox/model/states_file.hpp"
 
 namespace lockbox {
 namespace {
@@ -61,6 +64,20 @@ TEST(StateLine, HasTheFieldsOfRosMessagesInTheOrderOfTheFile) {
   EXPECT_EQ(state["pose"]["pose"]["position"], json({{"x", 0.1}, {"y", -0.2}, {"z", 1.25}}));
   EXPECT_NEAR(state["pose"]["pose"]["orientation"]["z"].get<double>(), std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(state["pose"]["pose"]["orientation"]["w"].get<double>(), std::sqrt(0.5), 1e-12);
+}
+
+TEST(StateLine, HasTheQuaternionOfStatesFiles) {
+  auto result = tracked();
+  result.configuration.T_camera_base.linear() =
+      Eigen::AngleAxisd(-2.5, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  ASSERT_LT(Eigen::Quaterniond(result.configuration.T_camera_base.linear()).w(), 0.0);
+  const json state = json::parse(state_line(cabinet(), 0, result));
+  const auto& q = state["pose"]["pose"]["orientation"];
+  std::istringstream row(states_row(cabinet(), 0.0, result.configuration));
+  std::vector<double> fields;
+  for (std::string field; std::getline(row, field, ',');) fields.push_back(std::stod(field));
+  EXPECT_EQ(std::vector<double>({q["x"], q["y"], q["z"], q["w"]}),
+            std::vector<double>(fields.begin() + 4, fields.begin() + 8));
 }
 
 TEST(StateLine, HasTheCovarianceAboutTheAxesOfTheCamera) {

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Models: what is in them, their distances, and how they look."""
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 
@@ -34,6 +37,48 @@ def test_shipped_model_has_the_joints_of_its_urdf():
     assert len(model.bodies) == 5
     drawer = next(joint for joint in model.joints if joint.name == "drawer")
     assert drawer.lower == 0 and 0.1 < drawer.upper < 1 and not drawer.is_mimic
+
+
+def test_joints_of_a_state_cannot_be_changed_in_place():
+    model = lockbox.load_model("cabinet")
+    state = model.rest_state
+    assert list(state.joints) == [joint.name for joint in model.joints]
+    with pytest.raises(TypeError):
+        state.joints["door"] = 1.0
+    state.joints = {**state.joints, "door": 1.0}
+    assert state.joints["door"] == 1.0 and state.joints["drawer"] == 0
+    assert lockbox.State(state.base, state.joints).joints == state.joints
+    with pytest.raises(TypeError):
+        state.joints = {1: 1.0}
+    with pytest.raises(ValueError, match="wide"):
+        state.joints = {"door": "wide"}
+
+
+def test_states_are_judged_at_once(box):
+    moved = pose(1.0, x=0.3)
+    for base, text in [(2 * np.eye(4), "not a pose"), (np.full((4, 4), np.nan), "not a pose"),
+                       (moved.T, "is it transposed")]:
+        with pytest.raises(lockbox.InputError, match=text):
+            lockbox.State(base)
+        with pytest.raises(lockbox.InputError, match=text):
+            box.rest_state.base = base
+    with pytest.raises(lockbox.InputError, match="'door'|\"door\""):
+        lockbox.State(moved, {"door": np.nan})
+
+
+def test_states_can_be_copied_and_pickled():
+    state = lockbox.State(pose(1.0), {"drawer": 0.1, "door": 0.5})
+    for twin in (copy.deepcopy(state), pickle.loads(pickle.dumps(state))):
+        np.testing.assert_array_equal(twin.base, state.base)
+        assert list(twin.joints.items()) == list(state.joints.items())
+
+
+def test_matrices_of_other_images_are_refused(box):
+    state = lockbox.State(pose(1.0))
+    for matrix, text in [(np.diag([1, 1, 1.0]), "fx is 1 pixels.*multiply it"),
+                         ([[142, 0, 79.5], [0, 142, 1000], [0, 0, 1]], "cy is 1000, far outside")]:
+        with pytest.raises(lockbox.InputError, match=text):
+            box.render(state, matrix, (120, 160))
 
 
 def test_distances_are_those_to_the_surface(box):

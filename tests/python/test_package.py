@@ -5,6 +5,8 @@ import ast
 import inspect
 import os
 import pathlib
+import subprocess
+import sys
 
 import lockbox
 
@@ -31,6 +33,17 @@ def public(names):
 def test_package_is_the_one_under_test():
     assert FOLDER == pathlib.Path(os.environ["LOCKBOX_PACKAGE"]).resolve() / "lockbox"
     assert (FOLDER / "py.typed").exists()
+
+
+def test_version_is_that_of_the_tool():
+    tool = subprocess.run([os.environ["LOCKBOX_TOOL"], "--version"], capture_output=True, text=True)
+    assert tool.stdout.split() == ["lockbox", lockbox.__version__]
+
+
+def test_missing_numpy_is_said_at_the_import():
+    code = "import sys; sys.modules['numpy'] = None; import lockbox"
+    result = subprocess.run([sys.executable, "-B", "-c", code], capture_output=True, text=True)
+    assert result.returncode != 0 and "numpy" in result.stderr.splitlines()[-1]
 
 
 def test_stubs_agree_with_the_package():

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tracking from a source, and from arrays."""
 
+import copy
 import csv
 import os
+import pickle
 import shutil
 import signal
 import threading
@@ -28,6 +30,10 @@ def frames(recording):
 def truth(recording):
     with open(recording / "groundtruth.csv") as file:
         return list(csv.DictReader(file))
+
+
+# Half a turn about x: what is in front of the cabinet (its z) is towards the camera.
+FRONT = np.array([[1.0, 0, 0, 0], [0, -1, 0, 0], [0, 0, -1, 1.2], [0, 0, 0, 1]])
 
 
 def position(row):
@@ -59,6 +65,21 @@ def test_source_delivers_its_frames(recording, frames):
             next(source)
 
 
+def test_source_is_taken_once_and_can_be_closed(recording):
+    source = lockbox.open_source(recording)
+    assert len(list(source)) == 30
+    with pytest.raises(StopIteration):
+        next(source)
+    with pytest.raises(lockbox.InputError, match="opens it anew"):
+        iter(source)
+    with lockbox.open_source(recording) as source:
+        assert next(source).index == 0
+    assert source.frame_count == 30 and "depth images" in source.description
+    with pytest.raises(lockbox.InputError, match="was closed"):
+        next(source)
+    source.close()
+
+
 def test_frames_units_and_metres_give_the_same_and_the_truth(model, frames, truth):
     start = start_of(truth[0])
     K = frames[0].intrinsics
@@ -77,11 +98,44 @@ def test_frames_units_and_metres_give_the_same_and_the_truth(model, frames, trut
     result = results[0]
     assert result.status in ("tracking", "uncertain")
     assert result.joints == result.sigma == {}
+    assert result.reason is None
+    assert trackers[2].track(metres.tolist()).status == result.status
+    for twin in (copy.deepcopy(result), pickle.loads(pickle.dumps(result))):
+        np.testing.assert_array_equal(twin.covariance, result.covariance)
+        np.testing.assert_array_equal(twin.state.base, result.base)
+        assert (twin.status, twin.time, twin.sigma) == (result.status, result.time, result.sigma)
     assert result.covariance.shape == (6, 6) and np.all(np.diag(result.covariance) > 0)
     assert 0 < result.seconds < 10
     assert 0 <= result.contradicted <= result.explained <= 1
     assert trackers[0].initial_state.base[2, 3] == start.base[2, 3]
     assert trackers[0].model.name == model.name
+
+
+def test_joints_have_one_order():
+    model = lockbox.load_model("cabinet")
+    assert model.variables == [joint.name for joint in model.joints if not joint.is_mimic]
+    start = lockbox.State(FRONT, {"drawer": 0.1, "door": 0.6})
+    K = [[285, 0, 159.5], [0, 285, 119.5], [0, 0, 1]]
+    depth, _ = model.render(start, K, (240, 320))
+    result = lockbox.Tracker(model, K, initial_state=start).track(depth)
+    names = [joint.name for joint in model.joints]
+    assert list(result.joints) == list(result.sigma) == list(result.state.joints) == names
+    sigma = dict(zip(model.variables, np.sqrt(np.diag(result.covariance)[6:])))
+    known = [name for name in names if np.isfinite(result.sigma[name])]
+    assert {"drawer", "door"} <= set(known)
+    assert sigma["drawer"] != pytest.approx(sigma["door"], rel=1e-3)
+    for name in known:
+        assert sigma[name] == pytest.approx(result.sigma[name]), name
+
+
+def test_images_of_a_frame_cannot_be_changed_in_place(model, frames, truth):
+    for image in (frames[0].depth, frames[0].metres):
+        with pytest.raises(ValueError, match="read-only"):
+            image[:] = 0
+    depth = frames[0].depth.copy()
+    depth[:10] = 0
+    tracker = lockbox.Tracker(model, frames[0].intrinsics, initial_state=start_of(truth[0]))
+    assert tracker.track(depth, time=frames[0].time).time == frames[0].time
 
 
 def test_without_a_start_it_is_found_and_reset_begins_anew(model, frames, truth):
@@ -100,6 +154,7 @@ def test_nothing_known_is_nan(model, frames):
     result = tracker.track(np.zeros((120, 160), np.uint16))
     assert result.status == "initializing"
     assert np.isnan(result.base[:3]).all() and np.isnan(result.covariance).all()
+    assert result.reason.startswith("No pixel has a depth")
 
 
 @pytest.mark.parametrize("depth, text", [
@@ -119,6 +174,9 @@ def test_wrong_arguments_are_refused(model, frames, recording):
     tracker.track(frames[0])
     with pytest.raises(lockbox.InputError, match="not later"):
         tracker.track(frames[0])
+    for time_ in (np.nan, np.inf):
+        with pytest.raises(lockbox.InputError, match="time"):
+            lockbox.Tracker(model, frames[0].intrinsics).track(frames[0].depth, time_)
     with pytest.raises(lockbox.InputError, match="lid"):
         lockbox.Tracker(model, locked_joints=["lid"])
     with pytest.raises(lockbox.InputError, match="kinectt"):

@@ -5,6 +5,8 @@ Metres, radians, seconds. Poses are those of the base link in the depth camera's
 (x right, y down, z forward).
 """
 
+import numpy as _numpy  # noqa: F401  # whose absence is said here, not at the first array
+
 from lockbox._lockbox import (
     DeviceError,
     Frame,
@@ -15,6 +17,7 @@ from lockbox._lockbox import (
     Source,
     State,
     Tracker,
+    __version__,
     evaluate,
     load_model,
     open_source,

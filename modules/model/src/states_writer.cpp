@@ -4,6 +4,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/model/states_file.hpp"
+#include "lockbox/model/told_rotation.hpp"
 #include "states_columns.hpp"
 
 namespace lockbox {
@@ -22,8 +23,7 @@ std::string states_header(const KinematicTree& tree) {
 std::string states_row(const KinematicTree& tree, double stamp,
                        const Configuration& configuration) {
   const Eigen::Vector3d t = configuration.T_camera_base.translation();
-  Eigen::Quaterniond rotation(configuration.T_camera_base.linear());
-  if (rotation.w() < 0.0) rotation.coeffs() *= -1.0;  // one of the two that mean the same
+  const Eigen::Quaterniond rotation = told_rotation(configuration.T_camera_base);
   std::string row = number_text(stamp);
   for (const double value :
        {t.x(), t.y(), t.z(), rotation.x(), rotation.y(), rotation.z(), rotation.w()}) {

@@ -61,6 +61,9 @@ class Outlet {
 
   virtual std::string address() const = 0;
   virtual Publication publication() const = 0;
+
+  /// See Publisher::output_error().
+  virtual int error() const { return 0; }
 };
 
 // One source each. They throw InputError if the target cannot be had.

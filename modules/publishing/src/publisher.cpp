@@ -48,6 +48,13 @@ void Publisher::close() {
   for (const auto& outlet : outlets_) outlet->close();
 }
 
+int Publisher::output_error() const {
+  for (const auto& outlet : outlets_) {
+    if (const int error = outlet->error()) return error;
+  }
+  return 0;
+}
+
 std::vector<std::string> Publisher::addresses() const {
   std::vector<std::string> result;
   for (const auto& outlet : outlets_) result.push_back(outlet->address());

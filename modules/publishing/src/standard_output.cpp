@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines on standard output. Its kind is the caller's choice (a pipe, a file, a terminal), and it is
 // shared with other programs, so that it must not be made non-blocking: a thread waits for it.
+#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 #include <mutex>
 #include <string_view>
 
+#include "lockbox/core/error.hpp"
 #include "outlet.hpp"
 #include "quiet_thread.hpp"
 
@@ -29,8 +31,7 @@ class StandardOutput : public Outlet {
   void send(const Line& line) override {
     {
       const std::lock_guard lock(mutex_);
-      if (is_gone_) return;
-      dropped_ += queue_.push(line);
+      dropped_ += is_gone_ ? 1 : queue_.push(line);
     }
     changed_.notify_one();
   }
@@ -50,7 +51,12 @@ class StandardOutput : public Outlet {
 
   Publication publication() const override {
     const std::lock_guard lock(mutex_);
-    return {target_, 1, dropped_};
+    return {target_, 1, dropped_, address()};
+  }
+
+  int error() const override {
+    const std::lock_guard lock(mutex_);
+    return error_;
   }
 
  private:
@@ -68,7 +74,8 @@ class StandardOutput : public Outlet {
       lock.lock();
       if (is_written) continue;
       is_gone_ = true;
-      if (is_closing_) dropped_ += queue_.size() + 1;
+      dropped_ += queue_.size() + 1;
+      queue_ = {};
       return;
     }
   }
@@ -80,7 +87,12 @@ class StandardOutput : public Outlet {
       // So much goes into a pipe that is writable without waiting.
       const ssize_t written =
           ::write(STDOUT_FILENO, text.data(), std::min<std::size_t>(text.size(), PIPE_BUF));
-      if (written < 0 && errno != EINTR && errno != EAGAIN) return false;
+      if (written < 0 && errno != EINTR && errno != EAGAIN) {
+        const int error = errno;
+        const std::lock_guard lock(mutex_);
+        error_ = error;
+        return false;
+      }
       if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
     }
     return true;
@@ -101,6 +113,7 @@ class StandardOutput : public Outlet {
   LineQueue queue_;
   std::size_t dropped_ = 0;
   bool is_gone_ = false;  ///< who read, or the space on the disk
+  int error_ = 0;         ///< of the write that failed; 0: none did
   bool is_closing_ = false;
   Clock::time_point give_up_;
   std::thread thread_;  ///< last: it uses all others
@@ -109,6 +122,9 @@ class StandardOutput : public Outlet {
 }  // namespace
 
 std::unique_ptr<Outlet> make_standard_output(const PublishTarget& target) {
+  if (::fcntl(STDOUT_FILENO, F_GETFD) < 0) {  // the next file that is opened would be in its place
+    throw InputError(target.text, "standard output is closed; give a pipe or a file, or a socket");
+  }
   return std::make_unique<StandardOutput>(target.text);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lockbox/model/told_rotation.hpp"
 #include "lockbox/tracking/reported.hpp"
 
 namespace lockbox {
@@ -31,7 +32,7 @@ Eigen::Matrix<double, 6, 6> covariance_in_camera(const TrackingResult& result) {
 
 Json pose_of(const Eigen::Isometry3d& T_camera_base) {
   const Eigen::Vector3d p = T_camera_base.translation();
-  const Eigen::Quaterniond r(T_camera_base.linear());
+  const Eigen::Quaterniond r = told_rotation(T_camera_base);
   return {
       {"position", {{"x", number(p.x())}, {"y", number(p.y())}, {"z", number(p.z())}}},
       {"orientation",

@@ -69,7 +69,7 @@ class StreamServer : public Outlet {
 
   Publication publication() const override {
     const std::lock_guard lock(mutex_);
-    return {target_, connected_, dropped_};
+    return {target_, connected_, dropped_, address()};
   }
 
  private:

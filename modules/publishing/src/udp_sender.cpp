@@ -36,7 +36,7 @@ class UdpSender : public Outlet {
     return "udp to " + receiver_.address().to_string() + ":" + std::to_string(receiver_.port());
   }
 
-  Publication publication() const override { return {target_, 1, dropped_}; }
+  Publication publication() const override { return {target_, 1, dropped_, address()}; }
 
  private:
   std::string target_;

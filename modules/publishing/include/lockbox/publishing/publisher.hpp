@@ -16,6 +16,7 @@ struct Publication {
   std::string target;       ///< as it was given
   std::size_t readers = 0;  ///< that have ever connected; of targets without connections 1
   std::size_t dropped = 0;  ///< lines that a reader that was connected did not get in time
+  std::string address;      ///< where it can be reached, see Publisher::addresses()
 };
 
 class Outlet;
@@ -25,8 +26,9 @@ class Outlet;
 class Publisher {
  public:
   /// Begins to listen. Throws InputError where a target cannot be had: a port in use, a Unix socket
-  /// at which somebody listens, a path that is no socket, a host that is not known, a target that
-  /// is there twice. A socket that nobody listens at any more is replaced.
+  /// at which somebody listens, a path that is no socket, a host that is not known, a standard
+  /// output that is closed, a target that is there twice. A socket that nobody listens at any more
+  /// is replaced.
   explicit Publisher(const std::vector<PublishTarget>& targets);
   ~Publisher();
   Publisher(const Publisher&) = delete;
@@ -38,6 +40,10 @@ class Publisher {
 
   /// Gives readers half a second for what still waits for them, and ends. Sockets are removed.
   void close();
+
+  /// Why lines are no longer written to standard output: EPIPE (its reader has gone away) or
+  /// another errno; 0 while they are. Known some time after publish(), for good after close().
+  int output_error() const;
 
   /// Where it can be reached, such as "tcp 127.0.0.1:5555", one for each target.
   std::vector<std::string> addresses() const;
