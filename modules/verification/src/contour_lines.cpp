@@ -9,12 +9,12 @@
 namespace lockbox {
 namespace {
 
-constexpr float kSameLine = 0.95F;       // cosine of 18 degrees: from where a line set out
-constexpr float kSameDirection = 0.87F;  // of 30 degrees: of a model's line and the scene's
-constexpr float kStraight = 0.85F;    // mean of unit vectors around a cell that is of a single line
-constexpr int kSmoothing = 2;         // cells around
-constexpr int kGap = 2;               // cells: with one between them in which nothing is known
-constexpr float kLeastSights = 2.0F;  // that do not go on: of a single one noise is enough
+constexpr float kSameLine = 0.87F;       // cosine of 30 degrees: from where a line set out
+constexpr float kSameDirection = 0.71F;  // of 45 degrees: of a model's line and the scene's
+constexpr float kStraight = 0.95F;       // mean of unit vectors around a cell of a straight line
+constexpr int kSmoothing = 2;            // cells around
+constexpr int kGap = 2;                  // cells: with one between them in which nothing is known
+constexpr float kLeastSights = 2.0F;     // that do not go on: of a single one noise is enough
 
 float square(double value) {
   return static_cast<float>(value * value);
@@ -39,28 +39,18 @@ void add_ends(const SceneCells& scene, std::span<const float> cells, int v, cons
   const float of_tolerance = square(evidence::kAgree * evidence::kModelTolerance);
   const Eigen::Vector2f way =
       Eigen::Vector2f(static_cast<float>(sight.du), static_cast<float>(sight.dv)).normalized();
-  // Squared: what is twice as far off noise does not take away, of half of it noise makes a
-  // contour.
-  constexpr float kClear = 4.0F;
-  constexpr float kFaint = 0.25F;
   float* const count = ends.count.data();
-  float* const clear = ends.clear.data();
-  float* const faint = ends.faint.data();
   float* const sum_u = ends.u.data();
   float* const sum_v = ends.v.data();
   for (int u = first; u < last; ++u) {
     const float squared = here[u] * here[u];
     const float off = near[u] + ratio * (near[u] - far[u]) - here[u];
-    const float least = of_noise + of_tolerance * squared * squared;
-    const bool is_known = near[u] > 0.0F && far[u] > 0.0F;
-    const bool is_over = !(near[u] > 0.0F) && !(far[u] > 0.0F);
-    const bool ends_here = (is_known && off * off > least) || is_over;
-    const bool is_clear = (is_known && off * off > kClear * least) || is_over;
-    const bool is_faint = (is_known && off * off > kFaint * least) || is_over;
+    const bool deviates = off * off > of_noise + of_tolerance * squared * squared;
+    const bool is_near = near[u] > 0.0F;
+    const bool is_far = far[u] > 0.0F;
+    const bool ends_here = (deviates && is_near && is_far) || (!is_near && !is_far);
     const float one = ends_here ? 1.0F : 0.0F;
     count[u] += one;
-    clear[u] += is_clear ? 1.0F : 0.0F;
-    faint[u] += is_faint ? 1.0F : 0.0F;
     sum_u[u] += one * way.x();
     sum_v[u] += one * way.y();
   }
@@ -72,8 +62,6 @@ void ContourLines::find(const SceneCells& scene, std::span<const float> cells,
                         const Executor& executor) {
   raw_.resize(cells.size());
   directions_.resize(cells.size());
-  is_clear_.resize(cells.size());
-  is_faint_.resize(cells.size());
   lines_.assign(cells.size(), -1);
   lengths_.clear();
   ends_.resize(static_cast<std::size_t>(executor.threads()));
@@ -85,17 +73,20 @@ void ContourLines::find(const SceneCells& scene, std::span<const float> cells,
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t v = begin; v < end; ++v) smooth_row(scene, static_cast<int>(v));
   });
-  for (int v = 0; v < scene.height(); ++v) {
-    for (int u = 0; u < scene.width(); ++u) {
-      const std::size_t cell = scene.index(u, v);
-      if (!directions_[cell].isZero() && lines_[cell] < 0) join(scene, u, v);
+  // Where lines meet, directions are of neither.
+  for (const float least : {kStraight, 0.0F}) {
+    for (int v = 0; v < scene.height(); ++v) {
+      for (int u = 0; u < scene.width(); ++u) {
+        const std::size_t cell = scene.index(u, v);
+        if (directions_[cell].squaredNorm() > least * least && lines_[cell] < 0) join(scene, u, v);
+      }
     }
   }
 }
 
 void ContourLines::find_in_row(const SceneCells& scene, std::span<const float> cells, int v) {
   Ends& ends = ends_[Executor::worker()];
-  for (auto* sums : {&ends.count, &ends.clear, &ends.faint, &ends.u, &ends.v}) {
+  for (auto* sums : {&ends.count, &ends.u, &ends.v}) {
     sums->assign(static_cast<std::size_t>(scene.width()), 0.0F);
   }
   for (const Sight& sight : kSights) add_ends(scene, cells, v, sight, ends);
@@ -106,15 +97,12 @@ void ContourLines::find_in_row(const SceneCells& scene, std::span<const float> c
     const std::size_t cell = scene.index(u, v);
     const bool is_contour = ends.count[column] >= kLeastSights && cells[cell] > 0.0F &&
                             sum.squaredNorm() > kLeastSum * kLeastSum;
-    is_clear_[cell] = ends.clear[column] >= kLeastSights;
-    is_faint_[cell] = ends.faint[column] >= kLeastSights && cells[cell] > 0.0F;
     raw_[cell] = is_contour ? Eigen::Vector2f(sum.normalized()) : Eigen::Vector2f(0.0F, 0.0F);
   }
 }
 
 /// Of cells at different distances from an edge other sights end: means with those around that face
-/// about the same way. Their length tells whether they do: where lines meet directions are of
-/// neither, and noise has any.
+/// about the same way. Their length tells whether they do.
 void ContourLines::smooth_row(const SceneCells& scene, int v) {
   for (int u = 0; u < scene.width(); ++u) {
     const std::size_t cell = scene.index(u, v);
@@ -131,8 +119,7 @@ void ContourLines::smooth_row(const SceneCells& scene, int v) {
         ++count;
       }
     }
-    const Eigen::Vector2f mean = sum / static_cast<float>(count);
-    if (mean.squaredNorm() > kStraight * kStraight) directions_[cell] = mean;
+    directions_[cell] = sum / static_cast<float>(count);
   }
 }
 
@@ -162,32 +149,16 @@ void ContourLines::join(const SceneCells& scene, int u, int v) {
   }
 }
 
-bool ContourLines::has_trace(const SceneCells& scene, int u, int v, int reach) const {
+bool ContourLines::passes(const SceneCells& scene, int u, int v, int reach,
+                          const Eigen::Vector2f& direction) const {
   for (int dv = -reach; dv <= reach; ++dv) {
     for (int du = -reach; du <= reach; ++du) {
-      if (scene.contains(u + du, v + dv) && is_faint_[scene.index(u + du, v + dv)] != 0)
-        return true;
+      if (!scene.contains(u + du, v + dv)) continue;
+      const Eigen::Vector2f& there = directions_[scene.index(u + du, v + dv)];
+      if (there.dot(direction) > kSameDirection * there.norm() * direction.norm()) return true;
     }
   }
   return false;
-}
-
-int ContourLines::passing(const SceneCells& scene, int u, int v, int reach,
-                          const Eigen::Vector2f& direction) const {
-  int nearest = 2 * reach * reach + 1;
-  int line = -1;
-  for (int dv = -reach; dv <= reach; ++dv) {
-    for (int du = -reach; du <= reach; ++du) {
-      const int squared = du * du + dv * dv;
-      if (squared >= nearest || !scene.contains(u + du, v + dv)) continue;
-      const std::size_t cell = scene.index(u + du, v + dv);
-      const Eigen::Vector2f& there = directions_[cell];
-      if (there.dot(direction) <= kSameDirection * there.norm() * direction.norm()) continue;
-      nearest = squared;
-      line = lines_[cell];
-    }
-  }
-  return line;
 }
 
 }  // namespace lockbox

@@ -20,8 +20,6 @@ class ContourLines {
   /// Of the cells of a row: how many of their sights end, and the sum of the ways of these.
   struct Ends {
     std::vector<float> count;
-    std::vector<float> clear;
-    std::vector<float> faint;
     std::vector<float> u;
     std::vector<float> v;
   };
@@ -34,21 +32,13 @@ class ContourLines {
   /// where nothing is known.
   const Eigen::Vector2f& direction(std::size_t cell) const { return directions_[cell]; }
 
-  /// Whether noise cannot take the contour there away.
-  bool is_clear(std::size_t cell) const { return is_clear_[cell] != 0; }
-  /// Whether there is something within so many cells that noise can make a contour of.
-  bool has_trace(const SceneCells& scene, int u, int v, int reach) const;
-  int count() const { return static_cast<int>(lengths_.size()); }
-  /// The number of the line through a cell that has a direction.
-  int line(std::size_t cell) const { return lines_[cell]; }
   /// Of the line through a cell that has a direction.
   int cells_of_line(std::size_t cell) const {
     return lengths_[static_cast<std::size_t>(lines_[cell])];
   }
 
-  /// The number of one with about this direction that passes within so many cells, the nearest;
-  /// -1: none.
-  int passing(const SceneCells& scene, int u, int v, int reach,
+  /// Whether one with about this direction passes within so many cells.
+  bool passes(const SceneCells& scene, int u, int v, int reach,
               const Eigen::Vector2f& direction) const;
 
  private:
@@ -58,8 +48,6 @@ class ContourLines {
 
   std::vector<Eigen::Vector2f> directions_;
   std::vector<Eigen::Vector2f> raw_;
-  std::vector<char> is_clear_;
-  std::vector<char> is_faint_;
   std::vector<Ends> ends_;           ///< by worker
   std::vector<std::int32_t> lines_;  ///< -1: none yet
   std::vector<int> lengths_;

@@ -18,22 +18,15 @@ inline constexpr double kOutlineTolerance = 0.005;
 /// and what a sensor's window smears. Doubled, handles of two pixels no longer tell.
 inline constexpr double kOutlinePixels = 1.0;
 
-/// Nats of a plane in which faces of a large object lie or end: where it lies and how it is turned.
-/// All contours in one plane tell it once. Doubled, boxes pass for the model with half its edges.
+/// Nats of a straight contour that was foretold: where it lies and how it is turned, each to three
+/// cells of 240, and what begins there. Doubled, boxes pass for the model with half its edges.
 inline constexpr double kLine = 10.0;
-/// Cells across of a large object: a third of the image. Doubled, what tells of an object of a
-/// tenth of the image tells a quarter less.
-inline constexpr double kLargeObject = 80.0;
-/// Cells to which a contour's place is told apart. Doubled, what tells of an object of a tenth of
-/// the image tells a quarter less.
-inline constexpr double kLinePlace = 3.0;
 /// Cells along a contour that make a line of it: fewer may be noise. Doubled, edges of 6 cm at 2 m
 /// tell half as much.
 inline constexpr double kLeastLine = 4.0;
-/// Nats that are worth one: rooms are full of planes that are parallel or square to each other and
-/// as far apart as the model's, and the best of many fits is looked at. Doubled, it takes twice as
-/// many to be as sure.
-inline constexpr double kAlike = 3.0;
+/// Contours of which one foretells the others: those of a box come in pairs, and more. Doubled, it
+/// takes twice as many to be as sure.
+inline constexpr double kAlike = 2.5;
 /// The share of contours of the model at which the scene goes on as if there were none: something
 /// in flush contact with it. Doubled, such a line costs 0.7 nats less.
 inline constexpr double kFlush = 0.02;
@@ -63,12 +56,8 @@ inline constexpr double kInverseRange = 2.5;
 /// Standard deviations within which a cell agrees with what is foretold.
 inline constexpr double kAgree = 3.0;
 
-/// Metres and radians (2 degrees) that can be told apart where a body is. Halved, each joint costs
-/// 0.7 nats more.
-inline constexpr double kPlaceLength = 0.02;
-inline constexpr double kPlaceAngle = 0.035;
-/// Places in a room of 4 m, and ways to be turned: 8 million times 3 million, in nats. Doubled in
-/// number, 0.7 nats more.
+/// Places in a room of 4 m to 2 cm, and ways to be turned to 2 degrees: 8 million times 3 million,
+/// in nats. Doubled in number, 0.7 nats more.
 inline constexpr double kPlaces = 31.0;
 
 }  // namespace lockbox::evidence

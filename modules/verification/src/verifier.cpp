@@ -10,10 +10,8 @@
 
 #include "contour_lines.hpp"
 #include "evidence_constants.hpp"
-#include "extents.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/rendering/body_item.hpp"
-#include "matches.hpp"
 #include "scene_cells.hpp"
 
 namespace lockbox {
@@ -61,10 +59,7 @@ struct Verifier::Workspace {
   int outline_reach(double inverse_depth) const;
   Around around(int u, int v) const;
   Seen judge(int u, int v, Evidence& sum) const;
-  void compare_lines(int u, int v, Evidence& sum);
-  template <typename IsFine>
-  bool holds_beyond(int u, int v, const Eigen::Vector2f& direction, const IsFine& is_fine) const;
-  bool is_measured(int u, int v, const Eigen::Vector2f& direction) const;
+  void compare_lines(int u, int v, Evidence& sum) const;
   bool is_in_sight(int u, int v, const Eigen::Vector2f& direction) const;
   double of_occluder(int u, int v) const;
 
@@ -76,8 +71,6 @@ struct Verifier::Workspace {
   std::vector<float> cells;  ///< what the model shows, 1/metre; 0: nothing
   ContourLines scene_lines;
   ContourLines model_lines;
-  Extents extents;
-  Matches matches;
   std::vector<Eigen::Isometry3d> poses;
   std::vector<RenderItem> items;
   std::vector<Seen> seen;
@@ -114,12 +107,10 @@ void Verifier::Workspace::draw(const Configuration& configuration) {
     cells[cell] = image.id[cell] == kNothing ? 0.0F : 1.0F / image.depth[cell];
   }
   model_lines.find(*scene, cells, executor);
-  extents.find(*scene, cells, model_lines, evidence::kOutlineTolerance);
 }
 
 Evidence Verifier::Workspace::sum_up() {
   seen.assign(image.id.size(), Seen::nothing);
-  matches.clear(image.id.size());
   sums.assign(static_cast<std::size_t>(scene->height()), {});
   const ImageWindow& drawn = image.drawn;
   const auto rows = static_cast<std::size_t>(std::max(0, drawn.height));
@@ -132,7 +123,6 @@ Evidence Verifier::Workspace::sum_up() {
   });
   Evidence all;
   for (const Evidence& row : sums) all += row;
-  matches.add_to(all, tree, extents.count());
   return all;
 }
 
@@ -177,37 +167,24 @@ Around Verifier::Workspace::around(int u, int v) const {
   return found;
 }
 
-/// Whether something was measured beyond a contour, as far as one tells.
-template <typename IsFine>
-bool Verifier::Workspace::holds_beyond(int u, int v, const Eigen::Vector2f& direction,
-                                       const IsFine& is_fine) const {
+/// Whether what was measured beyond a contour is known, and does not hide what the model has there.
+bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direction) const {
+  const double nearest = scene->at(u, v) + evidence::kAgree * scene->deviation(scene->at(u, v));
   const Eigen::Vector2f way = direction.normalized();
   for (const int beyond : {kSights.front().near, kSights.front().far}) {
     const int at_u = u + static_cast<int>(std::lround(static_cast<float>(beyond) * way.x()));
     const int at_v = v + static_cast<int>(std::lround(static_cast<float>(beyond) * way.y()));
-    if (!scene->contains(at_u, at_v) || !is_fine(at_u, at_v)) return false;
+    if (!scene->contains(at_u, at_v) || !(scene->at(at_u, at_v) > 0.0)) return false;
+    const bool is_hidden = shown(at_u, at_v) > 0.0 ? seen[image.index(at_u, at_v)] == Seen::occluder
+                                                   : scene->at(at_u, at_v) > nearest;
+    if (is_hidden) return false;
   }
   return true;
 }
 
-bool Verifier::Workspace::is_measured(int u, int v, const Eigen::Vector2f& direction) const {
-  return holds_beyond(u, v, direction,
-                      [this](int at_u, int at_v) { return scene->at(at_u, at_v) > 0.0; });
-}
-
-/// Whether what was measured beyond a contour does not hide what the model has there.
-bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direction) const {
-  const double nearest = scene->at(u, v) + evidence::kAgree * scene->deviation(scene->at(u, v));
-  return holds_beyond(u, v, direction, [&](int at_u, int at_v) {
-    if (!(scene->at(at_u, at_v) > 0.0)) return false;
-    return shown(at_u, at_v) > 0.0 ? seen[image.index(at_u, at_v)] != Seen::occluder
-                                   : !(scene->at(at_u, at_v) > nearest);
-  });
-}
-
 /// Each line of the scene tells for the model in so far as the model has it, too; and each line of
 /// the model against it in so far as the scene goes on there.
-void Verifier::Workspace::compare_lines(int u, int v, Evidence& sum) {
+void Verifier::Workspace::compare_lines(int u, int v, Evidence& sum) const {
   const std::size_t cell = image.index(u, v);
   if (seen[cell] != Seen::explained) return;
   const Eigen::Vector2f& of_scene = scene_lines.direction(cell);
@@ -216,15 +193,14 @@ void Verifier::Workspace::compare_lines(int u, int v, Evidence& sum) {
   if (!of_scene.isZero()) {
     const int length = scene_lines.cells_of_line(cell);
     const double share = worth(length) / length;
-    const int line = model_lines.passing(*scene, u, v, reach, of_scene);
-    if (line >= 0) {
-      matches.set(cell, share, image.id[cell], extents.of_line(line));
-    } else if (!model_lines.has_trace(*scene, u, v, reach) && is_in_sight(u, v, of_scene)) {
+    if (model_lines.passes(*scene, u, v, reach, of_scene)) {
+      sum.matched += share;
+    } else if (is_in_sight(u, v, of_scene)) {
       sum.contradicted += std::log(evidence::kUnmodelled) / evidence::kLine * share;
     }
   }
-  if (!of_model.isZero() && model_lines.is_clear(cell) && is_measured(u, v, of_model) &&
-      scene_lines.passing(*scene, u, v, reach, of_model) < 0) {
+  if (!of_model.isZero() && is_in_sight(u, v, of_model) &&
+      !scene_lines.passes(*scene, u, v, reach, of_model)) {
     const int length = model_lines.cells_of_line(cell);
     sum.contradicted += std::log(evidence::kFlush) / evidence::kLine * worth(length) / length;
   }

@@ -7,7 +7,6 @@ namespace lockbox {
 /// logarithm of a likelihood ratio, in nats, and what it is made of (docs/verification.md).
 struct Evidence {
   double matched = 0.0;       ///< of contours that the scene has where the model has them
-  double fitted = 0.0;        ///< of joints that were free to move to where their bodies match
   double contradicted = 0.0;  ///< of contours that only one of the two has
   double misfit = 0.0;        ///< of surfaces that are not quite where the model shows them
   double seen_through = 0.0;  ///< of what was seen behind the model, through it
@@ -16,7 +15,6 @@ struct Evidence {
 
   Evidence& operator+=(const Evidence& other) {
     matched += other.matched;
-    fitted += other.fitted;
     contradicted += other.contradicted;
     misfit += other.misfit;
     seen_through += other.seen_through;
@@ -25,9 +23,7 @@ struct Evidence {
     return *this;
   }
 
-  double total() const {
-    return matched + fitted + contradicted + misfit + seen_through + occluded;
-  }
+  double total() const { return matched + contradicted + misfit + seen_through + occluded; }
 };
 
 }  // namespace lockbox
