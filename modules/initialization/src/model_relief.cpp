@@ -22,10 +22,10 @@ constexpr int kJointDraws = 40;       // to see what joints may change
 constexpr double kDistance = 200.0;   // metres: so far away a pinhole sees parallel rays
 constexpr double kLeastShare = 0.25;  // of the largest side's area: worth a relief
 /// Shares of the square of the model's diameter, and of its surface, of which the smaller is the
-/// area of a flat side that can be told in a view: a hand's breadth of a metre. Doubled, narrow
+/// area of a flat side that can be told in a view: 4 cm by 5 cm of a metre. Doubled, narrow
 /// sides of large models are no longer matched; halved, the search takes longer for round ones.
-constexpr double kLeastOfSquare = 0.02;
-constexpr double kLeastOfSurface = 0.02;
+constexpr double kLeastOfSquare = 0.002;
+constexpr double kLeastOfSurface = 0.002;
 constexpr float kFlat = 0.004F;       // metres: heights that are one height
 constexpr float kHeightStep = 0.02F;  // metres: so exactly ranges of heights are told apart
 constexpr int kRing = 2;              // cells around the model where nothing is expected
