@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Round and free-form objects that nobody tuned for, found without a guess.
-#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <map>
-#include <set>
 #include <utility>
 
+#include "drawn_objects_experiment.hpp"
 #include "experiments.hpp"
 #include "interruption.hpp"
-#include "lockbox/core/error.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/shapes_experiment.hpp"
 #include "lockbox/evaluation/statistics.hpp"
-#include "lockbox/evaluation/table.hpp"
-#include "option_checks.hpp"
-#include "progress.hpp"
-#include "shard.hpp"
 
 namespace lockbox::app {
 namespace {
 
-std::vector<std::string> columns() {
+std::vector<std::string> shape_columns() {
   return {"piece",       "kind",     "on_table", "covered",           "right",  "wrong", "status",
           "translation", "rotation", "evidence", "evidence_of_truth", "seconds"};
 }
@@ -83,72 +77,40 @@ void print_report(const std::string& title, const Table& table) {
   }
 }
 
-/// Of all shards.
+/// Of all shards, each piece once.
 Table all_rows(const std::filesystem::path& stem) {
-  Table table(columns());
+  std::map<double, Row> by_piece;
   for (const auto& file : rows_files(stem)) {
-    const Table part = read_table(file, columns());
-    for (const Row& row : part.rows()) table.add(row);
+    const Table part = read_table(file, shape_columns());
+    for (const Row& row : part.rows()) by_piece.insert_or_assign(part.number(row, "piece"), row);
   }
+  Table table(shape_columns());
+  for (const auto& [piece, row] : by_piece) table.add(row);
   return table;
 }
 
-class Shapes : public Experiment {
+class Shapes : public DrawnObjectsExperiment {
  public:
-  bool continues() const override { return true; }
-
-  void add_options(CLI::App& options) override {
-    options.add_option("--block", block_,
-                       "tune, or test:<n>: which objects are drawn; a block that a change has "
-                       "looked at is none for reports any more");
-    options.add_option("--pieces", pieces_, "Of the block")->check(positive());
-    shard_.add_to(options);
-  }
-
-  /// Draws its models itself.
-  bool run(const ExperimentSettings& settings) override {
-    if (!settings.models.empty()) {
-      throw InputError("--model", "this experiment draws its objects itself; leave it out");
-    }
-    const ObjectBlock block(block_);
-    const auto stem = settings.output / stem_name(settings);
-    const auto file = shard_.rows_file(stem);
-    Table table = continued_table(file, columns());
-    std::set<std::uint64_t> done;
-    for (const Row& row : table.rows()) {
-      done.insert(static_cast<std::uint64_t>(table.number(row, "piece")));
-    }
-    const Interruption interruption;
-    Progress progress("shapes", shard_.runs_of(pieces_), settings.quiet, "pieces");
-    std::size_t finished = done.size();
-    for (std::uint64_t piece = 0; piece < pieces_ && !interruption.requested(); ++piece) {
-      if (!shard_.holds(piece) || done.count(piece) > 0) continue;
-      ShapeResult result;
-      const auto search = [&] {
-        result = search_shape(block, piece, piece_settings(settings, stem / std::to_string(piece)),
-                              Executor());
-      };
-      if (!is_done(search)) break;
-      add_row(table, piece, result);
-      write_table(file, table);
-      progress.update(++finished, result.is_right() ? "right" : result.errors.wrong);
-    }
-    progress.finish();
-    print_report("shapes, " + block_, all_rows(stem));
-    return !interruption.requested();
-  }
+  Shapes() : DrawnObjectsExperiment(40) {}
 
  private:
-  /// Has none.
-  bool run_model(const ArticulatedModel& /*model*/,
-                 const ExperimentSettings& /*settings*/) override {
-    return true;
+  std::string name() const override { return "shapes"; }
+  std::vector<std::string> columns() const override { return shape_columns(); }
+  std::string variant(const ExperimentSettings& settings) const override {
+    return settings.sensor + "_";
   }
 
-  std::string stem_name(const ExperimentSettings& settings) const {
-    std::string block = block_;
-    std::replace(block.begin(), block.end(), ':', '-');
-    return "shapes_" + block + "_" + settings.sensor + "_seed" + std::to_string(settings.seed);
+  std::string run_piece(const ObjectBlock& block, std::uint64_t piece,
+                        const std::filesystem::path& folder, const ExperimentSettings& settings,
+                        Table& table) const override {
+    const ShapeResult result =
+        search_shape(block, piece, piece_settings(settings, folder), Executor());
+    add_row(table, piece, result);
+    return result.is_right() ? "" : result.errors.wrong;
+  }
+
+  void report(const std::filesystem::path& stem) const override {
+    print_report("shapes, " + block(), all_rows(stem));
   }
 
   static ShapeSettings piece_settings(const ExperimentSettings& settings,
@@ -161,10 +123,6 @@ class Shapes : public Experiment {
     result.stop_request = interruption::requested;
     return result;
   }
-
-  std::string block_ = "tune";
-  std::uint64_t pieces_ = 40;
-  Shard shard_;
 };
 
 }  // namespace

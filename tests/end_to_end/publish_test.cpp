@@ -31,17 +31,23 @@ std::vector<json> states_in(const std::string& text) {
   return states;
 }
 
-/// One that nobody uses, most probably: the system hands them out in turn.
-int free_port() {
-  const int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+/// A socket, and the port of this machine that the system gave it.
+std::pair<int, int> bound_socket() {
+  const int bound = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in address = {};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   socklen_t size = sizeof(address);
-  EXPECT_EQ(bind(probe, reinterpret_cast<const sockaddr*>(&address), size), 0);
-  getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size);
-  close(probe);
-  return ntohs(address.sin_port);
+  EXPECT_EQ(bind(bound, reinterpret_cast<const sockaddr*>(&address), size), 0);
+  getsockname(bound, reinterpret_cast<sockaddr*>(&address), &size);
+  return {bound, ntohs(address.sin_port)};
+}
+
+/// One that nobody uses, most probably: the system hands them out in turn.
+int free_port() {
+  const auto [bound, port] = bound_socket();
+  close(bound);
+  return port;
 }
 
 class Publish : public BlockRuns {
@@ -161,15 +167,9 @@ TEST_F(Publish, FailsWhereStandardOutputCannotBeWritten) {
 }
 
 TEST_F(Publish, IsRefusedBeforeAnythingIsDone) {
-  const int taken = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address = {};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof(address);
-  ASSERT_EQ(bind(taken, reinterpret_cast<const sockaddr*>(&address), size), 0);
+  const auto [taken, number] = bound_socket();
   ASSERT_EQ(listen(taken, 1), 0);
-  getsockname(taken, reinterpret_cast<sockaddr*>(&address), &size);
-  const auto port = std::to_string(ntohs(address.sin_port));
+  const auto port = std::to_string(number);
   const auto in_use = publishing("refused", {"tcp:" + port}).wait();
   EXPECT_EQ(in_use.status, 3);
   EXPECT_THAT(in_use.errors, HasSubstr("another program uses port " + port));
