@@ -108,8 +108,8 @@ TEST_F(DeviatingSensor, DepthGrowsWithTheAmounts) {
   EXPECT_NEAR(frame_.metres(100, 60), 1.3 * (1.0 + 0.02 * share), 0.0006);
 }
 
-/// Beside the board there is nothing, at an infinite depth, which no factor makes a negative one: the
-/// projector's shadow would be written out of its row, which AddressSanitizer sees.
+/// Beside the board there is nothing, at an infinite depth, which no factor makes a negative one:
+/// the projector's shadow would be written out of its row, which AddressSanitizer sees.
 TEST_F(DeviatingSensor, DepthThatShrinksWithTheDistanceLeavesNothingWhereNothingIs) {
   SensorDeviation deviation;
   deviation.depth = {1.0, -0.006, 0.0};
