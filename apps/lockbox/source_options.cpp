@@ -2,9 +2,11 @@
 #include "source_options.hpp"
 
 #include <iostream>
+#include <utility>
 
 #include "interruption.hpp"
 #include "lockbox/capture/camera_info.hpp"
+#include "lockbox/capture/corrected_source.hpp"
 #include "option_checks.hpp"
 
 namespace lockbox::app {
@@ -76,7 +78,10 @@ SourceOptions SourceArguments::options() const {
 }
 
 std::unique_ptr<FrameSource> SourceArguments::open() const {
-  return open_source(source_, options());
+  auto source = open_source(source_, options());
+  const auto profile = sensor();
+  if (!profile || !profile->depth_correction) return source;
+  return std::make_unique<CorrectedSource>(std::move(source), *profile->depth_correction);
 }
 
 }  // namespace lockbox::app

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "lockbox/sensor/sensor_profile.hpp"
+
 namespace lockbox {
 
 void assume_sensor(const SensorProfile& sensor, TrackerOptions& options) {

@@ -4,9 +4,10 @@
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/stop_request.hpp"
 #include "lockbox/registration/registration_options.hpp"
-#include "lockbox/sensor/sensor_profile.hpp"
 
 namespace lockbox {
+
+struct SensorProfile;
 
 struct TrackerOptions {
   RegistrationOptions registration;
