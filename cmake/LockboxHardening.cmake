@@ -22,7 +22,7 @@ if(LOCKBOX_HARDEN)
 endif()
 
 # Everything that is installed, and none of the tests.
-add_custom_target(shipped)
+add_custom_target(lockbox_shipped)
 
 # lockbox_ship(<target> [RPATH <folder>...]) prepares a program or library for its installation.
 # The build folder is laid out as an installation is, and what it holds has the same library path,
@@ -30,7 +30,7 @@ add_custom_target(shipped)
 # for that of the installation, and loaders take that for the working directory.
 function(lockbox_ship target)
   cmake_parse_arguments(ARG "" "" "RPATH" ${ARGN})
-  add_dependencies(shipped ${target})
+  add_dependencies(lockbox_shipped ${target})
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:lockbox_hardening>)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON
                         BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH_USE_LINK_PATH ON)

@@ -5,7 +5,8 @@ set(LOCKBOX_PACKAGE_CONTACT "The lockbox authors <lockbox@packages.invalid>"
     CACHE STRING "Maintainer of the Debian packages: who builds and hands them out")
 
 # The libraries' version of the interface is a part of their name: those of two can be installed.
-set(library_package liblockbox${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(interface ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(library_package liblockbox${interface})
 set(package_of_tool lockbox)
 set(package_of_libraries ${library_package})
 set(package_of_data lockbox-data)
@@ -21,7 +22,8 @@ set(same "(= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_TOOL_PACKAGE_DEPENDS "${library_package} ${same}, lockbox-data ${same}")
 set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "gnuplot-nox, lockbox-dev, python3-lockbox")
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_RECOMMENDS "lockbox-data ${same}")
-set(CPACK_DEBIAN_LIBRARIES_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/triggers)
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/triggers
+                                                 ${PROJECT_BINARY_DIR}/debian/shlibs)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "${library_package} ${same}, libeigen3-dev (>= 3.4), libpcl-dev (>= 1.13)")
 math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
@@ -52,6 +54,14 @@ set(about_development "headers of the libraries of lockbox"
 set(about_python "tracker of articulated objects for Python"
     "Gives Python programs the models, sources, tracker and evaluation of lockbox,"
     "with numpy arrays.")
+
+# What packages of programs that were linked with a library depend on. CPack would want versions of
+# what is loaded on demand, too.
+get_property(modules GLOBAL PROPERTY LOCKBOX_MODULES)
+list(TRANSFORM modules REPLACE "(.+)" "liblockbox_\\1 ${interface} ${library_package} ${same}\n"
+     OUTPUT_VARIABLE shlibs)
+string(CONCAT shlibs ${shlibs})
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/debian/shlibs CONTENT "${shlibs}" @ONLY)
 
 configure_file(cmake/debian/changelog.in ${PROJECT_BINARY_DIR}/debian/changelog @ONLY)
 execute_process(COMMAND gzip -9 --no-name --force --keep ${PROJECT_BINARY_DIR}/debian/changelog
@@ -84,7 +94,6 @@ set(CPACK_PACKAGE_CONTACT ${LOCKBOX_PACKAGE_CONTACT})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR})
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_THREADS 0)
