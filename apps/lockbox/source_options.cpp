@@ -33,6 +33,7 @@ CLI::Option* SourceArguments::add_source(CLI::App& options) {
           .add_option("-s,--source", source_,
                       "openni2:, openni2:<uri>, a .oni file, a folder with depth.txt, or a folder "
                       "of .pcd files")
+          ->check(suggested({"openni2:"}))
           ->type_name("SOURCE");
   options
       .add_option("--camera-info", camera_info_,
@@ -52,6 +53,7 @@ void SourceArguments::add_sensor(CLI::App& options, const std::string& more_choi
       .add_option("--sensor", sensor_,
                   "Profile of the sensor (YAML), or the name of a shipped one: " + sensor_names() +
                       more_choices + "; default: noise as of primesense, depths from 0.2 to 5 m")
+      ->check(suggested(shipped_sensor_names()))
       ->type_name("NAME|FILE")
       ->default_str("primesense");
 }
