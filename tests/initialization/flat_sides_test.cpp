@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "lockbox/evaluation/free_form_object.hpp"
 #include "lockbox/mesh/primitives.hpp"
 #include "model_relief.hpp"
+#include "model_sides.hpp"
 
 namespace lockbox {
 namespace {
@@ -41,6 +44,42 @@ TEST(Reliefs, OfRoundThingsAreFew) {
     const KinematicTree tree = body_of(object.links.front().mesh);
     EXPECT_LE(make_reliefs(tree, Executor(1), nullptr).size(), 12U) << object.name;
     EXPECT_LT(flat_share(tree), 0.3) << object.name;
+  }
+}
+
+void add_box(const Eigen::Vector3d& size, const Eigen::Vector3d& centre, TriangleMesh& mesh) {
+  TriangleMesh box = make_box(size);
+  for (Eigen::Vector3d& vertex : box.vertices) vertex += centre;
+  append(mesh, box);
+}
+
+/// Of a chest whose sides have six times the area of a drawer's front, and its back has eight
+/// times.
+TEST(Reliefs, AreThereOfTheFrontsOfSmallDrawers) {
+  TriangleMesh carcass;
+  for (const double side : {-1.0, 1.0}) {
+    add_box({0.02, 0.5, 0.8}, {0.26 * side, 0.0, 0.4}, carcass);
+  }
+  add_box({0.5, 0.02, 0.8}, {0.0, 0.26, 0.4}, carcass);
+  KinematicTree tree = body_of(std::move(carcass));
+  for (int drawer = 0; drawer < 8; ++drawer) {
+    Joint joint;
+    joint.type = JointType::prismatic;
+    joint.child_body = drawer + 1;
+    joint.axis = -Eigen::Vector3d::UnitY();
+    joint.upper = 0.3;
+    joint.variable = drawer;
+    tree.joints.push_back(joint);
+    tree.variable_joint.push_back(drawer);
+    Body& body = tree.bodies.emplace_back();
+    body.parent_joint = drawer;
+    add_box({0.5, 0.02, 0.095}, {0.0, -0.26, 0.05 + 0.1 * drawer}, body.mesh);
+  }
+  const auto reliefs = make_reliefs(tree, Executor(1), nullptr);
+  for (int drawer = 1; drawer <= 8; ++drawer) {
+    EXPECT_TRUE(std::any_of(reliefs.begin(), reliefs.end(), [&](const ModelRelief& relief) {
+      return relief.body == drawer && relief.T_body_plane.linear().col(2).y() < -0.99;
+    })) << drawer;
   }
 }
 

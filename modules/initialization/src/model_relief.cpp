@@ -20,6 +20,7 @@ namespace {
 constexpr double kCells = 36.0;       // across the diameter of the model at rest
 constexpr int kSubsamples = 3;        // along each side of a cell
 constexpr int kJointDraws = 40;       // to see what joints may change
+constexpr int kFewDraws = 4;          // to see whether a side is seen at all
 constexpr double kDistance = 200.0;   // metres: so far away a pinhole sees parallel rays
 constexpr float kFlat = 0.004F;       // metres: heights that are one height
 constexpr float kHeightStep = 0.02F;  // metres: so exactly ranges of heights are told apart
@@ -28,11 +29,12 @@ constexpr int kRing = 2;              // cells around the model where nothing is
 constexpr float kNone = -std::numeric_limits<float>::infinity();
 
 /// All configurations in which a body may be surrounded by the others, that body at the origin.
-std::vector<std::vector<Eigen::Isometry3d>> joint_draws(const KinematicTree& tree, int body) {
+std::vector<std::vector<Eigen::Isometry3d>> joint_draws(const KinematicTree& tree, int body,
+                                                        int draws_of_moving) {
   std::mt19937_64 engine(1);
   std::vector<std::vector<Eigen::Isometry3d>> draws;
   Configuration configuration = rest_configuration(tree);
-  for (int draw = 0; draw < (tree.variables() > 0 ? kJointDraws : 1); ++draw) {
+  for (int draw = 0; draw < (tree.variables() > 0 ? draws_of_moving : 1); ++draw) {
     for (int v = 0; v < tree.variables() && draw > 0; ++v) {
       const VariableRange range = variable_range(tree, v);
       const double share = static_cast<double>(engine() >> 11U) * 0x1.0p-53;
@@ -151,7 +153,7 @@ void fill_cells(const HeightRanges& ranges, ModelRelief& relief) {
 
 Eigen::AlignedBox3d rest_bounds(const KinematicTree& tree, int body) {
   Eigen::AlignedBox3d box;
-  const auto draws = joint_draws(tree, body);
+  const auto draws = joint_draws(tree, body, 1);
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
     for (const auto& vertex : tree.bodies[b].mesh.vertices) box.extend(draws[0][b] * vertex);
   }
@@ -177,7 +179,7 @@ double visible_area(const ModelRelief& relief) {
 }
 
 ModelRelief make_relief(const KinematicTree& tree, int body, const Eigen::Vector3d& z,
-                        double offset, const Executor& executor) {
+                        double offset, int draws, const Executor& executor) {
   const Eigen::AlignedBox3d box = rest_bounds(tree, body);
   ModelRelief relief;
   relief.body = body;
@@ -186,7 +188,7 @@ ModelRelief make_relief(const KinematicTree& tree, int body, const Eigen::Vector
   relief.T_body_plane = Eigen::Isometry3d::Identity();
   relief.T_body_plane.linear() << x, z.cross(x), z;
   relief.T_body_plane.translation() = box.center() + (offset - z.dot(box.center())) * z;
-  fill_cells(measure(tree, relief.T_body_plane, joint_draws(tree, body), relief.cell_size,
+  fill_cells(measure(tree, relief.T_body_plane, joint_draws(tree, body, draws), relief.cell_size,
                      static_cast<int>(kCells) + 2 * kRing + 1, executor),
              relief);
   relief.area = visible_area(relief);
@@ -196,25 +198,22 @@ ModelRelief make_relief(const KinematicTree& tree, int body, const Eigen::Vector
 /// Of the model's large sides, the largest first.
 std::vector<ModelRelief> reliefs_of_sides(
     const KinematicTree& tree,
-    FunctionRef<ModelRelief(int body, const Eigen::Vector3d& normal, double offset)> relief_of) {
+    FunctionRef<ModelRelief(int body, const Eigen::Vector3d& normal, double offset, int draws)>
+        relief_of) {
+  const std::vector<ModelSide> sides = flat_sides(tree);
+  std::vector<Facing> facings;  // what lies inside is never seen
+  for (const auto& [body, flat, normal] : sides) {
+    facings.push_back({normal, relief_of(body, flat.normal, flat.offset, kFewDraws).area});
+  }
   std::vector<ModelRelief> reliefs;
-  for (const ModelSide& side : large_sides(tree)) {
-    reliefs.push_back(relief_of(side.body, side.flat.normal, side.flat.offset));
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const FlatSide& flat = sides[i].flat;
+    if (facings[i].area == 0.0 || !is_large(facings[i], facings)) continue;
+    reliefs.push_back(relief_of(sides[i].body, flat.normal, flat.offset, kJointDraws));
   }
   std::stable_sort(reliefs.begin(), reliefs.end(),
                    [](const ModelRelief& a, const ModelRelief& b) { return a.area > b.area; });
-  // What others hide of a side is known now.
-  const std::vector<Eigen::Isometry3d> poses = joint_draws(tree, 0).front();
-  std::vector<Facing> facings;
-  for (const ModelRelief& relief : reliefs) {
-    const Eigen::Isometry3d& pose = poses[static_cast<std::size_t>(relief.body)];
-    facings.push_back({pose.linear() * relief.T_body_plane.linear().col(2), relief.area});
-  }
-  std::vector<ModelRelief> large;
-  for (std::size_t i = 0; i < reliefs.size(); ++i) {
-    if (is_large(facings[i], facings)) large.push_back(std::move(reliefs[i]));
-  }
-  return large;
+  return reliefs;
 }
 
 bool same_view(const ModelRelief& a, const ModelRelief& b) {
@@ -227,9 +226,9 @@ bool same_view(const ModelRelief& a, const ModelRelief& b) {
 
 std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor& executor,
                                       const StopRequest& stop_request) {
-  const auto relief_of = [&](int body, const Eigen::Vector3d& z, double offset) {
+  const auto relief_of = [&](int body, const Eigen::Vector3d& z, double offset, int draws) {
     stop_if(stop_request);
-    return make_relief(tree, body, z, offset, executor);
+    return make_relief(tree, body, z, offset, draws, executor);
   };
   std::vector<ModelRelief> sides = reliefs_of_sides(tree, relief_of);
   std::vector<ModelRelief> reliefs;
@@ -243,7 +242,7 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
   if (reliefs.empty()) {  // a rounded model still stands on something
     for (int axis = 0; axis < 6; ++axis) {
       const Eigen::Vector3d z = (axis < 3 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(axis % 3);
-      add(relief_of(0, z, support(tree.bodies[0].mesh, z)));
+      add(relief_of(0, z, support(tree.bodies[0].mesh, z), kJointDraws));
     }
     return reliefs;
   }
@@ -252,7 +251,7 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
   for (const ModelRelief& side : visible) {
     if (side.body != 0) continue;
     const Eigen::Vector3d z = side.T_body_plane.linear().col(2);
-    add(relief_of(0, z, support(tree.bodies[0].mesh, z)));
+    add(relief_of(0, z, support(tree.bodies[0].mesh, z), kJointDraws));
   }
   return reliefs;
 }

@@ -25,32 +25,6 @@ double surface_of(const KinematicTree& tree) {
       [](double sum, const Body& body) { return sum + surface_area(body.mesh); });
 }
 
-std::vector<Eigen::Isometry3d> poses_at_rest(const KinematicTree& tree) {
-  std::vector<Eigen::Isometry3d> poses;
-  forward_kinematics(tree, rest_configuration(tree), poses);
-  const Eigen::Isometry3d T_base_camera = poses.front().inverse();
-  for (Eigen::Isometry3d& pose : poses) pose = T_base_camera * pose;
-  return poses;
-}
-
-/// Those that can be told in a view.
-std::vector<ModelSide> all_sides(const KinematicTree& tree) {
-  Eigen::AlignedBox3d box;
-  const std::vector<Eigen::Isometry3d> poses = poses_at_rest(tree);
-  for (std::size_t b = 0; b < poses.size(); ++b) {
-    for (const auto& vertex : tree.bodies[b].mesh.vertices) box.extend(poses[b] * vertex);
-  }
-  const double least =
-      std::min(kLeastOfSquare * box.diagonal().squaredNorm(), kLeastOfSurface * surface_of(tree));
-  std::vector<ModelSide> sides;
-  for (std::size_t b = 0; b < poses.size(); ++b) {
-    for (const FlatSide& side : flat_sides(tree.bodies[b].mesh, least)) {
-      sides.push_back({static_cast<int>(b), side});
-    }
-  }
-  return sides;
-}
-
 }  // namespace
 
 bool is_large(const Facing& side, const std::vector<Facing>& sides) {
@@ -59,22 +33,28 @@ bool is_large(const Facing& side, const std::vector<Facing>& sides) {
   });
 }
 
-std::vector<ModelSide> large_sides(const KinematicTree& tree) {
-  const std::vector<Eigen::Isometry3d> poses = poses_at_rest(tree);
-  const std::vector<ModelSide> sides = all_sides(tree);
-  std::vector<Facing> facings;
-  for (const auto& [body, side] : sides) {
-    facings.push_back({poses[static_cast<std::size_t>(body)].linear() * side.normal, side.area});
+std::vector<ModelSide> flat_sides(const KinematicTree& tree) {
+  std::vector<Eigen::Isometry3d> poses;
+  const Configuration rest = rest_configuration(tree);
+  forward_kinematics(tree, rest, poses);
+  Eigen::AlignedBox3d box;
+  for (std::size_t b = 0; b < poses.size(); ++b) {
+    poses[b] = rest.T_camera_base.inverse() * poses[b];
+    for (const auto& vertex : tree.bodies[b].mesh.vertices) box.extend(poses[b] * vertex);
   }
-  std::vector<ModelSide> large;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (is_large(facings[i], facings)) large.push_back(sides[i]);
+  const double least =
+      std::min(kLeastOfSquare * box.diagonal().squaredNorm(), kLeastOfSurface * surface_of(tree));
+  std::vector<ModelSide> sides;
+  for (std::size_t b = 0; b < poses.size(); ++b) {
+    for (const FlatSide& side : flat_sides(tree.bodies[b].mesh, least)) {
+      sides.push_back({static_cast<int>(b), side, poses[b].linear() * side.normal});
+    }
   }
-  return large;
+  return sides;
 }
 
 double flat_share(const KinematicTree& tree) {
-  const std::vector<ModelSide> sides = all_sides(tree);
+  const std::vector<ModelSide> sides = flat_sides(tree);
   const double flat =
       std::accumulate(sides.begin(), sides.end(), 0.0,
                       [](double sum, const ModelSide& side) { return sum + side.flat.area; });

@@ -10,23 +10,24 @@
 
 namespace lockbox {
 
-/// Of a model at rest.
+struct ModelSide {
+  int body;
+  FlatSide flat;           ///< in the body's frame
+  Eigen::Vector3d normal;  ///< in the base's, at rest
+};
+
+/// Those that can be told in a view, by body.
+std::vector<ModelSide> flat_sides(const KinematicTree& tree);
+
+/// How much of a side may be seen.
 struct Facing {
-  Eigen::Vector3d normal;  ///< in the base's frame
+  Eigen::Vector3d normal;  ///< in the base's frame, at rest
   double area;             ///< square metres
 };
 
 /// Among those that face the same way: from the front only fronts are seen, however large the other
 /// sides are.
 bool is_large(const Facing& side, const std::vector<Facing>& sides);
-
-struct ModelSide {
-  int body;
-  FlatSide flat;  ///< in the body's frame
-};
-
-/// By body.
-std::vector<ModelSide> large_sides(const KinematicTree& tree);
 
 /// The share of the surface that lies in flat sides, 0 to 1.
 double flat_share(const KinematicTree& tree);
