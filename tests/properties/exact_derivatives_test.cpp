@@ -8,15 +8,15 @@
 #include "initialization/seen_model.hpp"
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/model/surface_levers.hpp"
-#include "lockbox/registration/collision_term.hpp"
-#include "lockbox/registration/continued_edges.hpp"
-#include "lockbox/registration/edge_tile.hpp"
-#include "lockbox/registration/free_space_term.hpp"
-#include "lockbox/registration/model_term.hpp"
-#include "lockbox/registration/sampling_plan.hpp"
-#include "lockbox/registration/view_samples.hpp"
-#include "lockbox/registration/visible_surface.hpp"
 #include "lockbox/rendering/body_item.hpp"
+#include "lockbox/terms/collision_term.hpp"
+#include "lockbox/terms/edge_tile.hpp"
+#include "lockbox/terms/free_space_term.hpp"
+#include "lockbox/terms/model_term.hpp"
+#include "lockbox/view/continued_edges.hpp"
+#include "lockbox/view/sampling_plan.hpp"
+#include "lockbox/view/view_samples.hpp"
+#include "lockbox/view/visible_surface.hpp"
 #include "overlaps.hpp"
 #include "registration/mechanism.hpp"
 
@@ -77,7 +77,7 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
   const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
   ImagePoints points;
   points.assign(cloud, executor);
-  const RegistrationOptions options;
+  const TermOptions options;
   VisibleSurface surface;
   PixelPrediction predicted;
   for (const double spread : {0.0, 0.01}) {
@@ -103,7 +103,7 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
 
 TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
-  const RegistrationOptions options;
+  const TermOptions options;
   const Configuration at = displaced(1.5);
   VisibleSurface surface;
   surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
@@ -257,7 +257,7 @@ std::vector<std::string> colliding_elements() {
 
 TEST(ExactCollisionDerivatives, EveryKindOfJointAgreesWithNumericalDifferentiation) {
   const ArticulatedModel model = load_mechanism(colliding_elements(), with_cache());
-  RegistrationOptions options;
+  CollisionOptions options;
   options.collision = CollisionMode::literal;
   CollisionTerm term(model, options);
   Configuration at = rest_configuration(model.tree);
