@@ -12,6 +12,7 @@
 
 #include "lockbox/capture/pcd_folder.hpp"
 #include "lockbox/core/lie.hpp"
+#include "lockbox/model/articulated_model.hpp"
 #include "lockbox/pcl/articulated_sdf_registration.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "temporary_folder.hpp"

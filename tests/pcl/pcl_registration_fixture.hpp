@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "lockbox/cloud/point_cloud.hpp"
+#include "lockbox/core/lie.hpp"
 #include "lockbox/pcl/articulated_sdf_registration.hpp"
 #include "registration/mechanism.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the registration finds where PCL's programs have an ICP: any point type, any kind of cloud.
+// What the registration finds where PCL's programs have an ICP: any kind of cloud.
 #include "lockbox/pcl/articulated_sdf_registration.hpp"
 
 #include <pcl/common/transforms.h>
@@ -10,41 +10,13 @@
 #include <thread>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
 #include "pcl_registration_fixture.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-
-template <typename Types>
-class PclPointTypesTest : public PclRegistrationTest {};
-
-template <typename PointT, typename ScalarT>
-struct Face {
-  using Point = PointT;
-  using Scalar = ScalarT;
-};
-using Faces = ::testing::Types<Face<pcl::PointXYZ, float>, Face<pcl::PointXYZ, double>,
-                               Face<pcl::PointXYZI, double>, Face<pcl::PointXYZRGB, float>,
-                               Face<pcl::PointXYZRGBA, double>, Face<pcl::PointNormal, float>,
-                               Face<pcl::PointXYZRGBNormal, double>>;
-TYPED_TEST_SUITE(PclPointTypesTest, Faces);
-
-TYPED_TEST(PclPointTypesTest, FindsBaseAndJoints) {
-  using Point = typename TypeParam::Point;
-  using Scalar = typename TypeParam::Scalar;
-  ArticulatedSdfRegistration<Point, Scalar> registration;
-  this->prepare(registration);
-  registration.setInputSource(converted<Point>(*this->scan));
-  pcl::PointCloud<Point> aligned;
-  registration.align(aligned, this->guess().template cast<Scalar>());
-  EXPECT_TRUE(registration.hasConverged());
-  this->expect_truth(registration.getFinalTransformation().template cast<double>(),
-                     registration.getJointPositions());
-  EXPECT_GT(registration.getExplainedShare(), 0.9);
-  EXPECT_LT(registration.getContradictedShare(), 0.02);
-}
 
 class PclCloudsTest : public PclRegistrationTest {
  protected:

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "lazy_tree.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/pcl/articulated_sdf_registration.hpp"
 #include "pcl_points.hpp"
 #include "scan_registration.hpp"

@@ -3,6 +3,8 @@
 
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/solver/surface_moves.hpp"
 #include "surface_pairs.hpp"
 
 namespace lockbox {

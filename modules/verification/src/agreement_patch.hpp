@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lockbox/cloud/thinned_points.hpp"
 #include "lockbox/verification/agreement.hpp"
+#include "lockbox/view/view_options.hpp"
+#include "lockbox/view/view_samples.hpp"
 
 namespace lockbox {
 

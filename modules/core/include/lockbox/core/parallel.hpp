@@ -4,22 +4,16 @@
 #pragma once
 
 #include <cstddef>
-#include <exception>
 #include <initializer_list>
 #include <memory>
 
 #include "lockbox/core/function_ref.hpp"
+#include "lockbox/core/stop_request.hpp"
 
 namespace lockbox {
 
 /// Whose loops get the workers when there are not enough for all.
 enum class Priority { normal, low };
-
-/// What a loop throws that was stopped.
-class Stopped : public std::exception {
- public:
-  const char* what() const noexcept override { return "stopped"; }
-};
 
 /// A parallel loop: calls body(i) once for each i in [0, count). The body is only borrowed.
 struct Loop {

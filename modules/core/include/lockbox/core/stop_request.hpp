@@ -2,11 +2,16 @@
 // How what takes seconds is asked to stop, by whoever has started it.
 #pragma once
 
+#include <exception>
 #include <functional>
 
-#include "lockbox/core/parallel.hpp"
-
 namespace lockbox {
+
+/// What work throws that was stopped, and loops of an Executor.
+class Stopped : public std::exception {
+ public:
+  const char* what() const noexcept override { return "stopped"; }
+};
 
 /// Whether work under way is to stop. It is asked a thousand times a second, by several threads at
 /// once. Empty: never.

@@ -18,6 +18,7 @@
 #include <string>
 
 #include "lockbox/cloud/point_cloud.hpp"
+#include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 
 namespace lockbox {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lockbox/terms/collision_options.hpp"
 #include "lockbox/terms/term_options.hpp"
 
 namespace lockbox {

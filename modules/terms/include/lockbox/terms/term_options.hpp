@@ -11,4 +11,14 @@ struct TermOptions : ViewOptions {
   double lambda_free = 3.0;    ///< the weight of free space; 0: it is not looked at
 };
 
+enum class CollisionMode { off, literal, eroded };
+
+/// What bodies that penetrate each other are weighed by.
+struct CollisionOptions {
+  CollisionMode collision = CollisionMode::eroded;
+  double lambda_collision = 1000.0;
+  double collision_sigma = 1e-4;  ///< metres, whitens the penetration depth
+  double erosion = 0.0015;        ///< metres, unless the model or a pair says otherwise
+};
+
 }  // namespace lockbox

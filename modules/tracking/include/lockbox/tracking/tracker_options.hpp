@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/cloud/cloud_options.hpp"
 #include "lockbox/core/stop_request.hpp"
 #include "lockbox/registration/registration_options.hpp"
-#include "lockbox/sensor/sensor_profile.hpp"
 
 namespace lockbox {
+
+struct SensorProfile;
 
 struct TrackerOptions {
   RegistrationOptions registration;

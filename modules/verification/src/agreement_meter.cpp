@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/verification/agreement.hpp"
+#include "lockbox/verification/agreement_meter.hpp"
 
 #include <algorithm>
 #include <cmath>

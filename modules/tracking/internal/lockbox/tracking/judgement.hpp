@@ -2,19 +2,14 @@
 // Is the estimate believable?
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/tracking/tracker_options.hpp"
+#include "lockbox/tracking/tracking_status.hpp"
 
 namespace lockbox {
-
-enum class TrackingStatus { initializing, tracking, uncertain, lost };
-
-/// The word for a states file.
-std::string to_string(TrackingStatus status);
 
 /// For comparing answers in one frame: Agreement::conviction, but what may be a patch of a wall,
 /// for the scene goes on beyond its outline, explains nothing.

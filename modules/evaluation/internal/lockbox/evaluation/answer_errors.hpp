@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lockbox/evaluation/frame_outcome.hpp"
+#include "lockbox/model/articulated_model.hpp"
 
 namespace lockbox {
 

@@ -8,6 +8,7 @@
 
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/core/pinhole_camera.hpp"
+#include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/simulation/sensor_model.hpp"
 

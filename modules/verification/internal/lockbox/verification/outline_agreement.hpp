@@ -5,19 +5,11 @@
 #include <array>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/verification/agreement.hpp"
 #include "lockbox/view/view_options.hpp"
 #include "lockbox/view/visible_surface.hpp"
 
 namespace lockbox {
-
-/// What the camera sees just beyond the model's outline, where something farther away, or nothing,
-/// should be. Where the surface goes on, the model may be a patch of a wall.
-struct OutlineAgreement {
-  int samples = 0;  ///< at the outline, where something in front does not hide what is beyond
-  int goes_on = 0;  ///< of these, where the scene continues the model's surface
-
-  double continued() const { return samples > 0 ? static_cast<double>(goes_on) / samples : 0.0; }
-};
 
 /// The outline of one body to one side: left, right, above or below.
 struct OutlineSide {

@@ -19,8 +19,8 @@
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/solver/normal_equations.hpp"
 #include "lockbox/terms/clear_way.hpp"
-#include "lockbox/terms/collision_options.hpp"
 #include "lockbox/terms/eroded_surface.hpp"
+#include "lockbox/terms/term_options.hpp"
 
 namespace lockbox {
 
