@@ -10,6 +10,7 @@
 
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/core/error.hpp"
+#include "points_of_tiles.hpp"
 
 namespace lockbox {
 namespace {
@@ -51,16 +52,6 @@ ImagePoints points_of(const TiledCloud& cloud, int threads = 2) {
 
 std::size_t count(const TiledCloud& cloud) {
   return points_of(cloud).valid_points();
-}
-
-/// Calls visit(index) for all valid points.
-template <typename Visit>
-void for_each_point(const PointTiles& points, const Visit& visit) {
-  for (const Tile& tile : points.tiles()) {
-    for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-      visit(i);
-    }
-  }
 }
 
 TEST(ImagePoints, AreTheMeasurementsEachOnce) {
@@ -254,54 +245,6 @@ TEST(TiledCloud, DepthsInMetresGiveTheSameCloudAsTheFrame) {
   EXPECT_EQ(cloud.depth(), expected.depth());
   metres.pop_back();
   EXPECT_THROW(cloud.assign(kCamera, metres, {}, Executor(2)), InputError);
-}
-
-class UnorganizedCloudTest : public ::testing::Test {
- protected:
-  UnorganizedCloudTest() {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<float> coordinate(0.5F, 1.5F);
-    for (int i = 0; i < 5000; ++i) {
-      points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
-    }
-    points[10].x() = std::numeric_limits<float>::quiet_NaN();
-    points[11].z() = -1.0F;
-    cloud.assign(flat_frame(1000), {}, Executor(1));  // what was there before must not matter
-    cloud.assign_unorganized(points, kCamera);
-  }
-
-  std::vector<Eigen::Vector3f> points;
-  TiledCloud cloud;
-};
-
-TEST_F(UnorganizedCloudTest, HoldsEachPointInFrontOnceAndNoImage) {
-  EXPECT_FALSE(cloud.has_image());
-  std::vector<int> seen(points.size(), 0);
-  for_each_point(cloud.blocks(), [&](std::size_t i) {
-    const auto point = cloud.blocks().pixel()[i];
-    ++seen[point];
-    EXPECT_EQ(Eigen::Vector3f(cloud.blocks().x()[i], cloud.blocks().y()[i], cloud.blocks().z()[i]),
-              points[point]);
-  });
-  EXPECT_EQ(seen[10], 0);
-  EXPECT_EQ(seen[11], 0);
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 4998);
-}
-
-TEST_F(UnorganizedCloudTest, TilesAreFullAndCompact) {
-  ASSERT_EQ(cloud.blocks().tiles().size(), 20U);  // 4998 / 256, rounded up
-  float volume = 0.0F;
-  for (const Tile& tile : cloud.blocks().tiles()) {
-    EXPECT_TRUE(tile.count == kTilePoints || &tile == &cloud.blocks().tiles().back());
-    volume += tile.bounds.volume();
-  }
-  EXPECT_LT(volume, 1.0F);  // of the cube: blocks that do not overlap
-}
-
-TEST_F(UnorganizedCloudTest, NoPointsGiveNoTiles) {
-  cloud.assign_unorganized({}, kCamera);
-  EXPECT_TRUE(cloud.blocks().tiles().empty());
-  EXPECT_EQ(cloud.blocks().valid_points(), 0U);
 }
 
 }  // namespace
