@@ -29,9 +29,14 @@ if(LOCKBOX_SANITIZE)
 endif()
 math(EXPR LOCKBOX_TEST_TIMEOUT "300 * ${LOCKBOX_SLOWDOWN}")  # seconds
 
-# Installed programs and libraries find each other wherever the prefix is moved to.
+# The build folder is laid out as an installation is (LockboxHardening.cmake). Programs and libraries
+# find each other wherever the prefix is moved to.
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR})
 file(RELATIVE_PATH library_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${library_folder})
+# Components are loaded when they are asked for, from this folder beside the libraries
+# (lockbox/core/component.hpp).
+set(LOCKBOX_COMPONENTS ${CMAKE_INSTALL_LIBDIR}/lockbox)
 
 # lockbox_add_module(<name> [PUBLIC_HEADERS ...] [INTERNAL_HEADERS_FOR modules...] SOURCES ...
 #                    [PUBLIC targets...] [PRIVATE targets...])
@@ -59,9 +64,14 @@ function(lockbox_add_module name)
   target_compile_options(${target} PRIVATE -fno-semantic-interposition)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE}
                                          $<BUILD_INTERFACE:lockbox_options>)
+  # Before 1.0 each minor version may break programs that were linked with the one before.
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
-                                             SOVERSION ${PROJECT_VERSION_MAJOR})
-  install(TARGETS ${target} EXPORT lockboxTargets FILE_SET HEADERS)
+                        SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  set_property(GLOBAL APPEND PROPERTY LOCKBOX_MODULES ${name})
+  lockbox_ship(${target})
+  install(TARGETS ${target} EXPORT lockboxTargets
+          LIBRARY COMPONENT libraries NAMELINK_COMPONENT development
+          ARCHIVE COMPONENT development FILE_SET HEADERS COMPONENT development)
 endfunction()
 
 # lockbox_see_internals(<target>) lets a program of this project include internal headers of all

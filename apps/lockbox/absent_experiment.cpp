@@ -71,7 +71,8 @@ class Absent : public Experiment {
     other_models.reserve(others.size());
     for (const ArticulatedModel& other : others) other_models.push_back(&other);
     const SensorModel sensor = sensor_model(settings.sensor);
-    const AbsentRooms rooms(model, other_models, sensor.camera, settings.seed, Executor());
+    const AbsentRooms rooms(model, other_models, sensor.camera, settings.seed,
+                            interruption::executor());
     const Interruption interruption;
     const auto run = [&](const std::filesystem::path& part,
                          const std::vector<PlannedAbsentRun>& runs) {

@@ -40,9 +40,9 @@ Recording simulate(const ArticulatedModel& model, const std::vector<State>& trut
                    const Scene& scene, const ExperimentSettings& settings) {
   const SensorModel sensor = sensor_model(settings.sensor);
   Progress progress("simulate " + model.tree.name, truth.size(), settings.quiet);
-  Recording recording =
-      simulate_recording(model.tree, truth, {scene, sensor.camera, sensor, settings.seed},
-                         Executor(), [&](std::size_t done) { progress.update(done); });
+  Recording recording = simulate_recording(
+      model.tree, truth, {scene, sensor.camera, sensor, settings.seed}, interruption::executor(),
+      [&](std::size_t done) { progress.update(done); });
   progress.finish();
   return recording;
 }

@@ -64,13 +64,15 @@ class ExperimentCommand : public Command {
         .add_option("-m,--model", settings_.models,
                     "Models to run (repeatable): files, or shipped names; if none is given, those "
                     "that the experiment is about")
+        ->check(suggested(shipped_models()))
         ->type_name("FILE")
         ->default_str("");
     options.add_option("-o,--output", settings_.output, "Folder for raw results and figures")
         ->required()
         ->check(folder_name())
         ->type_name("DIR");
-    sensor_ = options.add_option("--sensor", settings_.sensor, sensor_names());
+    sensor_ = options.add_option("--sensor", settings_.sensor, sensor_names())
+                  ->check(suggested(shipped_sensor_names()));
     options.add_option("--seed", settings_.seed, "Of all that is random, the sensor's noise too")
         ->check(not_negative());
     options.add_flag("-q,--quiet", settings_.quiet, "No progress");

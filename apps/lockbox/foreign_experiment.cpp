@@ -37,8 +37,8 @@ class ForeignObjects : public DrawnObjectsExperiment {
   std::string run_piece(const ObjectBlock& block, std::uint64_t piece,
                         const std::filesystem::path& folder, const ExperimentSettings& settings,
                         Table& table) const override {
-    const ForeignResult result =
-        track_foreign_object(kind_, block, piece, piece_settings(settings, folder), Executor());
+    const ForeignResult result = track_foreign_object(
+        kind_, block, piece, piece_settings(settings, folder), interruption::executor());
     add_foreign_rows(table, piece, noun(), result);
     return result.frames.back().errors.wrong;
   }

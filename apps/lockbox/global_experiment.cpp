@@ -101,8 +101,8 @@ class GlobalSearch : public Experiment {
     std::set<std::uint64_t> done;
     for (const GlobalResult& row : rows) done.insert(row.scene);
     const SensorModel sensor = sensor_model(settings.sensor);
-    GlobalExperiment experiment(model, sensor.camera, sensor, settings.seed, Executor(),
-                                interruption::requested);
+    GlobalExperiment experiment(model, sensor.camera, sensor, settings.seed,
+                                interruption::executor(), interruption::requested);
     const Interruption interruption;
     Progress progress("global " + model.tree.name, shard_.runs_of(scenes_), settings.quiet,
                       "scenes");

@@ -86,6 +86,10 @@ int interruption::signal_number() noexcept {
   return noted;
 }
 
+Executor interruption::executor() {
+  return Executor(0, Priority::normal, requested);
+}
+
 std::string interruption::signal_name() {
   return std::string("SIG").append(sigabbrev_np(noted));
 }

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string>
 
+#include "lockbox/core/parallel.hpp"
+
 namespace lockbox::app {
 
 /// What the ending signals, SIGHUP, SIGINT, SIGPIPE and SIGTERM, do while it lives. What whoever
@@ -69,6 +71,9 @@ constexpr int exit_status(int signal) {
 
 /// Its number, 0 if there was none.
 int signal_number() noexcept;
+
+/// Workers whose loops are stopped then.
+Executor executor();
 
 /// Its name, such as "SIGINT".
 std::string signal_name();

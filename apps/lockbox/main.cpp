@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "commands.hpp"
+#include "declared_command.hpp"
+#include "documents.hpp"
 #include "interruption.hpp"
 #include "lockbox/core/error.hpp"
 #include "nearest_name.hpp"
@@ -75,15 +74,8 @@ ExitStatus signal_status() {
 }
 
 ExitStatus run(const CommandEntry& entry, const std::vector<std::string>& arguments) {
-  const auto command = entry.make();
-  CLI::App options(entry.summary, "lockbox " + entry.name);
-  options.footer("Example:\n  " + entry.example + "\n\n" + kStatusHelp);
-  options.set_config("--config", "", "Read options from FILE: lines `name = value`")
-      ->type_name("FILE");
-  options.allow_config_extras(CLI::config_extras_mode::error);
-  options.option_defaults()->always_capture_default();
-  command->add_options(options);
-  if (const auto status = parse(options, arguments)) return *status;
+  const auto [command, options] = declare(entry);
+  if (const auto status = parse(*options, arguments)) return *status;
   const EndAtSignal end_at_signal;
   try {
     const ExitStatus status = command->run();
@@ -122,6 +114,17 @@ ExitStatus refuse_command(const std::string& name) {
   return ExitStatus::wrong_usage;
 }
 
+/// For the build, which installs them: `lockbox --documents FOLDER`.
+ExitStatus write_documents_into(const std::vector<std::string>& folders) {
+  if (folders.size() != 1) return fail(ExitStatus::wrong_usage, "--documents needs one FOLDER");
+  try {
+    write_documents(folders.front());
+    return ExitStatus::done;
+  } catch (const std::exception& error) {
+    return fail(ExitStatus::invalid_input, folders.front() + ": " + error.what());
+  }
+}
+
 /// `lockbox track ...`; `lockbox help track` and `lockbox track help` mean `lockbox track --help`.
 ExitStatus dispatch(const std::vector<std::string>& arguments) {
   std::string name = arguments.empty() ? "" : arguments.front();
@@ -135,6 +138,7 @@ ExitStatus dispatch(const std::vector<std::string>& arguments) {
     name = options.front();
     options.front() = "--help";
   }
+  if (name == "--documents") return write_documents_into(options);
   if (name == "--version") {
     std::cout << "lockbox " << kVersion << '\n';
     return ExitStatus::done;

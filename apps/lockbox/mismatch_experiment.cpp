@@ -138,7 +138,7 @@ class Mismatch : public Experiment {
     const Scene scene = fitted(read_scene(find_scene("room")), model.tree, truth.front());
     return track_mismatch(model, truth, deviation,
                           {sensor.camera, sensor, scene, run.seed, interruption::requested},
-                          Executor());
+                          interruption::executor());
   }
 
   Severity severity() const {

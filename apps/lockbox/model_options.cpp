@@ -18,7 +18,9 @@ void ModelOptions::add_optional_to(CLI::App& options, const std::string& help) {
 }
 
 CLI::Option* ModelOptions::add_model(CLI::App& options, const std::string& help) {
-  CLI::Option* const model = options.add_option("-m,--model", model_, help)->type_name("FILE");
+  CLI::Option* const model = options.add_option("-m,--model", model_, help)
+                                 ->check(suggested(shipped_models()))
+                                 ->type_name("FILE");
   options
       .add_option("--package-path", package_paths_,
                   "Folder to search for package:// meshes (repeatable), beside ROS_PACKAGE_PATH "

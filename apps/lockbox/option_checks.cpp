@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/file_kind.hpp"
@@ -43,6 +44,30 @@ CLI::Validator ends_in(const std::string& extension, const std::string& kind) {
                        : in_quotes(text) + " does not end in " + extension + ", as " + kind + " do";
           },
           ""};
+}
+
+// Validators keep the names that they know in their own name, which CLI11 shows nowhere.
+constexpr char kChoices[] = "choices";
+constexpr char kSuggestions[] = "suggestions";
+
+std::string name_with(const std::string& kind, const std::vector<std::string>& names) {
+  std::string kept = kind;
+  for (const auto& name : names) kept.append(" ").append(name);
+  return kept;
+}
+
+std::vector<std::string> names_kept(CLI::Option& option, const std::string& kind) {
+  std::vector<std::string> names;
+  try {
+    for (int i = 0;; ++i) {
+      std::istringstream kept(option.get_validator(i)->get_name());
+      std::string word;
+      if (!(kept >> word) || word != kind) continue;
+      while (kept >> word) names.push_back(word);
+    }
+  } catch (const CLI::OptionNotFound&) {  // there are no more validators
+  }
+  return names;
 }
 
 }  // namespace
@@ -92,7 +117,21 @@ CLI::Validator one_of(const std::vector<std::string>& names) {
             for (const auto& name : names) list.append(list.empty() ? "" : ", ").append(name);
             return in_quotes(text) + " is none of " + list + did_you_mean(text, names);
           },
-          ""};
+          "", name_with(kChoices, names)};
+}
+
+CLI::Validator suggested(const std::vector<std::string>& names) {
+  return {[](std::string&) { return std::string(); }, "", name_with(kSuggestions, names)};
+}
+
+std::vector<std::string> choices_of(CLI::Option& option) {
+  return names_kept(option, kChoices);
+}
+
+std::vector<std::string> suggestions_of(CLI::Option& option) {
+  std::vector<std::string> names = choices_of(option);
+  for (const auto& name : names_kept(option, kSuggestions)) names.push_back(name);
+  return names;
 }
 
 CLI::Validator picture_name() {

@@ -13,12 +13,19 @@ CLI::Validator not_negative();
 CLI::Validator whole_number();  ///< also as 1e3
 CLI::Validator between(double least, double most);
 CLI::Validator one_of(const std::vector<std::string>& names);
-CLI::Validator picture_name();    ///< ends in .png
-CLI::Validator table_name();      ///< ends in .csv
+CLI::Validator suggested(const std::vector<std::string>& names);  ///< refuses nothing
+CLI::Validator picture_name();                                    ///< ends in .png
+CLI::Validator table_name();                                      ///< ends in .csv
 CLI::Validator recording_name();  ///< ends in .oni, or no source would know it again
 CLI::Validator folder_name();     ///< neither that of a file of a known kind nor `-`
 CLI::Validator recording_or_folder_name();
 CLI::Validator publish_target_name();
+
+/// The names that values of the option must be one of; empty if it is no such option.
+std::vector<std::string> choices_of(CLI::Option& option);
+
+/// The same, or names that its values may be one of.
+std::vector<std::string> suggestions_of(CLI::Option& option);
 
 /// Declares --threads, of which no more are taken than an Executor takes.
 void add_threads_option(CLI::App& options, int& threads);

@@ -104,7 +104,7 @@ class Shapes : public DrawnObjectsExperiment {
                         const std::filesystem::path& folder, const ExperimentSettings& settings,
                         Table& table) const override {
     const ShapeResult result =
-        search_shape(block, piece, piece_settings(settings, folder), Executor());
+        search_shape(block, piece, piece_settings(settings, folder), interruption::executor());
     add_row(table, piece, result);
     return result.is_right() ? "" : result.errors.wrong;
   }

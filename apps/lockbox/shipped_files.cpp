@@ -2,7 +2,6 @@
 #include "shipped_files.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "lockbox/core/component.hpp"
 #include "lockbox/core/error.hpp"
@@ -50,6 +49,14 @@ fs::path find(const std::string& file_or_name, const fs::path& folder, const fs:
 fs::path find_model(const std::string& file_or_name) {
   return find(file_or_name, share_folder() / "models",
               fs::path(file_or_name) / (file_or_name + ".urdf"));
+}
+
+std::vector<std::string> shipped_models() {
+  return names_in(share_folder() / "models");
+}
+
+std::vector<std::string> shipped_scenes() {
+  return names_in(share_folder() / "scenes");
 }
 
 fs::path find_scene(const std::string& file_or_name) {

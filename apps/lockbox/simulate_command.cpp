@@ -52,12 +52,14 @@ class SimulateCommand : public Command {
     options
         .add_option("--sensor", sensor_,
                     "Profile of the sensor (YAML), or the name of a shipped one: " + sensor_names())
+        ->check(suggested(shipped_sensor_names()))
         ->type_name("NAME|FILE");
     options.add_option("--seed", seed_, "Of the sensor's noise")->check(not_negative());
     options
         .add_option("--scene", scene_,
                     "Scene file, or the name of a shipped scene, which makes room for the model: "
                     "background and occluders")
+        ->check(suggested(shipped_scenes()))
         ->type_name("FILE");
     options
         .add_option("--camera-info", camera_info_,

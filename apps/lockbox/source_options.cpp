@@ -2,9 +2,11 @@
 #include "source_options.hpp"
 
 #include <iostream>
+#include <utility>
 
 #include "interruption.hpp"
 #include "lockbox/capture/camera_info.hpp"
+#include "lockbox/capture/corrected_source.hpp"
 #include "option_checks.hpp"
 
 namespace lockbox::app {
@@ -31,6 +33,7 @@ CLI::Option* SourceArguments::add_source(CLI::App& options) {
           .add_option("-s,--source", source_,
                       "openni2:, openni2:<uri>, a .oni file, a folder with depth.txt, or a folder "
                       "of .pcd files")
+          ->check(suggested({"openni2:"}))
           ->type_name("SOURCE");
   options
       .add_option("--camera-info", camera_info_,
@@ -50,6 +53,7 @@ void SourceArguments::add_sensor(CLI::App& options, const std::string& more_choi
       .add_option("--sensor", sensor_,
                   "Profile of the sensor (YAML), or the name of a shipped one: " + sensor_names() +
                       more_choices + "; default: noise as of primesense, depths from 0.2 to 5 m")
+      ->check(suggested(shipped_sensor_names()))
       ->type_name("NAME|FILE")
       ->default_str("primesense");
 }
@@ -76,7 +80,10 @@ SourceOptions SourceArguments::options() const {
 }
 
 std::unique_ptr<FrameSource> SourceArguments::open() const {
-  return open_source(source_, options());
+  auto source = open_source(source_, options());
+  const auto profile = sensor();
+  if (!profile || !profile->depth_correction) return source;
+  return std::make_unique<CorrectedSource>(std::move(source), *profile->depth_correction);
 }
 
 }  // namespace lockbox::app

@@ -35,7 +35,7 @@ class SourceArguments {
   /// What the user says of the sensor; none if nothing, or that it is unknown. Throws InputError.
   std::optional<SensorProfile> sensor() const;
 
-  /// Warnings go to standard error.
+  /// Warnings go to standard error. Depths are corrected as the sensor's profile says.
   SourceOptions options() const;
   std::unique_ptr<FrameSource> open() const;
 

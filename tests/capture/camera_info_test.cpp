@@ -132,6 +132,19 @@ TEST(CameraInfo, NumbersComeBackExactly) {
   EXPECT_EQ(read.depth_scale, written.depth_scale);
 }
 
+TEST(CameraInfo, EquidistantSurvivesARoundTripAndBendsWithoutCoefficients) {
+  const TemporaryFolder folder;
+  const CameraCalibration written{.camera = {640, 480, 400.0, 400.0, 319.5, 239.5},
+                                  .distortion = {0.0, 0.0, 0.0, 0.0},
+                                  .depth_scale = {},
+                                  .is_equidistant = true};
+  write_camera_info(folder / "camera_info.yaml", written);
+  const CameraCalibration read = read_camera_info(folder / "camera_info.yaml");
+  EXPECT_TRUE(read.is_equidistant);
+  EXPECT_TRUE(read.has_distortion());
+  EXPECT_EQ(read.distortion, written.distortion);
+}
+
 TEST(CameraInfo, ProblemsNameTheLine) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder / "camera_info.yaml";
@@ -146,11 +159,12 @@ TEST(CameraInfo, ProblemsNameTheLine) {
       {"image_width: 640\nimage_height: 480\ncamera_matrix: {data: [5, 0]}\n", ":3: camera_matrix"},
       {sound + "depth_scale: 0\n", ":4: depth_scale must be positive"},
       {sound + "depth_scale: 1,5\n", ":4: depth_scale is not a number"},
-      {sound + "distortion_model: equidistant\ndistortion_coefficients: {data: [1, 0, 0, 0]}\n",
-       ":4: distortion model equidistant is not supported"},
+      {sound + "distortion_model: thin_prism\ndistortion_coefficients: {data: [1, 0, 0, 0]}\n",
+       ":4: distortion model thin_prism is not supported"},
       {sound + "distortion_coefficients: {data: [1, 0]}\n", ":4: plumb_bob needs 5"},
-      {sound + "distortion_model: equidistant\ndistortion_coefficients: {data: [0, 0, 0, 0]}\n",
-       ":4: distortion model equidistant is not supported"},
+      {sound + "distortion_model: equidistant\ndistortion_coefficients: {data: [0, 0, 0]}\n",
+       ":5: equidistant needs 4 coefficients, found 3"},
+      {sound + "distortion_model: equidistant\n", ":4: equidistant needs 4 coefficients, found 0"},
       {sound + "distortion_coefficients: {data: [1, 0, 0, 0, 0, 1, 0, 0]}\n"
                "distortion_model: plumb_bob\n",
        ":4: plumb_bob has 5 coefficients, and here are 8"},

@@ -157,6 +157,46 @@ TEST_F(DepthFolder, ASequenceIsNotOverwritten) {
   EXPECT_THROW(DepthFolderWriter{path()}, InputError);
 }
 
+TEST_F(DepthFolder, EquidistantDistortionIsUndone) {
+  // The depth of each bent pixel tells the tangent of its ray's angle.
+  const CameraCalibration calibration{.camera = small_camera(),
+                                      .distortion = {0.1, -0.02, 0.0, 0.0},
+                                      .depth_scale = {},
+                                      .is_equidistant = true};
+  const PinholeCamera& camera = calibration.camera;
+  DepthFrame bent = synthetic_frame(0);
+  for (int v = 0; v < camera.height; ++v) {
+    for (int u = 0; u < camera.width; ++u) {
+      const double seen = std::hypot((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy);
+      double angle = seen;
+      for (int i = 0; i < 50; ++i) {
+        angle = seen / (1.0 + 0.1 * angle * angle - 0.02 * std::pow(angle, 4));
+      }
+      bent.depth[static_cast<std::size_t>(v * camera.width + u)] =
+          static_cast<std::uint16_t>(1000.0 + 4000.0 * std::tan(angle));
+    }
+  }
+  {
+    DepthFolderWriter writer(path());
+    writer.write(bent);
+  }
+  write_camera_info(path() / "camera_info.yaml", calibration);
+  DepthFrame frame;
+  ASSERT_TRUE(DepthFolderSource(path()).next(frame));
+  int measured = 0;
+  for (int v = 0; v < camera.height; ++v) {
+    for (int u = 0; u < camera.width; ++u) {
+      const Eigen::Vector3d ray = camera.back_project(u, v, 1.0);
+      const double depth = frame.depth[static_cast<std::size_t>(v * camera.width + u)];
+      if (depth == 0.0) continue;
+      ++measured;
+      // The nearest pixel is up to 0.71 pixels off, which a lens that bends makes no more than 1.5.
+      EXPECT_NEAR(depth, 1000.0 + 4000.0 * ray.head<2>().norm(), 1.5 * 4000.0 / camera.fx);
+    }
+  }
+  EXPECT_GT(measured, camera.width * camera.height / 2);
+}
+
 TEST_F(DepthFolder, DistortionIsUndone) {
   // A barrel-distorted image whose depth tells the normalized radius of each pixel's ray.
   const CameraCalibration calibration{

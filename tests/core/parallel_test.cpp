@@ -146,6 +146,21 @@ TEST(ExecutorTest, StaysStoppedUntilItIsResumed) {
   EXPECT_NO_THROW(copy.for_each(1, [](std::size_t) {}));
 }
 
+TEST(ExecutorTest, ARequestStopsLoopsAsLongAsItLasts) {
+  std::atomic<bool> requested{false};
+  const Executor executor(2, Priority::normal, [&] { return requested.load(); });
+  std::atomic<int> begun{0};
+  EXPECT_THROW(executor.for_each(1000,
+                                 [&](std::size_t) {
+                                   ++begun;
+                                   requested = true;
+                                 }),
+               Stopped);
+  EXPECT_LE(begun.load(), 2);
+  requested = false;
+  EXPECT_NO_THROW(executor.for_each(1, [](std::size_t) {}));
+}
+
 TEST(ExecutorTest, OneOfLowPriorityVisitsEveryIndexBesideAnother) {
   const Executor executor(2);
   const Executor beside(2, Priority::low);

@@ -2,6 +2,9 @@
 // What `--sensor` changes, and what it refuses.
 #include <gmock/gmock.h>
 
+#include <Eigen/Core>
+#include <sstream>
+
 #include "block_runs.hpp"
 
 namespace lockbox {
@@ -11,7 +14,17 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-class SensorOption : public BlockRuns {};
+class SensorOption : public BlockRuns {
+ protected:
+  /// Along the optical axis, metres.
+  static double last_distance(const std::string& run) {
+    std::istringstream row(read_lines(path(run + "/base.tum")).back());
+    double stamp = 0.0;
+    Eigen::Vector3d position;
+    row >> stamp >> position.x() >> position.y() >> position.z();
+    return position.z();
+  }
+};
 
 TEST_F(SensorOption, NoiseIsThatOfTheProfileAndSaidInTheRun) {
   const std::string profile = path("mine.yaml");
@@ -36,6 +49,15 @@ TEST_F(SensorOption, AutoFindsTheNoiseOutAndTracksEveryFrame) {
   EXPECT_EQ(read_lines(path("auto/states.csv")).size(), kFrames + 1);
   EXPECT_THAT(read_text(path("auto/run.yaml")),
               AllOf(HasSubstr("sensor: auto"), Not(HasSubstr("noise_depth_quadratic: 0.0021\n"))));
+}
+
+TEST_F(SensorOption, DepthsAreCorrected) {
+  // Depths that are told to be a centimetre too long put the block that much nearer.
+  const std::string profile = path("long.yaml");
+  write_text(profile, "like: primesense\ndepth_correction: {offset: -0.01}\n");
+  ASSERT_EQ(run_tool(following("long", {"--sensor", profile})).status, 0);
+  ASSERT_EQ(run_tool(following("as_it_is")).status, 0);
+  EXPECT_NEAR(last_distance("as_it_is") - last_distance("long"), 0.01, 0.002);
 }
 
 TEST_F(SensorOption, RefusesWhatIsNoProfile) {

@@ -6,6 +6,7 @@
 #include "lockbox/evaluation/free_form_object.hpp"
 #include "lockbox/mesh/primitives.hpp"
 #include "model_relief.hpp"
+#include "model_sides.hpp"
 
 namespace lockbox {
 namespace {

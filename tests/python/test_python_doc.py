@@ -35,8 +35,9 @@ def test_example_runs(code, folder):
 @pytest.mark.parametrize("command", code_blocks(DOCUMENT, "sh"), ids=lambda _: "")
 def test_command_runs(command, folder):
     package = os.environ["LOCKBOX_PACKAGE"]
-    assert "PYTHONPATH=build/python python3" in command
-    own = command.replace("build/python python3", f"'{package}' {sys.executable}")
+    built = "build/lib/python3/dist-packages python3"
+    assert f"PYTHONPATH={built}" in command
+    own = command.replace(built, f"'{package}' {sys.executable}")
     result = subprocess.run(own, shell=True, cwd=folder, capture_output=True, text=True)
     assert result.returncode == 0, result.stderr
     assert "'cabinet', 5 bodies, 4 joints" in result.stdout

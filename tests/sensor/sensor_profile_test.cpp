@@ -99,6 +99,19 @@ TEST_F(SensorProfileTest, RefusalNamesFileLineKeyAndWhatMayStandThere) {
   EXPECT_THAT(refusal_of("description: nothing\n"), HasSubstr("'noise' is missing"));
 }
 
+TEST_F(SensorProfileTest, DepthCorrectionIsRead) {
+  const SensorProfile mine = read(
+      "like: white\n"
+      "depth_correction: {scale: 0.99, offset: 0.002, quadratic: -0.01, radial: 0.05}\n");
+  const DepthCorrection expected{0.99, 0.002, -0.01, 0.05};
+  EXPECT_EQ(mine.depth_correction, expected);
+  EXPECT_FALSE(find_sensor_profile("white").depth_correction);
+  EXPECT_THAT(refusal_of("like: white\ndepth_correction:\n  scale: 1000\n"),
+              AllOf(HasSubstr("mine.yaml:3"), HasSubstr("'scale'"), HasSubstr("0.5 to 2")));
+  EXPECT_THAT(refusal_of("like: white\ndepth_correction:\n  quadratic: -0.15\n"),
+              AllOf(HasSubstr("mine.yaml:3"), HasSubstr("nearer within the range")));
+}
+
 TEST_F(SensorProfileTest, NoiseMustNotFallToNothingWithinTheRange) {
   const std::string falling = "noise:\n  along_ray: {constant: 0.001, linear: -0.002, quadratic: ";
   EXPECT_THAT(refusal_of(falling + "0.0001}\n"),

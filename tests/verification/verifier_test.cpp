@@ -73,6 +73,22 @@ TEST_P(VerifierTest, ABareWallHasNone) {
   EXPECT_LT(evidence(truth_), 0.0);
 }
 
+/// Seen from four degrees above its front, everything is near some line of the model.
+TEST_P(VerifierTest, WhereLinesAreEverywhereTheyTellLittle) {
+  const Configuration flat = at(model_, 1.3, 0.1, 1.5);
+  look_at(flat, wall_behind(0.1));
+  for (const double x : {-0.2, -0.1, -0.05, 0.05, 0.1, 0.2}) {
+    for (const double y : {-0.1, -0.03, 0.0, 0.03, 0.1}) {
+      for (const double turn : {0.0, M_PI}) {
+        const Eigen::Isometry3d motion(Eigen::Translation3d(x, y, 0.0) *
+                                       Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()));
+        EXPECT_LT(evidence(moved(flat, motion)), 2.0 * least_evidence())
+            << x << " m, " << y << " m, " << turn;
+      }
+    }
+  }
+}
+
 TEST_P(VerifierTest, NothingMeasuredSaysNothing) {
   TiledCloud cloud;
   cloud.assign({640, 480, 575.8, 575.8, 319.5, 239.5}, std::vector<float>(640 * 480, 0.0F), {},

@@ -2,6 +2,7 @@
 #include "lockbox/capture/camera_info.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "calibration_file.hpp"
 #include "camera_plausibility.hpp"
@@ -82,13 +83,17 @@ PinholeCamera camera_of(const CalibrationFile& file) {
 }  // namespace
 
 bool CameraCalibration::has_distortion() const {
-  return std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0.0; });
+  return is_equidistant ||
+         std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0.0; });
 }
 
 CameraCalibration read_camera_info(const std::filesystem::path& file) {
   const CalibrationFile info(file);
-  CameraCalibration calibration{
-      .camera = camera_of(info), .distortion = read_distortion(info), .depth_scale = {}};
+  LensDistortion lens = read_distortion(info);
+  CameraCalibration calibration{.camera = camera_of(info),
+                                .distortion = std::move(lens.coefficients),
+                                .depth_scale = {},
+                                .is_equidistant = lens.is_equidistant};
   if (const YAML::Node node = info.find({"depth_scale"})) {
     calibration.depth_scale = info.number(node, "depth_scale");
     if (!(*calibration.depth_scale > 0.0)) {

@@ -17,6 +17,11 @@ void write_list(std::ostream& out, const std::vector<double>& values) {
   out << "]\n";
 }
 
+const char* model_name(const CameraCalibration& calibration, std::size_t coefficients) {
+  if (calibration.is_equidistant) return "equidistant";
+  return coefficients > 5 ? "rational_polynomial" : "plumb_bob";
+}
+
 }  // namespace
 
 void write_camera_info(const std::filesystem::path& file, const CameraCalibration& calibration) {
@@ -31,8 +36,8 @@ void write_camera_info(const std::filesystem::path& file, const CameraCalibratio
   out << "camera_matrix:\n  rows: 3\n  cols: 3\n  data: ";
   write_list(out, {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1});
   std::vector<double> distortion = calibration.distortion;
-  distortion.resize(distortion.size() > 5 ? 8 : 5);
-  out << "distortion_model: " << (distortion.size() > 5 ? "rational_polynomial" : "plumb_bob")
+  if (!calibration.is_equidistant) distortion.resize(distortion.size() > 5 ? 8 : 5);
+  out << "distortion_model: " << model_name(calibration, distortion.size())
       << "\ndistortion_coefficients:\n  rows: 1\n  cols: " << distortion.size() << "\n  data: ";
   write_list(out, distortion);
   out.flush();

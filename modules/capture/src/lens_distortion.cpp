@@ -2,6 +2,7 @@
 #include "lens_distortion.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace lockbox {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 constexpr std::size_t kShort = 4;  // k1 k2 p1 p2: OpenCV's shortest list
 constexpr std::size_t kPlumbBob = 5;
 constexpr std::size_t kRational = 8;
+constexpr std::size_t kEquidistant = 4;  // k1 k2 k3 k4
 
 bool all_zero(std::vector<double>::const_iterator begin, std::vector<double>::const_iterator end) {
   return std::all_of(begin, end, [](double value) { return value == 0.0; });
@@ -24,7 +26,7 @@ std::string model_of(const CalibrationFile& file, std::size_t coefficients) {
   return coefficients >= kRational ? "rational_polynomial" : "plumb_bob";
 }
 
-/// Even without coefficients they bend straight lines: the focal length scales an angle.
+/// One model under the names that ROS 1, ROS 2 and others give it.
 bool is_fisheye(const std::string& model) {
   return model == "equidistant" || model == "fisheye" || model == "kannala_brandt4";
 }
@@ -32,20 +34,28 @@ bool is_fisheye(const std::string& model) {
 void refuse_model(const CalibrationFile& file, const std::string& model) {
   file.refuse(file.entry({"distortion_model"}),
               "distortion model " + model +
-                  " is not supported (plumb_bob and rational_polynomial are); rectify the images "
+                  " is not supported (plumb_bob, rational_polynomial and equidistant are); rectify "
+                  "the images "
                   "first, give the camera of the rectified ones, and set the coefficients to 0");
+}
+
+LensDistortion equidistant(const CalibrationFile& file, const YAML::Node& node,
+                           std::vector<double> values) {
+  if (values.size() != kEquidistant) {
+    file.refuse(node ? node : file.entry({"distortion_model"}),
+                "equidistant needs 4 coefficients, found " + std::to_string(values.size()));
+  }
+  return {std::move(values), true};
 }
 
 }  // namespace
 
-std::vector<double> read_distortion(const CalibrationFile& file) {
+LensDistortion read_distortion(const CalibrationFile& file) {
   const YAML::Node node = file.find({"distortion_coefficients", "D", "d"});
   std::vector<double> values =
       node ? file.numbers(node, "distortion_coefficients") : std::vector<double>();
   const std::string model = model_of(file, values.size());
-  if (is_fisheye(model)) {
-    refuse_model(file, model);
-  }
+  if (is_fisheye(model)) return equidistant(file, node, std::move(values));
   if (all_zero(values.begin(), values.end())) {
     return {};
   }
@@ -66,7 +76,7 @@ std::vector<double> read_distortion(const CalibrationFile& file) {
                                : "rectify the images first and set the coefficients to 0"));
   }
   values.resize(known);
-  return values;
+  return {std::move(values), false};
 }
 
 }  // namespace lockbox

@@ -8,9 +8,15 @@
 
 namespace lockbox {
 
-/// The coefficients as CameraCalibration keeps them; those that the model does not have may follow
-/// if they are 0, as camera makers and OpenCV write them. Throws InputError for models other than
-/// `plumb_bob` and `rational_polynomial`, unless they distort nothing.
-std::vector<double> read_distortion(const CalibrationFile& file);
+/// As CameraCalibration keeps it.
+struct LensDistortion {
+  std::vector<double> coefficients;
+  bool is_equidistant = false;
+};
+
+/// Coefficients that a polynomial model does not have may follow if they are 0, as camera makers
+/// and OpenCV write them. Throws InputError for models other than `plumb_bob`,
+/// `rational_polynomial` and `equidistant`, unless they distort nothing.
+LensDistortion read_distortion(const CalibrationFile& file);
 
 }  // namespace lockbox

@@ -22,6 +22,16 @@ Eigen::Vector2d distort(double x, double y, const std::vector<double>& coefficie
           y * radial + k[2] * (r2 + 2.0 * y * y) + 2.0 * k[3] * x * y};
 }
 
+/// The same, of a lens that bends angles: k1 to k4.
+Eigen::Vector2d distort_angle(double x, double y, const std::vector<double>& k) {
+  const double radius = std::hypot(x, y);
+  if (radius == 0.0) return {x, y};
+  const double angle = std::atan(radius);
+  const double a2 = angle * angle;
+  const double bent = angle * (1.0 + a2 * (k[0] + a2 * (k[1] + a2 * (k[2] + a2 * k[3]))));
+  return {x * bent / radius, y * bent / radius};
+}
+
 std::vector<std::ptrdiff_t> undistortion_table(const CameraCalibration& calibration) {
   const PinholeCamera& camera = calibration.camera;
   std::vector<std::ptrdiff_t> table;
@@ -29,7 +39,9 @@ std::vector<std::ptrdiff_t> undistortion_table(const CameraCalibration& calibrat
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
       const Eigen::Vector3d ray = camera.back_project(u, v, 1.0);
-      const Eigen::Vector2d bent = distort(ray.x(), ray.y(), calibration.distortion);
+      const Eigen::Vector2d bent = calibration.is_equidistant
+                                       ? distort_angle(ray.x(), ray.y(), calibration.distortion)
+                                       : distort(ray.x(), ray.y(), calibration.distortion);
       const Eigen::Vector2d pixel = camera.project({bent.x(), bent.y(), 1.0});
       const bool inside = pixel.x() >= -0.5 && pixel.x() < camera.width - 0.5 &&
                           pixel.y() >= -0.5 && pixel.y() < camera.height - 0.5;

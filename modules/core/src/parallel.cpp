@@ -11,6 +11,7 @@
 #include <mutex>
 #include <numeric>
 #include <thread>
+#include <utility>
 
 #include "hand_over.hpp"
 #include "loop_shares.hpp"
@@ -55,10 +56,15 @@ struct Executor::Impl {
   Priority priority = Priority::normal;
   tbb::task_arena arena;
   std::atomic<bool> is_stopped{false};
+  StopRequest stop_request;
+
+  bool is_to_stop() const { return is_stopped || (stop_request && stop_request()); }
 };
 
-Executor::Executor(int threads, Priority priority) : impl_(std::make_shared<Impl>()) {
+Executor::Executor(int threads, Priority priority, StopRequest stop_request)
+    : impl_(std::make_shared<Impl>()) {
   impl_->priority = priority;
+  impl_->stop_request = std::move(stop_request);
   constexpr unsigned kCallers = 1;
   const int taken =
       threads > 0 ? std::min(threads, most_threads()) : tbb::this_task_arena::max_concurrency();
@@ -85,7 +91,7 @@ void Executor::for_each(std::initializer_list<Loop> loops) const {
   const HandOver to_bodies;
   const HandOver to_caller;
   const auto observed_body = [&](const Loop& loop, std::size_t i) {
-    if (impl_->is_stopped) return;
+    if (impl_->is_to_stop()) return;
     to_bodies.receive();
     loop.body(i);
     to_caller.give();
@@ -111,7 +117,7 @@ void Executor::for_each(std::initializer_list<Loop> loops) const {
     }
   });
   to_caller.receive();
-  if (impl_->is_stopped) throw Stopped();
+  if (impl_->is_to_stop()) throw Stopped();
 }
 
 void Executor::stop() const {

@@ -46,11 +46,12 @@ ObjectDraft draw_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t 
 
 /// Its fields are built anew: hundreds of objects that come once would fill the cache.
 ArticulatedModel load_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number,
-                             const std::filesystem::path& folder) {
+                             const std::filesystem::path& folder, const StopRequest& stop_request) {
   std::filesystem::create_directories(folder);
   write_text(folder / "model.urdf", urdf_text(draw_object(kind, block, number)));
   LoadOptions options;
   options.cache_directory = std::filesystem::path();
+  options.stop_request = stop_request;
   return load_model(folder / "model.urdf", options);
 }
 
@@ -96,7 +97,6 @@ class ForeignRun {
     const bool has_answer = answer.status != TrackingStatus::initializing;
     if (has_answer) frame.evidence = verifier_.evidence(answer.configuration).total();
     if (frame.is_right()) return frame;
-    stop_if(settings_.stop_request);
     EqualViews equal(model_, comparison_, settings_.camera, sensor_, scene_, truth_, bound_,
                      settings_.seed, executor_);
     frame.looks_equal = (has_answer && equal.holds(answer)) || (!frame.is_trusted() && equal.any());
@@ -127,8 +127,8 @@ Deviation deviation_of(const ForeignSettings& settings, std::uint64_t number,
 
 ForeignResult track_foreign_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number,
                                    const ForeignSettings& settings, const Executor& executor) {
-  const ArticulatedModel model = load_object(kind, block, number, settings.folder);
-  stop_if(settings.stop_request);
+  const ArticulatedModel model =
+      load_object(kind, block, number, settings.folder, settings.stop_request);
   ForeignResult result;
   result.parts = static_cast<int>(model.tree.joints.size());
   result.view = draw_view(kind, model, settings.camera, block, number);
@@ -146,7 +146,6 @@ ForeignResult track_foreign_object(DrawnKind kind, const ObjectBlock& block, std
   const SensorModel sensor = sensor_model(result.sensor);
   Simulator simulator(built, settings.camera, PlacedScene(result.view.scene, run), sensor,
                       settings.seed, executor, deviation.sensor);
-  stop_if(settings.stop_request);
   ForeignRun tracked(model, settings, sensor, result.view, executor);
   result.determined = determines_base(tracked.bound());
   DepthFrame image;

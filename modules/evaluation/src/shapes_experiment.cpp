@@ -20,11 +20,12 @@ namespace {
 /// tens. Doubled, an animal that looks the wrong way still is wrong.
 constexpr Tolerances kRightShape{0.02, 5.0 * kRadians, 0.01, 10.0 * kRadians};
 
-ArticulatedModel load_shape(const FreeFormObject& object, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+ArticulatedModel load_shape(const FreeFormObject& object, const ShapeSettings& settings) {
+  std::filesystem::create_directories(settings.folder);
   LoadOptions options;
   options.cache_directory = std::filesystem::path();
-  return load_model(write_free_form(object, folder), options);
+  options.stop_request = settings.stop_request;
+  return load_model(write_free_form(object, settings.folder), options);
 }
 
 /// The joints of all shapes are seen where their bases are.
@@ -40,7 +41,7 @@ AnswerErrors errors_of(const ArticulatedModel& model, const TrackingResult& answ
 ShapeResult search_shape(const ObjectBlock& block, std::uint64_t number,
                          const ShapeSettings& settings, const Executor& executor) {
   const FreeFormObject object = draw_free_form(block, number);
-  const ArticulatedModel model = load_shape(object, settings.folder);
+  const ArticulatedModel model = load_shape(object, settings);
   const evaluation::FreeFormScene drawn = evaluation::draw_free_form_scene(
       model, settings.camera, block.draws(ObjectBlock::Purpose::view, number));
   DepthFrame frame;

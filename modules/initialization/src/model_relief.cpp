@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <random>
+#include <utility>
 
-#include "flat_sides.hpp"
+#include "lockbox/core/function_ref.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/variable_range.hpp"
 #include "lockbox/rendering/body_item.hpp"
 #include "lockbox/rendering/depth_renderer.hpp"
+#include "model_sides.hpp"
 
 namespace lockbox {
 namespace {
@@ -20,12 +21,6 @@ constexpr double kCells = 36.0;       // across the diameter of the model at res
 constexpr int kSubsamples = 3;        // along each side of a cell
 constexpr int kJointDraws = 40;       // to see what joints may change
 constexpr double kDistance = 200.0;   // metres: so far away a pinhole sees parallel rays
-constexpr double kLeastShare = 0.25;  // of the largest side's area: worth a relief
-/// Shares of the square of the model's diameter, and of its surface, of which the smaller is the
-/// area of a flat side that can be told in a view: 4 cm by 5 cm of a metre. Doubled, narrow
-/// sides of large models are no longer matched; halved, the search takes longer for round ones.
-constexpr double kLeastOfSquare = 0.002;
-constexpr double kLeastOfSurface = 0.002;
 constexpr float kFlat = 0.004F;       // metres: heights that are one height
 constexpr float kHeightStep = 0.02F;  // metres: so exactly ranges of heights are told apart
 constexpr int kRing = 2;              // cells around the model where nothing is expected
@@ -198,15 +193,28 @@ ModelRelief make_relief(const KinematicTree& tree, int body, const Eigen::Vector
   return relief;
 }
 
-double surface_of(const KinematicTree& tree) {
-  return std::accumulate(
-      tree.bodies.begin(), tree.bodies.end(), 0.0,
-      [](double sum, const Body& body) { return sum + surface_area(body.mesh); });
-}
-
-double least_side(const KinematicTree& tree) {
-  return std::min(kLeastOfSquare * rest_bounds(tree, 0).diagonal().squaredNorm(),
-                  kLeastOfSurface * surface_of(tree));
+/// Of the model's large sides, the largest first.
+std::vector<ModelRelief> reliefs_of_sides(
+    const KinematicTree& tree,
+    FunctionRef<ModelRelief(int body, const Eigen::Vector3d& normal, double offset)> relief_of) {
+  std::vector<ModelRelief> reliefs;
+  for (const ModelSide& side : large_sides(tree)) {
+    reliefs.push_back(relief_of(side.body, side.flat.normal, side.flat.offset));
+  }
+  std::stable_sort(reliefs.begin(), reliefs.end(),
+                   [](const ModelRelief& a, const ModelRelief& b) { return a.area > b.area; });
+  // What others hide of a side is known now.
+  const std::vector<Eigen::Isometry3d> poses = joint_draws(tree, 0).front();
+  std::vector<Facing> facings;
+  for (const ModelRelief& relief : reliefs) {
+    const Eigen::Isometry3d& pose = poses[static_cast<std::size_t>(relief.body)];
+    facings.push_back({pose.linear() * relief.T_body_plane.linear().col(2), relief.area});
+  }
+  std::vector<ModelRelief> large;
+  for (std::size_t i = 0; i < reliefs.size(); ++i) {
+    if (is_large(facings[i], facings)) large.push_back(std::move(reliefs[i]));
+  }
+  return large;
 }
 
 bool same_view(const ModelRelief& a, const ModelRelief& b) {
@@ -223,18 +231,7 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
     stop_if(stop_request);
     return make_relief(tree, body, z, offset, executor);
   };
-  const double least = least_side(tree);
-  std::vector<ModelRelief> sides;
-  double largest = 0.0;
-  for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
-    for (const FlatSide& side :
-         flat_sides(tree.bodies[b].mesh, std::max(least, kLeastShare * largest))) {
-      sides.push_back(relief_of(static_cast<int>(b), side.normal, side.offset));
-      largest = std::max(largest, side.area);
-    }
-  }
-  std::stable_sort(sides.begin(), sides.end(),
-                   [](const ModelRelief& a, const ModelRelief& b) { return a.area > b.area; });
+  std::vector<ModelRelief> sides = reliefs_of_sides(tree, relief_of);
   std::vector<ModelRelief> reliefs;
   const auto add = [&](ModelRelief relief) {
     const bool known = std::any_of(reliefs.begin(), reliefs.end(), [&](const ModelRelief& other) {
@@ -242,10 +239,8 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
     });
     if (!known) reliefs.push_back(std::move(relief));
   };
-  for (const ModelRelief& side : sides) {
-    if (side.area >= kLeastShare * sides.front().area) add(side);
-  }
-  if (sides.empty()) {  // a rounded model still stands on something
+  for (ModelRelief& side : sides) add(std::move(side));
+  if (reliefs.empty()) {  // a rounded model still stands on something
     for (int axis = 0; axis < 6; ++axis) {
       const Eigen::Vector3d z = (axis < 3 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(axis % 3);
       add(relief_of(0, z, support(tree.bodies[0].mesh, z)));
@@ -260,15 +255,6 @@ std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor&
     add(relief_of(0, z, support(tree.bodies[0].mesh, z)));
   }
   return reliefs;
-}
-
-double flat_share(const KinematicTree& tree) {
-  const double least = least_side(tree);
-  double flat = 0.0;
-  for (const Body& body : tree.bodies) {
-    for (const FlatSide& side : flat_sides(body.mesh, least)) flat += side.area;
-  }
-  return flat / surface_of(tree);
 }
 
 }  // namespace lockbox

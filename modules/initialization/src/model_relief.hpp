@@ -38,13 +38,11 @@ struct ModelRelief {
   double area = 0.0;       ///< of the side, m^2
 };
 
-/// The reliefs of all sides that are large for the model: seen with the plane in the side itself,
-/// and with the plane under the model, where it may touch a table or a wall. They follow from the
-/// geometry alone; most significant first. Throws Stopped if that is requested.
+/// The reliefs of all sides that are large among those that face the same way: seen with the plane
+/// in the side itself, and with the plane under the model, where it may touch a table or a wall.
+/// They follow from the geometry alone; most significant first. Throws Stopped if that is
+/// requested.
 std::vector<ModelRelief> make_reliefs(const KinematicTree& tree, const Executor& executor,
                                       const StopRequest& stop_request);
-
-/// The share of the model's surface that its large flat sides make up.
-double flat_share(const KinematicTree& tree);
 
 }  // namespace lockbox

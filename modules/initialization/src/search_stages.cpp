@@ -8,6 +8,7 @@
 #include "levers.hpp"
 #include "lockbox/model/symmetry.hpp"
 #include "lockbox/model/variable_range.hpp"
+#include "model_sides.hpp"
 #include "search_workspace.hpp"
 
 namespace lockbox {
@@ -121,12 +122,20 @@ std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
                                           breadth.matches_each, options.stop_request)) {
       add_matched(static_cast<std::size_t>(relief.body), match.T_camera_body, found[pair]);
     }
-    for (Hypothesis& hypothesis : found[pair])
-      hypothesis.score = judge(hypothesis, 0.02, 1.0, breadth.is_close);
+    for (Hypothesis& hypothesis : found[pair]) judge_match(breadth.is_close, hypothesis);
   });
   std::vector<Hypothesis> all;
   for (auto& part : found) all.insert(all.end(), part.begin(), part.end());
   return best_apart(std::move(all), breadth.matched, levers);
+}
+
+/// By base and matched body alone; or with all others as they are held, if that says more: closed,
+/// a cabinet is more than one of its fronts.
+void Initializer::Workspace::judge_match(bool is_close, Hypothesis& hypothesis) {
+  hypothesis.score = judge(hypothesis, 0.02, 1.0, is_close);
+  if (hypothesis.configuration.q != held.q) return;
+  const Hypothesis whole{hypothesis.configuration, all_bodies};
+  hypothesis.score = std::max(hypothesis.score, judge(whole, 0.02, 1.0, is_close));
 }
 
 /// Base poses made exact as far as the known bodies tell, and a glance at the joints.

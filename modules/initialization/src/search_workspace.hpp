@@ -104,6 +104,7 @@ struct Initializer::Workspace {
   void align_coarsely(double spread, int iterations, Configuration& configuration,
                       bool hold_joints = false);
   void climb_far(Configuration& configuration);
+  void judge_match(bool is_close, Hypothesis& hypothesis);
   double judge(const Hypothesis& hypothesis, double slack, double tolerance, bool is_close);
   double judge_closely(const Configuration& configuration, double slack);
   static constexpr double kFineSlack = 0.003;  ///< metres that surfaces may be off at last

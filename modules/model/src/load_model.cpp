@@ -58,7 +58,7 @@ ArticulatedModel load_model(const std::filesystem::path& file, const LoadOptions
   model.parameters = read_model_parameters(std::filesystem::path(file).replace_extension(".yaml"),
                                            model.tree, options.on_warning);
   const auto cache = options.cache_directory.value_or(default_cache_folder());
-  const Executor executor;
+  const Executor executor(0, Priority::normal, options.stop_request);
   model.fields =
       model_fields(file, model.tree.bodies, model.parameters, cache, kMostFieldBytes, executor);
   for (std::size_t b = 0; b < model.fields.size(); ++b) {

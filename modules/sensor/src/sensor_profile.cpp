@@ -25,6 +25,10 @@ constexpr NumberRange kWindow{1.0, 31.0, "must be an odd number from 1 to 31 (pi
 constexpr NumberRange kImageSide{16.0, 8192.0, "must be a whole number from 16 to 8192 (pixels)"};
 constexpr NumberRange kFocalLength{1.0, 100000.0, "must be from 1 to 100000 (pixels)"};
 constexpr NumberRange kCentre{-8192.0, 16384.0, "must be from -8192 to 16384 (pixels)"};
+constexpr NumberRange kScale{0.5, 2.0, "must be a factor from 0.5 to 2"};
+constexpr NumberRange kOffset{-0.5, 0.5, "must be from -0.5 to 0.5 (metres)"};
+constexpr NumberRange kBend{-0.2, 0.2, "must be from -0.2 to 0.2 (1/metre)"};
+constexpr NumberRange kRadial{-0.5, 0.5, "must be from -0.5 to 0.5"};
 constexpr double kFarthest = 100.0;  // metres
 constexpr std::size_t kMostLikes = 4;
 
@@ -88,6 +92,23 @@ void read_noise(const std::string& file, const YAML::Node& node, SensorProfile& 
   require_positive(map, profile);
 }
 
+/// What is farther must stay farther, wherever the sensor measures.
+void read_correction(const std::string& file, const YAML::Node& node, SensorProfile& profile) {
+  const YamlMap map(file, node, {"scale", "offset", "quadratic", "radial"});
+  DepthCorrection correction;
+  map.read("scale", kScale, correction.scale);
+  map.read("offset", kOffset, correction.offset);
+  map.read("quadratic", kBend, correction.quadratic);
+  map.read("radial", kRadial, correction.radial);
+  const double least_slope =
+      correction.scale + 2.0 * std::min(correction.quadratic * profile.min_range,
+                                        correction.quadratic * profile.max_range);
+  if (!(least_slope > 0.0)) {
+    map.refuse("quadratic", "makes what is farther nearer within the range");
+  }
+  profile.depth_correction = correction;
+}
+
 void read_simulation(const std::string& file, const YAML::Node& node, SensorModel& sensor) {
   const YamlMap map(
       file, node,
@@ -126,8 +147,9 @@ void read_simulation(const std::string& file, const YAML::Node& node, SensorMode
 
 SensorProfile read_profile(const std::filesystem::path& path, std::size_t likes) {
   const std::string file = path.string();
-  const YamlMap map(file, load_yaml(path, "sensor profile"),
-                    {"description", "like", "camera", "range", "noise", "simulation"});
+  const YamlMap map(
+      file, load_yaml(path, "sensor profile"),
+      {"description", "like", "camera", "range", "noise", "depth_correction", "simulation"});
   SensorProfile profile;
   if (map.has("like")) {
     std::string other;
@@ -144,6 +166,7 @@ SensorProfile read_profile(const std::filesystem::path& path, std::size_t likes)
   map.read("description", profile.description);
   read_range(map, profile);
   if (map.has("noise")) read_noise(file, map.node("noise"), profile);
+  if (map.has("depth_correction")) read_correction(file, map.node("depth_correction"), profile);
   if (map.has("simulation") && !profile.simulated) profile.simulated.emplace();
   if (map.has("simulation")) read_simulation(file, map.node("simulation"), *profile.simulated);
   if (!profile.simulated) return profile;

@@ -30,8 +30,5 @@ const TiledCloud& Tracker::cloud() const {
 const TrackerOptions& Tracker::options() const {
   return loop_->options();
 }
-const CollisionTerm& Tracker::collision() const {
-  return loop_->collision();
-}
 
 }  // namespace lockbox

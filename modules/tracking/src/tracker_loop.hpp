@@ -29,7 +29,6 @@ class Tracker::Loop {
   const std::optional<SearchFailure>& search_failure() const;
   const TiledCloud& cloud() const { return cloud_; }
   const TrackerOptions& options() const { return options_; }
-  const CollisionTerm& collision() const { return registration_.collision(); }
 
  private:
   bool is_known() const;

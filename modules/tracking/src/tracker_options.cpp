@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "lockbox/sensor/sensor_profile.hpp"
+
 namespace lockbox {
 
 void assume_sensor(const SensorProfile& sensor, TrackerOptions& options) {

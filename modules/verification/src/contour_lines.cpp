@@ -22,8 +22,8 @@ float square(double value) {
 
 /// Adds the sights of a row's cells that end, in one direction. No branches: the loop runs over
 /// every cell of an image.
-void add_ends(const SceneCells& scene, std::span<const float> cells, int v, const Sight& sight,
-              ContourLines::Ends& ends) {
+void add_ends(const SceneCells& scene, std::span<const float> cells, double share, int v,
+              const Sight& sight, ContourLines::Ends& ends) {
   const int near_v = v + sight.near * sight.dv;
   const int far_v = v + sight.far * sight.dv;
   if (far_v < 0 || far_v >= scene.height()) return;
@@ -34,11 +34,10 @@ void add_ends(const SceneCells& scene, std::span<const float> cells, int v, cons
   const float* const near = cells.data() + scene.index(0, near_v) + sight.near * sight.du;
   const float* const far = cells.data() + scene.index(0, far_v) + reach;
   const auto ratio = static_cast<float>(sight.ratio());
-  const float of_noise =
-      square(evidence::kAgree * scene.noise()) * static_cast<float>(1.0 + sight.variances());
-  const float of_tolerance = square(evidence::kAgree * evidence::kModelTolerance);
-  const Eigen::Vector2f way =
-      Eigen::Vector2f(static_cast<float>(sight.du), static_cast<float>(sight.dv)).normalized();
+  const float of_noise = square(share * evidence::kAgree * scene.noise()) *
+                         static_cast<float>(1.0 + sight.variances());
+  const float of_tolerance = square(share * evidence::kAgree * evidence::kModelTolerance);
+  const Eigen::Vector2f way = sight.way();
   float* const count = ends.count.data();
   float* const sum_u = ends.u.data();
   float* const sum_v = ends.v.data();
@@ -58,21 +57,24 @@ void add_ends(const SceneCells& scene, std::span<const float> cells, int v, cons
 
 }  // namespace
 
-void ContourLines::find(const SceneCells& scene, std::span<const float> cells,
+void ContourLines::find(const SceneCells& scene, std::span<const float> cells, double share,
                         const Executor& executor) {
   raw_.resize(cells.size());
   directions_.resize(cells.size());
-  lines_.assign(cells.size(), -1);
-  lengths_.clear();
   ends_.resize(static_cast<std::size_t>(executor.threads()));
   const auto rows = static_cast<std::size_t>(scene.height());
   constexpr std::size_t kRows = 8;  // a chunk
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t v = begin; v < end; ++v) find_in_row(scene, cells, static_cast<int>(v));
+    for (std::size_t v = begin; v < end; ++v) find_in_row(scene, cells, share, static_cast<int>(v));
   });
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t v = begin; v < end; ++v) smooth_row(scene, static_cast<int>(v));
   });
+}
+
+void ContourLines::join_lines(const SceneCells& scene) {
+  lines_.assign(directions_.size(), -1);
+  lengths_.clear();
   // Where lines meet, directions are of neither.
   for (const float least : {kStraight, 0.0F}) {
     for (int v = 0; v < scene.height(); ++v) {
@@ -84,12 +86,13 @@ void ContourLines::find(const SceneCells& scene, std::span<const float> cells,
   }
 }
 
-void ContourLines::find_in_row(const SceneCells& scene, std::span<const float> cells, int v) {
+void ContourLines::find_in_row(const SceneCells& scene, std::span<const float> cells, double share,
+                               int v) {
   Ends& ends = ends_[Executor::worker()];
   for (auto* sums : {&ends.count, &ends.u, &ends.v}) {
     sums->assign(static_cast<std::size_t>(scene.width()), 0.0F);
   }
-  for (const Sight& sight : kSights) add_ends(scene, cells, v, sight, ends);
+  for (const Sight& sight : kSights) add_ends(scene, cells, share, v, sight, ends);
   constexpr float kLeastSum = 0.5F;  // less points nowhere: of a strip that ends on both sides
   for (int u = 0; u < scene.width(); ++u) {
     const auto column = static_cast<std::size_t>(u);

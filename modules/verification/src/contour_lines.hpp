@@ -25,14 +25,17 @@ class ContourLines {
   };
 
   /// Of cells of the scene's size, 1/metre, 0 in blank ones, at which what is beside them ends.
-  /// What deviates by no more than its noise and the model's tolerance is no contour.
-  void find(const SceneCells& scene, std::span<const float> cells, const Executor& executor);
+  /// What deviates by no more than this share of its noise and the model's tolerance is no contour.
+  void find(const SceneCells& scene, std::span<const float> cells, double share,
+            const Executor& executor);
+  /// Joins what was found to lines.
+  void join_lines(const SceneCells& scene);
 
   /// A vector towards what the cell's surface does not go on to; zero where it goes on, and
   /// where nothing is known.
   const Eigen::Vector2f& direction(std::size_t cell) const { return directions_[cell]; }
 
-  /// Of the line through a cell that has a direction.
+  /// Of the line through a cell that has a direction, once they are joined.
   int cells_of_line(std::size_t cell) const {
     return lengths_[static_cast<std::size_t>(lines_[cell])];
   }
@@ -42,7 +45,7 @@ class ContourLines {
               const Eigen::Vector2f& direction) const;
 
  private:
-  void find_in_row(const SceneCells& scene, std::span<const float> cells, int v);
+  void find_in_row(const SceneCells& scene, std::span<const float> cells, double share, int v);
   void smooth_row(const SceneCells& scene, int v);
   void join(const SceneCells& scene, int u, int v);
 

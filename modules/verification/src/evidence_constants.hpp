@@ -21,6 +21,10 @@ inline constexpr double kOutlinePixels = 1.0;
 /// Nats of a straight contour that was foretold: where it lies and how it is turned, each to three
 /// cells of 240, and what begins there. Doubled, boxes pass for the model with half its edges.
 inline constexpr double kLine = 10.0;
+/// Stretches of a line, each of which something else in the model's place would have to have, too:
+/// of 20 cells that are blurred over 5 (kBand). Doubled, lines of a model seen at a grazing angle,
+/// near one of which everything lies, tell twice as much.
+inline constexpr double kStretches = 5.0;
 /// Cells along a contour that make a line of it: fewer may be noise. Doubled, edges of 6 cm at 2 m
 /// tell half as much.
 inline constexpr double kLeastLine = 4.0;
@@ -30,6 +34,10 @@ inline constexpr double kAlike = 2.5;
 /// The share of contours of the model at which the scene goes on as if there were none: something
 /// in flush contact with it. Doubled, such a line costs 0.7 nats less.
 inline constexpr double kFlush = 0.02;
+/// The share of a contour's height at which the model bends, too: tolerances of both sides add to
+/// it, or take it away. Doubled, steps of the object that are a little higher than the model's, but
+/// not high enough there, speak against it.
+inline constexpr double kFaint = 0.5;
 /// The share of contours on the object's faces that its model lacks. Doubled, such a line costs 0.7
 /// nats less.
 inline constexpr double kUnmodelled = 0.02;

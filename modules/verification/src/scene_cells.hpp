@@ -3,6 +3,7 @@
 // is in a scene of surfaces that go on.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -20,6 +21,10 @@ struct Sight {
   int near;
   int far;
 
+  /// A unit vector from the third cell to these.
+  Eigen::Vector2f way() const {
+    return Eigen::Vector2f(static_cast<float>(du), static_cast<float>(dv)).normalized();
+  }
   constexpr double ratio() const { return static_cast<double>(near) / (far - near); }
   /// Of the third cell's inverse depth.
   constexpr double foretold(double at_near, double at_far) const {

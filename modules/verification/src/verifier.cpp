@@ -40,6 +40,12 @@ double worth(int cells) {
   return evidence::kLine * std::min(1.0, cells / (evidence::kLeastLine * kBand));
 }
 
+/// The share of a line's nats that is left, where a line that has nothing to do with the model
+/// would be matched by chance, stretch by stretch.
+double information(double chance) {
+  return std::min(1.0, -evidence::kStretches * std::log(chance) / evidence::kLine);
+}
+
 /// What lies on the scene's own surface errs, too.
 double of_misfit(double misfit) {
   constexpr double kUsual = 2.0;  // standard deviations
@@ -54,6 +60,7 @@ struct Verifier::Workspace {
   void draw(const Configuration& configuration);
   Evidence sum_up();
   void judge_row(int v);
+  double chance_of_a_line() const;
   void compare_row(int v);
   double shown(int u, int v) const { return static_cast<double>(cells[image.index(u, v)]); }
   int outline_reach(double inverse_depth) const;
@@ -71,6 +78,8 @@ struct Verifier::Workspace {
   std::vector<float> cells;  ///< what the model shows, 1/metre; 0: nothing
   ContourLines scene_lines;
   ContourLines model_lines;
+  ContourLines faint_lines;  ///< of the model, those that are hardly ones, too
+  double informing = 1.0;    ///< share of a line's nats that one of this model has
   std::vector<Eigen::Isometry3d> poses;
   std::vector<RenderItem> items;
   std::vector<Seen> seen;
@@ -89,7 +98,8 @@ void Verifier::look_at(const TiledCloud& cloud, double sensor_noise, const Execu
   if (!w.renderer || !(w.renderer->camera() == w.scene->camera())) {
     w.renderer = std::make_unique<DepthRenderer>(w.scene->camera(), executor);
   }
-  w.scene_lines.find(*w.scene, w.scene->cells(), executor);
+  w.scene_lines.find(*w.scene, w.scene->cells(), 1.0, executor);
+  w.scene_lines.join_lines(*w.scene);
 }
 
 Evidence Verifier::evidence(const Configuration& configuration) {
@@ -106,7 +116,9 @@ void Verifier::Workspace::draw(const Configuration& configuration) {
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     cells[cell] = image.id[cell] == kNothing ? 0.0F : 1.0F / image.depth[cell];
   }
-  model_lines.find(*scene, cells, executor);
+  model_lines.find(*scene, cells, 1.0, executor);
+  model_lines.join_lines(*scene);
+  faint_lines.find(*scene, cells, evidence::kFaint, executor);
 }
 
 Evidence Verifier::Workspace::sum_up() {
@@ -118,6 +130,7 @@ Evidence Verifier::Workspace::sum_up() {
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) judge_row(drawn.top + static_cast<int>(i));
   });
+  informing = information(chance_of_a_line());
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) compare_row(drawn.top + static_cast<int>(i));
   });
@@ -133,6 +146,26 @@ void Verifier::Workspace::judge_row(int v) {
     ++sum.cells;
     seen[image.index(u, v)] = judge(u, v, sum);
   }
+}
+
+/// The share of places and directions, on what is seen of the object, at which the model has a
+/// line.
+double Verifier::Workspace::chance_of_a_line() const {
+  constexpr int kApart = 2;  // cells: lines are wider
+  // As if one had been seen, and one not: few cells know no chance of 0 or 1 (Laplace).
+  std::size_t matched = 1;
+  std::size_t all = 2;
+  const ImageWindow& drawn = image.drawn;
+  for (int v = drawn.top; v < drawn.top + drawn.height; v += kApart) {
+    for (int u = drawn.left; u < drawn.right(); u += kApart) {
+      if (seen[image.index(u, v)] != Seen::explained) continue;
+      const int reach = outline_reach(shown(u, v));
+      all += kSights.size();
+      for (const Sight& sight : kSights)
+        matched += model_lines.passes(*scene, u, v, reach, sight.way());
+    }
+  }
+  return static_cast<double>(matched) / static_cast<double>(all);
 }
 
 void Verifier::Workspace::compare_row(int v) {
@@ -182,8 +215,8 @@ bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direc
   return true;
 }
 
-/// Each line of the scene tells for the model in so far as the model has it, too; and each line of
-/// the model against it in so far as the scene goes on there.
+/// Each line of the scene tells for the model in so far as the model has it, too, and by chance
+/// would not; and each line of the model against it in so far as the scene goes on there.
 void Verifier::Workspace::compare_lines(int u, int v, Evidence& sum) const {
   const std::size_t cell = image.index(u, v);
   if (seen[cell] != Seen::explained) return;
@@ -194,8 +227,8 @@ void Verifier::Workspace::compare_lines(int u, int v, Evidence& sum) const {
     const int length = scene_lines.cells_of_line(cell);
     const double share = worth(length) / length;
     if (model_lines.passes(*scene, u, v, reach, of_scene)) {
-      sum.matched += share;
-    } else if (is_in_sight(u, v, of_scene)) {
+      sum.matched += informing * share;
+    } else if (is_in_sight(u, v, of_scene) && !faint_lines.passes(*scene, u, v, reach, of_scene)) {
       sum.contradicted += std::log(evidence::kUnmodelled) / evidence::kLine * share;
     }
   }

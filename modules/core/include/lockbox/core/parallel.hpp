@@ -27,8 +27,10 @@ struct Loop {
 class Executor {
  public:
   /// threads: how many work at the same time, the caller included; 0 means all cores. priority: of
-  /// the workers; that of the caller is its own.
-  explicit Executor(int threads = 0, Priority priority = Priority::normal);
+  /// the workers; that of the caller is its own. stop_request: loops are stopped when it asks for
+  /// that, too.
+  explicit Executor(int threads = 0, Priority priority = Priority::normal,
+                    StopRequest stop_request = nullptr);
 
   int threads() const;
 

@@ -7,15 +7,15 @@
 
 namespace lockbox {
 
-/// What work throws that was stopped, and loops of an Executor.
+/// Whether work under way is to stop. It is asked a thousand times a second, by several threads at
+/// once. Empty: never.
+using StopRequest = std::function<bool()>;
+
+/// What work throws that was stopped.
 class Stopped : public std::exception {
  public:
   const char* what() const noexcept override { return "stopped"; }
 };
-
-/// Whether work under way is to stop. It is asked a thousand times a second, by several threads at
-/// once. Empty: never.
-using StopRequest = std::function<bool()>;
 
 /// Throws Stopped if it is.
 inline void stop_if(const StopRequest& requested) {

@@ -47,7 +47,7 @@ struct ForeignSettings {
   int frames = 1;         ///< of the object, which stands still
   /// Made if needed; model.urdf, truth.csv, scene.yaml and deviation.yaml are written there.
   std::filesystem::path folder;
-  StopRequest stop_request = nullptr;  ///< of searches, and of what comes between them
+  StopRequest stop_request = nullptr;  ///< of loading and of searches
 };
 
 /// Draws the object and its view, simulates that, and lets the tracker make of it what it can,

@@ -33,7 +33,7 @@ struct ShapeSettings {
   SensorModel sensor;
   std::uint64_t seed = 1;              ///< of the sensor's noise
   std::filesystem::path folder;        ///< made if needed; the object's files are written there
-  StopRequest stop_request = nullptr;  ///< of the search
+  StopRequest stop_request = nullptr;  ///< of loading and of the search
 };
 
 /// Draws the object and its scene, simulates it, and searches it as the tracker does with a first

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lockbox/core/stop_request.hpp"
 #include "lockbox/model/configuration.hpp"
 #include "lockbox/model/kinematic_tree.hpp"
 #include "lockbox/sdf/signed_distance_field.hpp"
@@ -34,6 +35,7 @@ struct LoadOptions {
   double mesh_scale = 1.0;
   std::optional<std::filesystem::path> cache_directory;  ///< default: XDG cache; empty: no cache
   std::function<void(const std::string&)> on_warning;
+  StopRequest stop_request;  ///< Stopped is thrown then; nothing of the model is left but its cache
 };
 
 struct ArticulatedModel {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lockbox/sensor/depth_correction.hpp"
 #include "lockbox/sensor/sensor_model.hpp"
 #include "lockbox/sensor/sensor_noise.hpp"
 
@@ -19,6 +20,8 @@ struct SensorProfile {
   SensorNoise noise;       ///< what an estimate from its images assumes
   double min_range = 0.2;  ///< metres; what is measured nearer or farther is no measurement
   double max_range = 5.0;
+  /// What turns measured depths into those that are there; none if they are believed.
+  std::optional<DepthCorrection> depth_correction;
   /// How the simulator makes its images, with the ranges above; none if the file does not say.
   std::optional<SensorModel> simulated;
 };

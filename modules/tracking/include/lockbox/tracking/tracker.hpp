@@ -17,7 +17,6 @@
 namespace lockbox {
 
 struct ArticulatedModel;
-class CollisionTerm;
 struct SearchFailure;
 class TiledCloud;
 
@@ -65,7 +64,6 @@ class Tracker {
 
   const TiledCloud& cloud() const;  ///< of the frame that was processed last
   const TrackerOptions& options() const;
-  const CollisionTerm& collision() const;
 
  private:
   class Loop;

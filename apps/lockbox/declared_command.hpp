@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/App.hpp>
+#include <memory>
+
+#include "commands.hpp"
+
+namespace lockbox::app {
+
+/// A command with its options, before the command line is read.
+struct DeclaredCommand {
+  std::unique_ptr<Command> command;
+  std::unique_ptr<CLI::App> options;  ///< they write into the command's members
+};
+
+DeclaredCommand declare(const CommandEntry& entry);
+
+}  // namespace lockbox::app
