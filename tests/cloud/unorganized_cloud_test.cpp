@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "flat_frame.hpp"
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "points_of_tiles.hpp"
 
@@ -24,7 +25,7 @@ class UnorganizedCloudTest : public ::testing::Test {
     points[10].x() = std::numeric_limits<float>::quiet_NaN();
     points[11].z() = -1.0F;
     cloud.assign(flat_frame(1000), {}, Executor(1));  // what was there before must not matter
-    cloud.assign_unorganized(points, kCamera);
+    cloud.assign_unorganized(points, kSmallCamera);
   }
 
   std::vector<Eigen::Vector3f> points;
@@ -56,7 +57,7 @@ TEST_F(UnorganizedCloudTest, TilesAreFullAndCompact) {
 }
 
 TEST_F(UnorganizedCloudTest, NoPointsGiveNoTiles) {
-  cloud.assign_unorganized({}, kCamera);
+  cloud.assign_unorganized({}, kSmallCamera);
   EXPECT_TRUE(cloud.blocks().tiles().empty());
   EXPECT_EQ(cloud.blocks().valid_points(), 0U);
 }
