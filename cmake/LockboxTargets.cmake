@@ -38,15 +38,27 @@ set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${library_folder})
 # (lockbox/core/component.hpp).
 set(LOCKBOX_COMPONENTS ${CMAKE_INSTALL_LIBDIR}/lockbox)
 
-# lockbox_add_module(<name> SOURCES ... [PUBLIC targets...] [PRIVATE targets...])
-# makes the library lockbox::<name> from src/ and include/lockbox/<name>/.
+# lockbox_add_module(<name> [PUBLIC_HEADERS ...] [INTERNAL_HEADERS_FOR modules...] SOURCES ...
+#                    [PUBLIC targets...] [PRIVATE targets...])
+# makes the library lockbox::<name> from src/. Its headers are of three kinds:
+#   include/lockbox/<name>/   for users; named after PUBLIC_HEADERS, and installed
+#   internal/lockbox/<name>/  for the modules named after INTERNAL_HEADERS_FOR, which are added
+#                             later, for programs and for tests (lockbox_see_internals)
+#   src/                      for the module itself
 function(lockbox_add_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "PUBLIC_HEADERS;INTERNAL_HEADERS_FOR;SOURCES;PUBLIC;PRIVATE"
+                        ${ARGN})
   set(target lockbox_${name})
   add_library(${target} ${ARG_SOURCES})
   add_library(lockbox::${name} ALIAS ${target})
-  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/include/*.hpp)
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
+  list(TRANSFORM ARG_PUBLIC_HEADERS PREPEND include/lockbox/${name}/)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${ARG_PUBLIC_HEADERS})
+  set(internal ${CMAKE_CURRENT_SOURCE_DIR}/internal)
+  get_property(internals_of_others GLOBAL PROPERTY lockbox_internals_for_${name})
+  target_include_directories(${target} PRIVATE ${internal} ${internals_of_others})
+  foreach(user IN LISTS ARG_INTERNAL_HEADERS_FOR ITEMS any_program)
+    set_property(GLOBAL APPEND PROPERTY lockbox_internals_for_${user} ${internal})
+  endforeach()
   target_compile_features(${target} PUBLIC cxx_std_20)
   # Nobody replaces functions of a module by their own: calls within it may be inlined.
   target_compile_options(${target} PRIVATE -fno-semantic-interposition)
@@ -62,6 +74,13 @@ function(lockbox_add_module name)
           ARCHIVE COMPONENT development FILE_SET HEADERS COMPONENT development)
 endfunction()
 
+# lockbox_see_internals(<target>) lets a program of this project include internal headers of all
+# modules. What it does not link is still not there.
+function(lockbox_see_internals target)
+  get_property(internals GLOBAL PROPERTY lockbox_internals_for_any_program)
+  target_include_directories(${target} PRIVATE ${internals})
+endfunction()
+
 # lockbox_add_test(<name> SOURCES ... [LIBRARIES targets...] [DEFINITIONS ...] [PROPERTIES ...])
 # makes one GoogleTest program and registers each of its tests with CTest.
 function(lockbox_add_test name)
@@ -70,6 +89,7 @@ function(lockbox_add_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest GTest::gmock
                                         GTest::gtest_main lockbox_options)
   target_compile_definitions(${name} PRIVATE ${ARG_DEFINITIONS})
+  lockbox_see_internals(${name})
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
                        PROPERTIES TIMEOUT ${LOCKBOX_TEST_TIMEOUT} ${ARG_PROPERTIES})
 endfunction()

@@ -11,7 +11,7 @@
 #include <exception>
 #include <iostream>
 
-#include "lockbox/registration/articulated_sdf_registration.hpp"
+#include "lockbox/pcl/articulated_sdf_registration.hpp"
 
 int main(int argc, char** argv) try {
   using Point = pcl::PointNormal;

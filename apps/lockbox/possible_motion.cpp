@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "possible_motion.hpp"
 
-#include "lockbox/registration/collision_term.hpp"
+#include "lockbox/terms/collision_term.hpp"
 
 namespace lockbox::app {
 
 std::vector<State> possible_motion(const ArticulatedModel& model, TrajectoryOptions options) {
-  CollisionTerm collision(model, RegistrationOptions{});
+  CollisionTerm collision(model, CollisionOptions{});
   BodyPoses poses;
   options.is_possible = [&](const Configuration& configuration) {
     forward_kinematics(model.tree, configuration, poses);

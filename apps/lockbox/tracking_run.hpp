@@ -3,6 +3,7 @@
 
 #include "command.hpp"
 #include "lockbox/capture/frame_source.hpp"
+#include "lockbox/model/articulated_model.hpp"
 #include "lockbox/publishing/publisher.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "run_description.hpp"

@@ -2,8 +2,8 @@
 // What the likelihood of the image costs: the last step of a registration of the shipped lockbox,
 // and the search for one joint of low relief.
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/registration/edge_term.hpp"
-#include "lockbox/registration/low_relief.hpp"
+#include "lockbox/terms/edge_term.hpp"
+#include "lockbox/terms/low_relief.hpp"
 #include "registration_scene.hpp"
 
 namespace lockbox {

@@ -7,7 +7,7 @@
 #include "bare_sums.hpp"
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/registration/rigid_motion.hpp"
+#include "lockbox/sdf/rigid_motion.hpp"
 
 namespace lockbox {
 namespace {

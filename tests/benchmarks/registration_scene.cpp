@@ -8,6 +8,7 @@
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "lockbox/simulation/trajectory.hpp"
+#include "lockbox/terms/collision_term.hpp"
 
 namespace lockbox {
 namespace {

@@ -8,25 +8,13 @@
 #include <random>
 #include <vector>
 
+#include "flat_frame.hpp"
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/core/error.hpp"
+#include "points_of_tiles.hpp"
 
 namespace lockbox {
 namespace {
-
-const PinholeCamera kCamera{100, 70, 80.0, 90.0, 49.0, 34.5};
-
-std::size_t pixel_at(int u, int v) {
-  return static_cast<std::size_t>(v) * static_cast<std::size_t>(kCamera.width) +
-         static_cast<std::size_t>(u);
-}
-
-DepthFrame flat_frame(std::uint16_t millimetres) {
-  DepthFrame frame;
-  frame.camera = kCamera;
-  frame.depth.assign(pixel_at(0, kCamera.height), millimetres);
-  return frame;
-}
 
 DepthFrame random_frame() {
   DepthFrame frame = flat_frame(0);
@@ -53,16 +41,6 @@ std::size_t count(const TiledCloud& cloud) {
   return points_of(cloud).valid_points();
 }
 
-/// Calls visit(index) for all valid points.
-template <typename Visit>
-void for_each_point(const PointTiles& points, const Visit& visit) {
-  for (const Tile& tile : points.tiles()) {
-    for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-      visit(i);
-    }
-  }
-}
-
 TEST(ImagePoints, AreTheMeasurementsEachOnce) {
   const DepthFrame frame = random_frame();
   const ImagePoints points = points_of(converted(frame, {.flying_pixel_jump = 0.0}));
@@ -71,7 +49,7 @@ TEST(ImagePoints, AreTheMeasurementsEachOnce) {
     const auto pixel = points.pixel()[i];
     ++seen[pixel];
     const auto expected =
-        kCamera.back_project(pixel % 100, pixel / 100, 0.001 * frame.depth[pixel]);
+        kSmallCamera.back_project(pixel % 100, pixel / 100, 0.001 * frame.depth[pixel]);
     EXPECT_NEAR(points.x()[i], expected.x(), 1e-6);
     EXPECT_NEAR(points.y()[i], expected.y(), 1e-6);
     EXPECT_NEAR(points.z()[i], expected.z(), 1e-6);
@@ -116,13 +94,13 @@ TEST(TiledCloud, DropsWhatIsOutOfRange) {
 // Rows: 1 m | 1.2 | 1.4 m; the pixels at 1.2 m hang between the two surfaces.
 TEST(TiledCloud, RemovesPixelsThatHangBetweenSurfaces) {
   DepthFrame frame = flat_frame(1000);
-  for (int v = 0; v < kCamera.height; ++v) {
-    for (int u = 50; u < kCamera.width; ++u) {
+  for (int v = 0; v < kSmallCamera.height; ++v) {
+    for (int u = 50; u < kSmallCamera.width; ++u) {
       frame.depth[pixel_at(u, v)] = u == 50 ? 1200 : 1400;
     }
   }
   const TiledCloud cloud = converted(frame);
-  for (int v = 0; v < kCamera.height; ++v) {
+  for (int v = 0; v < kSmallCamera.height; ++v) {
     EXPECT_NEAR(cloud.depth()[pixel_at(49, v)], 1.0F, 1e-6F);
     EXPECT_EQ(cloud.depth()[pixel_at(50, v)], 0.0F);
     EXPECT_NEAR(cloud.depth()[pixel_at(51, v)], 1.4F, 1e-6F);
@@ -141,8 +119,8 @@ TEST(TiledCloud, FiltersTheMirroredImageAlike) {
   const DepthFrame frame = random_frame();
   DepthFrame mirrored = frame;
   DepthFrame flipped = frame;
-  for (int v = 0; v < kCamera.height; ++v) {
-    for (int u = 0; u < kCamera.width; ++u) {
+  for (int v = 0; v < kSmallCamera.height; ++v) {
+    for (int u = 0; u < kSmallCamera.width; ++u) {
       mirrored.depth[pixel_at(99 - u, v)] = frame.depth[pixel_at(u, v)];
       flipped.depth[pixel_at(u, 69 - v)] = frame.depth[pixel_at(u, v)];
     }
@@ -153,8 +131,8 @@ TEST(TiledCloud, FiltersTheMirroredImageAlike) {
   const auto unmeasured = static_cast<std::size_t>(
       std::count(frame.depth.begin(), frame.depth.end(), std::uint16_t{0}));
   EXPECT_LT(count(cloud), frame.depth.size() - unmeasured);  // there is what to filter
-  for (int v = 0; v < kCamera.height; ++v) {
-    for (int u = 0; u < kCamera.width; ++u) {
+  for (int v = 0; v < kSmallCamera.height; ++v) {
+    for (int u = 0; u < kSmallCamera.width; ++u) {
       EXPECT_EQ(of_mirrored.depth()[pixel_at(99 - u, v)], cloud.depth()[pixel_at(u, v)]);
       EXPECT_EQ(of_flipped.depth()[pixel_at(u, 69 - v)], cloud.depth()[pixel_at(u, v)]);
     }
@@ -249,59 +227,11 @@ TEST(TiledCloud, DepthsInMetresGiveTheSameCloudAsTheFrame) {
   }
   const TiledCloud expected = converted(frame);
   TiledCloud cloud;
-  cloud.assign(kCamera, metres, {}, Executor(2));
+  cloud.assign(kSmallCamera, metres, {}, Executor(2));
   EXPECT_TRUE(cloud.has_image());
   EXPECT_EQ(cloud.depth(), expected.depth());
   metres.pop_back();
-  EXPECT_THROW(cloud.assign(kCamera, metres, {}, Executor(2)), InputError);
-}
-
-class UnorganizedCloudTest : public ::testing::Test {
- protected:
-  UnorganizedCloudTest() {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<float> coordinate(0.5F, 1.5F);
-    for (int i = 0; i < 5000; ++i) {
-      points.emplace_back(coordinate(random), coordinate(random), coordinate(random));
-    }
-    points[10].x() = std::numeric_limits<float>::quiet_NaN();
-    points[11].z() = -1.0F;
-    cloud.assign(flat_frame(1000), {}, Executor(1));  // what was there before must not matter
-    cloud.assign_unorganized(points, kCamera);
-  }
-
-  std::vector<Eigen::Vector3f> points;
-  TiledCloud cloud;
-};
-
-TEST_F(UnorganizedCloudTest, HoldsEachPointInFrontOnceAndNoImage) {
-  EXPECT_FALSE(cloud.has_image());
-  std::vector<int> seen(points.size(), 0);
-  for_each_point(cloud.blocks(), [&](std::size_t i) {
-    const auto point = cloud.blocks().pixel()[i];
-    ++seen[point];
-    EXPECT_EQ(Eigen::Vector3f(cloud.blocks().x()[i], cloud.blocks().y()[i], cloud.blocks().z()[i]),
-              points[point]);
-  });
-  EXPECT_EQ(seen[10], 0);
-  EXPECT_EQ(seen[11], 0);
-  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 4998);
-}
-
-TEST_F(UnorganizedCloudTest, TilesAreFullAndCompact) {
-  ASSERT_EQ(cloud.blocks().tiles().size(), 20U);  // 4998 / 256, rounded up
-  float volume = 0.0F;
-  for (const Tile& tile : cloud.blocks().tiles()) {
-    EXPECT_TRUE(tile.count == kTilePoints || &tile == &cloud.blocks().tiles().back());
-    volume += tile.bounds.volume();
-  }
-  EXPECT_LT(volume, 1.0F);  // of the cube: blocks that do not overlap
-}
-
-TEST_F(UnorganizedCloudTest, NoPointsGiveNoTiles) {
-  cloud.assign_unorganized({}, kCamera);
-  EXPECT_TRUE(cloud.blocks().tiles().empty());
-  EXPECT_EQ(cloud.blocks().valid_points(), 0U);
+  EXPECT_THROW(cloud.assign(kSmallCamera, metres, {}, Executor(2)), InputError);
 }
 
 }  // namespace

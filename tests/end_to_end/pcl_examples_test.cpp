@@ -12,7 +12,8 @@
 
 #include "lockbox/capture/pcd_folder.hpp"
 #include "lockbox/core/lie.hpp"
-#include "lockbox/registration/articulated_sdf_registration.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/pcl/articulated_sdf_registration.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "temporary_folder.hpp"
 

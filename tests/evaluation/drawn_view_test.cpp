@@ -5,8 +5,8 @@
 
 #include <set>
 
-#include "lockbox/registration/collision_term.hpp"
 #include "lockbox/simulation/model_visibility.hpp"
+#include "lockbox/terms/collision_term.hpp"
 #include "temporary_folder.hpp"
 
 namespace lockbox {
@@ -25,7 +25,7 @@ ArticulatedModel loaded(const ObjectDraft& draft) {
 double penetration(const ArticulatedModel& model, const Configuration& configuration) {
   std::vector<Eigen::Isometry3d> poses;
   forward_kinematics(model.tree, configuration, poses);
-  return CollisionTerm(model, RegistrationOptions{}).evaluate(model, poses, nullptr);
+  return CollisionTerm(model, CollisionOptions{}).evaluate(model, poses, nullptr);
 }
 
 void expect_sound(DrawnKind kind, const ArticulatedModel& model, const DrawnView& view) {
@@ -36,7 +36,7 @@ void expect_sound(DrawnKind kind, const ArticulatedModel& model, const DrawnView
     EXPECT_LE(truth.q[v], limits.upper);
   }
   EXPECT_EQ(penetration(model, truth), 0.0);
-  const CollisionTerm collision(model, RegistrationOptions{});
+  const CollisionTerm collision(model, CollisionOptions{});
   constexpr double kFieldError = 0.0003;  // metres: of bodies that touch
   for (const CollisionPair& pair : collision.pairs()) EXPECT_LT(pair.rest_overlap, kFieldError);
   const PlacedScene scene(view.scene, {view.truth});

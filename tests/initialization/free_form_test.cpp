@@ -5,6 +5,7 @@
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/equal_poses.hpp"
 #include "lockbox/evaluation/free_form_object.hpp"
+#include "lockbox/initialization/initializer.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "seen_model.hpp"

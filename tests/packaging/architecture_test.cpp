@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares every #include under modules/ and apps/ with the tables of docs/architecture.md, and
-// finds tests that would write where another test does.
+// Compares every #include under modules/ and apps/ with the tables of docs/architecture.md, public
+// headers with the lists in CMakeLists.txt, and finds tests that would write where another does.
 #include <gmock/gmock.h>
 
 #include <algorithm>

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "initialization/seen_model.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/tracking/judgement.hpp"
 #include "lockbox/tracking/tracker.hpp"
 
 namespace lockbox {

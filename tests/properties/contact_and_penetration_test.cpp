@@ -10,8 +10,8 @@
 #include <random>
 
 #include "initialization/seen_model.hpp"
-#include "lockbox/registration/collision_term.hpp"
 #include "lockbox/sdf/field_cache.hpp"
+#include "lockbox/terms/collision_term.hpp"
 #include "overlaps.hpp"
 
 namespace lockbox {
@@ -74,7 +74,7 @@ class Contact : public ::testing::TestWithParam<Offer> {};
 
 TEST_P(Contact, CostsNothingInAThousandRandomConfigurations) {
   const ArticulatedModel model = with_voxel(GetParam().model, GetParam().voxel);
-  CollisionTerm term(model, RegistrationOptions{});
+  CollisionTerm term(model, CollisionOptions{});
   const Overlaps overlaps(model);
   std::mt19937 random(11);
   for (int trial = 0; trial < 1000; ++trial) {
@@ -119,7 +119,7 @@ class Penetration : public ::testing::TestWithParam<Offer> {
  protected:
   ArticulatedModel model_ = with_voxel(GetParam().model, GetParam().voxel);
   const KinematicTree tree_ = model_.tree;
-  CollisionTerm term_{model_, RegistrationOptions{}};
+  CollisionTerm term_{model_, CollisionOptions{}};
   const Overlaps overlaps_{model_};
 
   /// Pushes a pair's bodies into each other by moving joint j; false if they miss each other.

@@ -6,6 +6,7 @@
 #include "initialization/seen_model.hpp"
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/mesh/primitives.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "registration/mechanism.hpp"

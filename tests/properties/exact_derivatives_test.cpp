@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Property "exact derivatives": every term's gradient against central differences of its cost under
-// one frozen selection, for every joint type, in chains of three, with a mimic joint.
+// Property "exact derivatives": the gradient of every term of the image against central differences
+// of its cost under one frozen selection, for every joint type, in chains of three, with a mimic
+// joint.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -8,16 +9,14 @@
 #include "initialization/seen_model.hpp"
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/model/surface_levers.hpp"
-#include "lockbox/registration/collision_term.hpp"
-#include "lockbox/registration/continued_edges.hpp"
-#include "lockbox/registration/edge_tile.hpp"
-#include "lockbox/registration/free_space_term.hpp"
-#include "lockbox/registration/model_term.hpp"
-#include "lockbox/registration/sampling_plan.hpp"
-#include "lockbox/registration/view_samples.hpp"
-#include "lockbox/registration/visible_surface.hpp"
 #include "lockbox/rendering/body_item.hpp"
-#include "overlaps.hpp"
+#include "lockbox/terms/edge_tile.hpp"
+#include "lockbox/terms/free_space_term.hpp"
+#include "lockbox/terms/model_term.hpp"
+#include "lockbox/view/continued_edges.hpp"
+#include "lockbox/view/sampling_plan.hpp"
+#include "lockbox/view/view_samples.hpp"
+#include "lockbox/view/visible_surface.hpp"
 #include "registration/mechanism.hpp"
 
 namespace lockbox {
@@ -77,7 +76,7 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
   const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
   ImagePoints points;
   points.assign(cloud, executor);
-  const RegistrationOptions options;
+  const TermOptions options;
   VisibleSurface surface;
   PixelPrediction predicted;
   for (const double spread : {0.0, 0.01}) {
@@ -103,7 +102,7 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
 
 TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
-  const RegistrationOptions options;
+  const TermOptions options;
   const Configuration at = displaced(1.5);
   VisibleSurface surface;
   surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
@@ -224,78 +223,6 @@ TEST_F(ExactDerivatives, ExpectedImageAgreesWithNumericalDifferentiation) {
     EXPECT_NEAR(numeric.dot(analytic) / analytic.squaredNorm(), 1.0, 0.05) << "unknown " << i;
     EXPECT_LT((numeric - analytic).norm(), 0.25 * analytic.norm()) << "unknown " << i;
   }
-}
-
-/// A chain of three, each link beside a post of the base: a slide, a hinge on it, a wheel without
-/// limits on the hinge; and a second slide that mimics the first one. All of them can run into
-/// their posts, at an angle.
-std::vector<std::string> colliding_elements() {
-  const auto box = [](const std::string& at, const std::string& size) {
-    return "<visual><origin " + at + "/><geometry><box size=\"" + size + "\"/></geometry></visual>";
-  };
-  return {"<link name=\"base\">" + box("xyz=\"0 0 0\"", "0.5 0.4 0.02") +
-              box("xyz=\"0.06 0 0.04\" rpy=\"0 0 0.2\"", "0.02 0.06 0.06") +
-              box("xyz=\"0.02 0.06 0.09\" rpy=\"0.1 0 0.3\"", "0.03 0.02 0.16") +
-              box("xyz=\"0.05 -0.11 0.04\" rpy=\"0 0.1 -0.2\"", "0.02 0.06 0.06") + "</link>",
-          "<link name=\"block\">" + box("xyz=\"0 0 0\"", "0.06 0.05 0.04") + "</link>",
-          "<link name=\"arm\">" + box("xyz=\"0.05 0 0\"", "0.14 0.03 0.03") + "</link>",
-          "<link name=\"wheel\">" + box("xyz=\"0 0 0\"", "0.12 0.02 0.02") + "</link>",
-          "<link name=\"twin\">" + box("xyz=\"0 0 0\"", "0.06 0.05 0.04") + "</link>",
-          R"(<joint name="slide" type="prismatic"><parent link="base"/><child link="block"/>
-         <origin xyz="0 0 0.04"/><axis xyz="1 0 0"/>
-         <limit lower="-0.1" upper="0.1" effort="1" velocity="1"/></joint>)",
-          R"(<joint name="turn" type="revolute"><parent link="block"/><child link="arm"/>
-         <origin xyz="0 0 0.05"/><axis xyz="0 0.1 1"/>
-         <limit lower="-2" upper="2" effort="1" velocity="1"/></joint>)",
-          R"(<joint name="spin" type="continuous"><parent link="arm"/><child link="wheel"/>
-         <origin xyz="0.03 0 0.04"/><axis xyz="0.1 0 1"/></joint>)",
-          R"(<joint name="follow" type="prismatic"><parent link="base"/><child link="twin"/>
-         <origin xyz="-0.01 -0.11 0.04"/><axis xyz="1 0 0"/>
-         <limit lower="-0.2" upper="0.2" effort="1" velocity="1"/>
-         <mimic joint="slide" multiplier="0.9" offset="0.002"/></joint>)"};
-}
-
-TEST(ExactCollisionDerivatives, EveryKindOfJointAgreesWithNumericalDifferentiation) {
-  const ArticulatedModel model = load_mechanism(colliding_elements(), with_cache());
-  RegistrationOptions options;
-  options.collision = CollisionMode::literal;
-  CollisionTerm term(model, options);
-  Configuration at = rest_configuration(model.tree);
-  const auto cost = [&](const Configuration& x, NormalEquations* equations) {
-    return term.evaluate(model, poses_of(model, x), equations);
-  };
-  const Eigen::Index unknowns = 6 + model.tree.variables();
-  Eigen::VectorXi pushed = Eigen::VectorXi::Zero(unknowns);
-  // Deeper than half a post another surface is the nearest one, which no derivative foresees.
-  constexpr double kDeepest = 0.006;
-  const Overlaps overlaps(model);
-  std::mt19937 random(4);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  for (int trial = 0; trial < 40; ++trial) {
-    do {
-      at.q = Eigen::Vector3d(0.01 + 0.01 * uniform(random), 0.8 * uniform(random),
-                             1.5 * uniform(random));
-    } while (cost(at, nullptr) == 0.0 || overlaps.deepest(poses_of(model, at)) > kDeepest);
-    NormalEquations equations;
-    equations.set_zero(unknowns);
-    const double here = cost(at, &equations);
-    EXPECT_NEAR(cost(at, nullptr), here, 1e-12 * std::max(1.0, here));
-    EXPECT_EQ(equations.gradient.head<6>(), Eigen::VectorXd::Zero(6))
-        << "the base carries all bodies";
-    for (Eigen::Index i = 6; i < unknowns; ++i) {
-      constexpr double kStep = 2e-6;
-      const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(unknowns, i);
-      const double forward = (cost(stepped(at, step), nullptr) - here) / kStep;
-      const double backward = (here - cost(stepped(at, -step), nullptr)) / kStep;
-      // Where the selection changes on one side, the other one tells.
-      const double off = std::min(std::abs(equations.gradient[i] - forward),
-                                  std::abs(equations.gradient[i] - backward));
-      EXPECT_LT(off, 0.03 * equations.gradient.tail(unknowns - 6).norm() + 1e-6)
-          << "unknown " << i << " at " << at.q.transpose();
-      pushed[i] += equations.gradient[i] != 0.0 ? 1 : 0;
-    }
-  }
-  EXPECT_GE(pushed.tail(unknowns - 6).minCoeff(), 5) << "every joint met something";
 }
 
 }  // namespace

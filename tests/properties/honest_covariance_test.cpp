@@ -8,6 +8,8 @@
 #include <random>
 
 #include "initialization/seen_model.hpp"
+#include "lockbox/core/lie.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "registration/mechanism.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "initialization/seen_model.hpp"
+#include "lockbox/core/lie.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/simulation/deviating_model.hpp"
 #include "lockbox/simulation/simulator.hpp"

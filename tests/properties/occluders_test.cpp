@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "initialization/seen_model.hpp"
+#include "lockbox/core/lie.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 

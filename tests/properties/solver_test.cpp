@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "initialization/seen_model.hpp"
-#include "lockbox/registration/bounded_step.hpp"
 #include "lockbox/simulation/trajectory.hpp"
+#include "lockbox/solver/bounded_step.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "registration/mechanism.hpp"
 

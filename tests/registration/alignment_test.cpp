@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "lockbox/core/lie.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "mechanism.hpp"
 

@@ -5,8 +5,10 @@
 
 #include <string>
 
+#include "lockbox/core/lie.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/solver/normal_equations.hpp"
 #include "mechanism.hpp"
 #include "temporary_folder.hpp"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lockbox/core/lie.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "mechanism.hpp"
 

@@ -11,8 +11,8 @@
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
-#include "lockbox/registration/continued_edges.hpp"
 #include "lockbox/simulation/trajectory.hpp"
+#include "lockbox/view/continued_edges.hpp"
 
 namespace lockbox {
 namespace {

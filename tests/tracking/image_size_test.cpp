@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "lockbox/model/articulated_model.hpp"
 #include "lockbox/simulation/simulator.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "mechanism.hpp"

@@ -8,6 +8,7 @@
 #include <functional>
 #include <thread>
 
+#include "lockbox/model/articulated_model.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "mechanism.hpp"
 

@@ -7,7 +7,11 @@
 
 #include <algorithm>
 
+#include "lockbox/core/parallel.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/tracking/tracker.hpp"
+#include "lockbox/verification/agreement.hpp"
 #include "mechanism.hpp"
 
 namespace lockbox {

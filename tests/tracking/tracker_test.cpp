@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The frame loop on a small mechanism: hidden joints, views without the object, good starts.
 #include "lockbox/tracking/tracker.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/tracking/judgement.hpp"
+#include "lockbox/verification/agreement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/core/lie.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/random_frame.hpp"
 #include "lockbox/evaluation/unknowns.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/simulation/random_draws.hpp"
 
 namespace lockbox {

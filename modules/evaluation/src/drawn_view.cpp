@@ -8,10 +8,10 @@
 #include "lockbox/core/units.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/variable_range.hpp"
-#include "lockbox/registration/collision_term.hpp"
 #include "lockbox/simulation/model_bounds.hpp"
 #include "lockbox/simulation/model_visibility.hpp"
 #include "lockbox/simulation/placed_scene.hpp"
+#include "lockbox/terms/collision_term.hpp"
 
 namespace lockbox {
 namespace {
@@ -43,7 +43,7 @@ int draw_joints(const ArticulatedModel& model, RandomDraws random, Configuration
   configuration = rest_configuration(model.tree);
   if (random.chance(kAllClosed)) return 0;
   const Eigen::VectorXd rest = configuration.q;
-  CollisionTerm collision(model, RegistrationOptions{});
+  CollisionTerm collision(model, CollisionOptions{});
   std::vector<Eigen::Isometry3d> poses;
   for (int draw = 0; draw < kMostJointDraws; ++draw) {
     int open = 0;

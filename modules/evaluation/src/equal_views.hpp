@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/evaluation/answer_errors.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/simulation/placed_scene.hpp"
 #include "lockbox/simulation/sensor_model.hpp"
 

@@ -7,10 +7,10 @@
 #include "lockbox/core/units.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/variable_range.hpp"
-#include "lockbox/registration/collision_term.hpp"
 #include "lockbox/simulation/model_bounds.hpp"
 #include "lockbox/simulation/model_visibility.hpp"
 #include "lockbox/simulation/placed_scene.hpp"
+#include "lockbox/terms/collision_term.hpp"
 
 namespace lockbox::evaluation {
 namespace {
@@ -44,7 +44,7 @@ SceneBox box_at(const Eigen::Vector3d& size, const Eigen::Vector3d& centre, doub
 }
 
 void draw_joints(const ArticulatedModel& model, RandomDraws& random, Configuration& truth) {
-  CollisionTerm collision(model, RegistrationOptions{});
+  CollisionTerm collision(model, CollisionOptions{});
   std::vector<Eigen::Isometry3d> poses;
   for (int draw = 0; draw < kMostDraws; ++draw) {
     for (int v = 0; v < model.tree.variables(); ++v) {

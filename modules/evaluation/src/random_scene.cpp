@@ -9,10 +9,10 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/variable_range.hpp"
-#include "lockbox/registration/collision_term.hpp"
 #include "lockbox/rendering/body_item.hpp"
 #include "lockbox/simulation/placed_scene.hpp"
 #include "lockbox/simulation/random_draws.hpp"
+#include "lockbox/terms/collision_term.hpp"
 
 namespace lockbox {
 namespace {
@@ -37,7 +37,7 @@ Eigen::AlignedBox3d bounds_at(const KinematicTree& tree, Configuration configura
 /// Any joint positions at which no part penetrates another.
 Eigen::VectorXd draw_joints(const ArticulatedModel& model, RandomDraws& random) {
   const KinematicTree& tree = model.tree;
-  CollisionTerm collision(model, RegistrationOptions{});
+  CollisionTerm collision(model, CollisionOptions{});
   Configuration configuration = rest_configuration(tree);
   std::vector<Eigen::Isometry3d> poses;
   for (int draw = 0; draw < kMaxDraws; ++draw) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "levers.hpp"
-#include "lockbox/registration/low_relief.hpp"
+#include "lockbox/terms/low_relief.hpp"
 #include "view_score.hpp"
 
 namespace lockbox {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lockbox/registration/collision_term.hpp"
+#include "lockbox/terms/collision_term.hpp"
 
 namespace lockbox {
 

@@ -7,7 +7,7 @@
 
 #include "hypothesis.hpp"
 #include "lockbox/initialization/initializer.hpp"
-#include "lockbox/registration/low_relief.hpp"
+#include "lockbox/terms/low_relief.hpp"
 #include "lockbox/verification/coarse_view.hpp"
 #include "lockbox/verification/verifier.hpp"
 #include "overlap.hpp"

@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "lockbox/cloud/segmentation.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/solver/surface_moves.hpp"
 #include "lockbox/verification/belief.hpp"
 
 namespace lockbox {

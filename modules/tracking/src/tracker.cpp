@@ -1,277 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/tracking/tracker.hpp"
 
-#include <algorithm>
-
-#include "lockbox/verification/belief.hpp"
+#include "tracker_loop.hpp"
 
 namespace lockbox {
-namespace {
-
-constexpr double kSuddenlyHidden = 0.15;  // of the visible surface, from one frame to the next
-constexpr int kFramesOfDoubt = 4;         // until the object is sought anywhere
-constexpr int kRepeatsToRest = 4;         // of an image, until what is found in it rests
-constexpr int kFramesToDoubtParts = 30;   // without seeking them; a second
-
-}  // namespace
 
 Tracker::Tracker(const ArticulatedModel& model, const TrackerOptions& options)
-    : model_(model),
-      options_(options),
-      executor_(options.threads),
-      registration_(model, options.registration, executor_),
-      acquisition_(model, options, executor_, registration_, cloud_),
-      predictor_(model.tree),
-      verifier_(model.tree) {
-  result_.configuration = unknown_configuration(model.tree);
-  options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
-  frames_in_sight_.resize(options_.registration.locked.size(), 0);
-  is_flush_.resize(frames_in_sight_.size(), false);
-  if (options_.background_search) acquisition_.prepare();  // no frame waits for it then
-}
+    : loop_(std::make_unique<Loop>(model, options)) {}
+
+Tracker::~Tracker() = default;
+Tracker::Tracker(Tracker&&) noexcept = default;
+Tracker& Tracker::operator=(Tracker&&) noexcept = default;
 
 void Tracker::start(const Configuration& configuration) {
-  guess_ = configuration;
-  is_kept_ = true;
-  frames_searched_ = 0;
-  rival_distance_ = 0.0;
-  result_.status = TrackingStatus::initializing;
-  stop_searching();
-}
-
-bool Tracker::is_known() const {
-  return result_.status == TrackingStatus::tracking || result_.status == TrackingStatus::uncertain;
-}
-
-/// Whether it is the last image again, once too often since the object was found in it to still
-/// tell anything.
-bool Tracker::shows_nothing_new(const DepthFrame& frame) {
-  if (frame.camera == last_camera_ && frame.metres_per_unit == last_unit_ &&
-      frame.depth == last_depth_) {
-    repeats_ = is_known() && is_kept_ ? repeats_ + 1 : 0;
-  } else {
-    repeats_ = 0;
-    last_depth_ = frame.depth;
-    last_camera_ = frame.camera;
-    last_unit_ = frame.metres_per_unit;
-  }
-  return repeats_ >= kRepeatsToRest;
+  loop_->start(configuration);
 }
 
 const TrackingResult& Tracker::process(const DepthFrame& frame) {
-  if (shows_nothing_new(frame)) {
-    result_.stamp = frame.stamp;
-    result_.cloud_time = {};
-    result_.step_time = {};
-    result_.latency_ms = 0.0;
-    return result_;
-  }
-  const Stopwatch cloud_watch;
-  cloud_.assign(frame, options_.cloud, executor_);
-  result_.cloud_time = cloud_watch.elapsed();
-  const Stopwatch step_watch;
-  result_.stamp = frame.stamp;
-  if (is_known()) {
-    follow(frame);
-  } else {
-    search(frame);
-  }
-  if (result_.status == TrackingStatus::tracking) stop_searching();
-  result_.step_time = step_watch.elapsed();
-  result_.latency_ms = result_.cloud_time.wall_ms + result_.step_time.wall_ms;
-  return result_;
+  return loop_->process(frame);
 }
 
-void Tracker::follow(const DepthFrame& frame) {
-  const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
-  const RegistrationResult& registered =
-      registration_.align(cloud_, prediction,
-                          {.spread = predictor_.spread(),
-                           .iterations = options_.registration.max_iterations,
-                           .is_predicted = result_.status == TrackingStatus::tracking});
-  const bool is_as_before = is_doubted_as_before(registered);
-  if (is_as_before) ++frames_doubted_;
-  const RegistrationResult& followed = is_as_before ? with_doubts_kept(prediction, registered)
-                                       : has_leapt(registered)
-                                           ? with_leap_followed(frame, prediction, registered)
-                                           : come_to_rest(prediction, registered);
-  const RegistrationResult& found =
-      rival_distance_ > 0.0 ? with_rival_sought(frame, followed) : followed;
-  const bool was_believed = result_.status == TrackingStatus::tracking;
-  report(found);
-  is_kept_ = result_.status == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
-  if (!was_believed && result_.status == TrackingStatus::tracking) {
-    predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
-  } else {
-    predictor_.update(frame.stamp, found.at_rest, found.observable,
-                      registration_.moves().between(prediction, found.at_rest));
-  }
-  count_frames_in_sight(found);
-  if (result_.status == TrackingStatus::tracking) {
-    guess_ = found.at_rest;
-    frames_searched_ = 0;
-  }
+const std::optional<SearchFailure>& Tracker::search_failure() const {
+  return loop_->search_failure();
 }
 
-/// Parts contradict the image that did so a frame ago, when all else was believed.
-bool Tracker::is_doubted_as_before(const RegistrationResult& registered) const {
-  if (doubted_.empty() || frames_doubted_ >= kFramesToDoubtParts) return false;
-  const std::vector<int> now = contradicted_variables(registered, model_.tree, options_);
-  return !now.empty() && std::includes(doubted_.begin(), doubted_.end(), now.begin(), now.end());
+const TiledCloud& Tracker::cloud() const {
+  return loop_->cloud();
 }
-
-const RegistrationResult& Tracker::with_doubts_kept(const Configuration& prediction,
-                                                    const RegistrationResult& registered) {
-  best_ = come_to_rest(prediction, registered);
-  best_.belief = belief_;
-  return best_;
-}
-
-/// Asks the image whether it is the object, if that decides.
-void Tracker::verify(RegistrationResult& found) {
-  if (agrees(found, options_) || !agrees_but_for_parts(found, options_)) return;
-  verifier_.look_at(cloud_, options_.registration.noise.sigma_inverse_depth(), executor_);
-  found.belief = belief(verifier_.evidence(found.configuration).total(), {});
-  frames_doubted_ = 0;
-}
-
-/// One frame may mistake a stranger for the part that comes back; the second one tells.
-void Tracker::count_frames_in_sight(const RegistrationResult& found) {
-  for (int v = 0; v < model_.tree.variables(); ++v) {
-    const auto unknown = static_cast<std::size_t>(6 + v);
-    int& frames = frames_in_sight_[static_cast<std::size_t>(v)];
-    const bool is_in_sight =
-        found.observable[unknown] && !is_doubtful(found, v, hidden_margins_, model_.tree, options_);
-    frames = is_in_sight ? frames + 1 : 0;
-    result_.observable[unknown] = result_.observable[unknown] && frames >= kFramesToKnowMotion;
-  }
-}
-
-/// Gates stay as narrow as ever: wide ones drag parts onto each other, many steps do not.
-const RegistrationResult& Tracker::come_to_rest(const Configuration& prediction,
-                                                const RegistrationResult& registered) {
-  const RegistrationResult* result = &registered;
-  Configuration start = prediction;
-  for (int round = 0; round < options_.most_rounds && is_on_its_way(start, *result); ++round) {
-    start = result->at_rest;
-    result = &registration_.align(cloud_, start, further());
-  }
-  return *result;
-}
-
-/// From where the last alignment of the frame has ended.
-Annealing Tracker::further() const {
-  return {
-      .spread = predictor_.spread(), .iterations = options_.further_iterations, .goes_on = true};
-}
-
-/// What has come farther than the gate is wide was pulled along by what little was within it, and
-/// may be uncertain enough for steps of millimetres to be no more than noise.
-bool Tracker::is_on_its_way(const Configuration& start, const RegistrationResult& result) const {
-  return result.last_move > options_.resting_move ||
-         registration_.moves().between(start, result.at_rest) >
-             options_.registration.cut * predictor_.spread();
-}
-
-bool Tracker::is_hidden_at_once(const RegistrationResult& registered) const {
-  return registered.agreement.explained < result_.explained - kSuddenlyHidden;
-}
-
-/// What leaps farther between two frames than the gate is wide is seen through where it was.
-bool Tracker::has_leapt(const RegistrationResult& registered) const {
-  const bool is_explained =
-      is_kept_ ? agrees(registered, options_) : is_believable(registered, options_);
-  return !is_explained || is_hidden_at_once(registered);
-}
-
-/// Whether there is nothing to be sought.
-bool Tracker::is_settled(const RegistrationResult& registered) const {
-  return judge(registered, options_) == TrackingStatus::tracking ||
-         (is_kept_ && agrees(registered, options_) && rests(registered, options_));
-}
-
-/// It is followed until it rests; joints are sought over their ranges, then the base around where
-/// it was last believed to be. Live, what does not help in the first frame of doubt is left to the
-/// search, which does all that, too.
-const RegistrationResult& Tracker::with_leap_followed(const DepthFrame& frame,
-                                                      const Configuration& prediction,
-                                                      const RegistrationResult& registered) {
-  const bool is_hidden = is_hidden_at_once(registered);
-  best_ = registered;
-  if (!options_.background_search || frames_searched_ == 0) {
-    // It may be on its way still: then nothing is to be sought.
-    const Configuration start = best_.at_rest;
-    const RegistrationResult& followed = registration_.align(cloud_, start, further());
-    keep_better(come_to_rest(start, followed), options_, best_);
-    carry_parts(prediction, best_);
-    seek_contradicted_joints(best_);
-  }
-  verify(best_);
-  if (is_hidden && !options_.background_search) {  // by itself, when the estimate lies behind it
-    keep_better(acquisition_.find_near(frame, *guess_), options_, best_);
-  }
-  if (!is_settled(best_)) {
-    const bool anywhere = options_.search_anywhere && frames_searched_ >= kFramesOfDoubt;
-    if (const auto found = sought(frame, anywhere ? SearchScope::near_first : SearchScope::near)) {
-      keep_better(*found, options_, best_);
-    }
-  }
-  return best_;
-}
-
-/// While the base was on its way, parts were dragged along by whatever lay near. Where it is now,
-/// they start anew as predicted; of two answers that explain the image, that is the likelier one.
-void Tracker::carry_parts(const Configuration& prediction, RegistrationResult& best) {
-  const Configuration carried{best.at_rest.T_camera_base, prediction.q};
-  const double gate = options_.registration.cut * predictor_.spread();
-  if (registration_.moves().between(prediction, carried) <= gate) return;
-  const RegistrationResult& registered = registration_.align(
-      cloud_, carried, {predictor_.spread(), options_.registration.max_iterations});
-  const RegistrationResult& at_rest = come_to_rest(carried, registered);
-  if (judge(at_rest, options_) == TrackingStatus::tracking) {
-    best = at_rest;
-  } else {
-    keep_better(at_rest, options_, best);
-  }
-}
-
-/// In view, and still not determined, because what is around it goes on in its surface.
-bool Tracker::is_flush(const RegistrationResult& found, int variable) const {
-  const int joint = model_.tree.variable_joint[static_cast<std::size_t>(variable)];
-  const auto body =
-      static_cast<std::size_t>(model_.tree.joints[static_cast<std::size_t>(joint)].child_body);
-  return !found.observable[static_cast<std::size_t>(6 + variable)] &&
-         body < found.flush_bodies.size() && found.flush_bodies[body] &&
-         found.body_agreement[body].explained >= options_.least_of_sought_body;
-}
-
-void Tracker::report(const RegistrationResult& registered) {
-  for (int v = 0; v < model_.tree.variables(); ++v) {
-    is_flush_[static_cast<std::size_t>(v)] = is_flush(registered, v);
-  }
-  result_.configuration = registered.configuration;
-  result_.covariance = registered.covariance;
-  result_.sigma = registered.sigma;
-  result_.observable = known_unknowns(registered, model_.tree, options_);
-  result_.residual_rms = registered.residual_rms;
-  result_.explained = registered.agreement.explained;
-  result_.contradicted = registered.agreement.contradicted;
-  result_.occluded = registered.agreement.occluded;
-  result_.status = judge(registered, options_);
-  belief_ = registered.belief;
-  doubted_.clear();
-  if (result_.status == TrackingStatus::tracking) {
-    doubted_ = contradicted_variables(registered, model_.tree, options_);
-    std::sort(doubted_.begin(), doubted_.end());
-  }
-  rival_distance_ = registered.rival_distance;
-}
-
-void Tracker::report_nothing() {
-  result_.residual_rms = TrackingResult::kNothingFound;
-  result_.explained = TrackingResult::kNothingFound;
-  result_.contradicted = TrackingResult::kNothingFound;
-  result_.occluded = TrackingResult::kNothingFound;
+const TrackerOptions& Tracker::options() const {
+  return loop_->options();
 }
 
 }  // namespace lockbox

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/tracking/tracker_options.hpp"
 
+#include "lockbox/sensor/sensor_profile.hpp"
+
 #include <algorithm>
 
 #include "lockbox/sensor/sensor_profile.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdlib>
 
-#include "lockbox/tracking/tracker.hpp"
+#include "tracker_loop.hpp"
 
 namespace lockbox {
 namespace {
@@ -37,7 +37,7 @@ bool is_another_view(std::ptrdiff_t measured, std::ptrdiff_t before) {
 
 }  // namespace
 
-void Tracker::search(const DepthFrame& frame) {
+void Tracker::Loop::search(const DepthFrame& frame) {
   const SearchScope near_first = is_kept_ ? SearchScope::given_first : SearchScope::near_first;
   const auto found = sought(frame, options_.search_anywhere ? near_first : SearchScope::near);
   const bool is_first = result_.status != TrackingStatus::lost && !guess_;
@@ -60,7 +60,8 @@ void Tracker::search(const DepthFrame& frame) {
 }
 
 /// What is found in this frame, if a search is due, or one in the background has ended.
-std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, SearchScope scope) {
+std::optional<RegistrationResult> Tracker::Loop::sought(const DepthFrame& frame,
+                                                        SearchScope scope) {
   const std::ptrdiff_t measured = measured_pixels(cloud_);
   if (is_another_view(measured, measured_before_)) {
     measured_before_ = measured;
@@ -82,8 +83,8 @@ std::optional<RegistrationResult> Tracker::sought(const DepthFrame& frame, Searc
 
 /// Where a search could not tell two places apart, following one of them does not, either: only
 /// another search may.
-const RegistrationResult& Tracker::with_rival_sought(const DepthFrame& frame,
-                                                     const RegistrationResult& followed) {
+const RegistrationResult& Tracker::Loop::with_rival_sought(const DepthFrame& frame,
+                                                           const RegistrationResult& followed) {
   best_ = followed;
   if (!(best_.rival_distance > 0.0)) doubt_base(rival_distance_, best_);
   const auto found = sought(frame, SearchScope::anywhere);
@@ -94,8 +95,9 @@ const RegistrationResult& Tracker::with_rival_sought(const DepthFrame& frame,
 }
 
 /// Nothing here takes longer than it may take to follow a leap.
-std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame& frame,
-                                                                SearchScope scope, bool is_due) {
+std::optional<RegistrationResult> Tracker::Loop::sought_in_background(const DepthFrame& frame,
+                                                                      SearchScope scope,
+                                                                      bool is_due) {
   if (!background_) {
     background_ = std::make_unique<BackgroundSearch>(model_, options_);
   }
@@ -118,7 +120,8 @@ std::optional<RegistrationResult> Tracker::sought_in_background(const DepthFrame
 
 /// The answer is a few frames old. If the object has gone too far since, the next search begins at
 /// the answer: that takes less time, in which it goes less far.
-std::optional<RegistrationResult> Tracker::brought_up_to_date(const RegistrationResult& answer) {
+std::optional<RegistrationResult> Tracker::Loop::brought_up_to_date(
+    const RegistrationResult& answer) {
   if (judge(answer, options_) == TrackingStatus::lost) return std::nullopt;
   RegistrationResult here = registration_.align(
       cloud_, answer.at_rest, {options_.start_joint_spread, options_.registration.max_iterations});
@@ -141,7 +144,7 @@ std::optional<RegistrationResult> Tracker::brought_up_to_date(const Registration
 }
 
 /// What only stood between comes back into view where it was, whatever a search is busy with.
-std::optional<RegistrationResult> Tracker::where_it_was() {
+std::optional<RegistrationResult> Tracker::Loop::where_it_was() {
   if (!guess_) {
     return std::nullopt;
   }
@@ -155,7 +158,7 @@ std::optional<RegistrationResult> Tracker::where_it_was() {
 }
 
 /// Over their whole ranges.
-void Tracker::seek_contradicted_joints(RegistrationResult& best) {
+void Tracker::Loop::seek_contradicted_joints(RegistrationResult& best) {
   sought_joints_ = contradicted_variables(best, model_.tree, options_);
   if (!sought_joints_.empty()) {
     keep_better(acquisition_.with_joints_sought(best.at_rest, sought_joints_), options_, best);
@@ -163,7 +166,7 @@ void Tracker::seek_contradicted_joints(RegistrationResult& best) {
 }
 
 /// A joint that was hidden may have moved anywhere: what is seen of it decides where it is now.
-Configuration Tracker::with_hidden_joints_sought(const Configuration& prediction) {
+Configuration Tracker::Loop::with_hidden_joints_sought(const Configuration& prediction) {
   sought_joints_.clear();
   for (int v = 0; v < model_.tree.variables(); ++v) {
     const auto variable = static_cast<std::size_t>(v);
@@ -178,11 +181,11 @@ Configuration Tracker::with_hidden_joints_sought(const Configuration& prediction
   return sought.configuration;
 }
 
-const std::optional<SearchFailure>& Tracker::search_failure() const {
+const std::optional<SearchFailure>& Tracker::Loop::search_failure() const {
   return background_ ? background_->failure() : acquisition_.failure();
 }
 
-void Tracker::stop_searching() {
+void Tracker::Loop::stop_searching() {
   if (background_) background_->cancel();
   answers_passed_ = 0;
 }

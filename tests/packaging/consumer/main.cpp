@@ -3,7 +3,8 @@
 // PCL cloud of it. The block's front is flat, one metre away, and all that there is to see.
 #include <cstdio>
 
-#include "lockbox/registration/articulated_sdf_registration.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/pcl/articulated_sdf_registration.hpp"
 #include "lockbox/tracking/tracker.hpp"
 
 namespace {

@@ -9,19 +9,12 @@
 #include <span>
 #include <vector>
 
+#include "lockbox/cloud/cloud_options.hpp"
 #include "lockbox/cloud/point_tiles.hpp"
 #include "lockbox/core/depth_frame.hpp"
 #include "lockbox/core/parallel.hpp"
 
 namespace lockbox {
-
-struct CloudOptions {
-  double min_depth = 0.2;  ///< metres; nearer measurements are dropped
-  double max_depth = 5.0;  ///< metres; farther measurements are dropped
-  /// A pixel that differs from both neighbours of a row or column by more than this, times its
-  /// depth squared, hangs in the air between two surfaces (1 / metre). 0 keeps all.
-  double flying_pixel_jump = 0.02;
-};
 
 /// Buffers are reused: assign() allocates only when the image size changes.
 class TiledCloud {

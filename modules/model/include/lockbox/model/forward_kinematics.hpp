@@ -14,21 +14,21 @@
 
 namespace lockbox {
 
+using BodyPoses = std::vector<Eigen::Isometry3d>;  ///< T_camera_body by body
 using BodyJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 /// T_camera_body[b] for every body b of the tree. The vector is resized once and then reused.
 void forward_kinematics(const KinematicTree& tree, const Configuration& configuration,
-                        std::vector<Eigen::Isometry3d>& T_camera_body);
+                        BodyPoses& T_camera_body);
 
 /// jacobians[b]: 6 x (6 + variables). Needs the poses that forward_kinematics gave.
-void body_jacobians(const KinematicTree& tree, const std::vector<Eigen::Isometry3d>& T_camera_body,
+void body_jacobians(const KinematicTree& tree, const BodyPoses& T_camera_body,
                     std::vector<BodyJacobian>& jacobians);
 
 /// Twist of body a relative to body b, expressed in b's frame: T_b_a <- exp(J step) T_b_a. Only
 /// joints on the path between the two bodies have columns that are not zero: the base and the
 /// joints that carry both are zero by structure, not by cancellation.
-void relative_jacobian(const KinematicTree& tree,
-                       const std::vector<Eigen::Isometry3d>& T_camera_body, int a, int b,
+void relative_jacobian(const KinematicTree& tree, const BodyPoses& T_camera_body, int a, int b,
                        BodyJacobian& jacobian);
 
 /// Moves the configuration by a step (base twist, joint variables).

@@ -1,33 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One registration step: cloud and starting configuration in, best configuration out.
-//
-// Levenberg-Marquardt on E = E_model + lambda_free E_free + lambda_collision E_collision. An
-// iteration is one linearisation; its first trial is undamped; costs are compared under the
-// selection (candidates, variances, visibility, correspondences) of that linearisation.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
-#include "lockbox/cloud/tiled_cloud.hpp"
-#include "lockbox/core/parallel.hpp"
-#include "lockbox/model/articulated_model.hpp"
-#include "lockbox/registration/agreement.hpp"
-#include "lockbox/registration/bounded_step.hpp"
-#include "lockbox/registration/collision_term.hpp"
-#include "lockbox/registration/covariance.hpp"
-#include "lockbox/registration/edge_term.hpp"
-#include "lockbox/registration/free_space_term.hpp"
-#include "lockbox/registration/low_relief.hpp"
-#include "lockbox/registration/model_term.hpp"
-#include "lockbox/registration/predicted_view.hpp"
+#include "lockbox/model/configuration.hpp"
 #include "lockbox/registration/registration_options.hpp"
-#include "lockbox/registration/surface_moves.hpp"
+#include "lockbox/verification/agreement.hpp"
 
 namespace lockbox {
+
+struct ArticulatedModel;
+class CollisionTerm;
+class Executor;
+class SurfaceMoves;
+class TiledCloud;
 
 /// Gates begin with the spread and end with the sensor's noise alone.
 struct Annealing {
@@ -78,86 +67,29 @@ struct RegistrationResult {
   bool converged = false;
 };
 
-/// Owns all memory of the loop; use one per thread. The model must outlive it.
+/// Owns all memory of the loop: once used, it allocates nothing for images of the same size. Use
+/// one per thread. The model must outlive it.
 class ArticulatedRegistration {
  public:
+  /// Throws InputError if the model's file asks for an erosion that a body is too thin for.
   ArticulatedRegistration(const ArticulatedModel& model, const RegistrationOptions& options,
                           const Executor& executor);
+  ~ArticulatedRegistration();
+  ArticulatedRegistration(ArticulatedRegistration&&) noexcept;
+  ArticulatedRegistration& operator=(ArticulatedRegistration&&) noexcept;
 
   /// The result is valid until the next call. A cloud without an image has no free-space term.
   const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
                                   const Annealing& annealing);
 
-  const RegistrationOptions& options() const { return options_; }
-  const CollisionTerm& collision() const { return collision_; }
-  const ArticulatedModel& model() const { return model_; }
-  const SurfaceMoves& moves() const { return moves_; }
+  const RegistrationOptions& options() const;
+  const CollisionTerm& collision() const;
+  const ArticulatedModel& model() const;
+  const SurfaceMoves& moves() const;
 
  private:
-  void descend(const TiledCloud& cloud, const Annealing& annealing);
-  bool add_short_step(bool hold_joints, double farthest, Configuration& configuration);
-  void settle(const TiledCloud& cloud, const Annealing& annealing, bool is_to_report);
-  bool report(const Annealing& annealing, bool is_narrow);
-  const Eigen::VectorXd& next_step(bool hold_joints);
-  void estimate_covariance();
-  void find_rest(bool hold_joints);
-  bool takes_last_steps(const TiledCloud& cloud) const;
-  void look_through(PredictedView& view);
-  ModelTerm::Scene scene(const TiledCloud& cloud) const;
-  void linearize_at_points(const TiledCloud& cloud, double spread);
-  double linearize(const TiledCloud& cloud, double spread);
-  double cost_at(const TiledCloud& cloud, const Configuration& configuration,
-                 std::optional<double> next_spread);
-  void refine(const PinholeCamera& camera, bool hold_joints);
-  void refine_at_edges(const TiledCloud& cloud, bool hold_joints);
-  double surfaces_seen_to_move(const PinholeCamera& camera) const;
-  bool is_elsewhere(const TiledCloud& cloud, int variable,
-                    const std::optional<JointSighting>& sighting);
-  void sight_low_relief(const TiledCloud& cloud);
-  void forget(Eigen::Index unknown);
-  bool improve(const TiledCloud& cloud, double cost, bool hold_joints, double next_spread);
-  void set_step_limits(bool hold_joints);
-  void select_free_space(const TiledCloud& cloud, double spread);
-
-  const ArticulatedModel& model_;
-  RegistrationOptions options_;
-  Executor executor_;
-  ModelTerm model_term_;
-  FreeSpaceTerm free_term_;
-  CollisionTerm collision_;
-  LowRelief low_relief_;
-  EdgeTerm edges_;
-  PredictedView approach_view_;
-  PredictedView full_view_;
-  PredictedView* view_ = nullptr;  ///< the one in hand
-  StepScale scale_;
-  SurfaceMoves moves_;
-
-  RegistrationResult result_;
-  Eigen::VectorXd start_;   ///< joint variables
-  Configuration selected_;  ///< where the free-space term made its selection
-  double selected_spread_ = 0.0;
-  bool is_predicted_ = false;                ///< the start
-  std::optional<double> linearized_spread_;  ///< if all terms stand at result_.configuration
-  std::optional<double> ahead_spread_;       ///< if the model term was linearised there already
-  double cost_ = 0.0;                        ///< of the last linearisation
-  BodyPoses poses_;
-  BodyPoses trial_poses_;
-  std::vector<BodyJacobian> jacobians_;
-  std::vector<BodySystem> systems_;
-  NormalEquations data_equations_;
-  NormalEquations equations_;
-  NormalEquations edge_equations_;
-  StepLimits limits_;
-  BoundedStepSolver solver_;
-  Configuration candidate_;
-  Eigen::VectorXd last_step_;  ///< zero if the last iteration found none worth taking
-  std::vector<bool> held_;     ///< by unknown
-  std::vector<std::optional<JointSighting>> sightings_;  ///< by variable
-  CovarianceEstimator covariance_;
-  std::vector<TileSystem> tile_systems_;
-  std::vector<Twist> body_steps_;  ///< what the last step moves each body by
-  AgreementMeter agreement_;
+  struct Stages;
+  std::unique_ptr<Stages> stages_;
 };
 
 }  // namespace lockbox

@@ -4,36 +4,21 @@
 #include <cstddef>
 #include <vector>
 
-#include "lockbox/sensor/sensor_noise.hpp"
+#include "lockbox/terms/term_options.hpp"
 
 namespace lockbox {
 
-enum class CollisionMode { off, literal, eroded };
-
 /// Weights and gates of E = E_model + lambda_free E_free + lambda_collision E_collision
 /// (docs/mathematics.md).
-struct RegistrationOptions {
+struct RegistrationOptions : TermOptions, CollisionOptions {
   int max_iterations = 3;  ///< linearisations
   /// Points of an image that are used, at most about, chosen for what they tell; 0: all. From a
   /// prediction, means of pixels where faces are flat, so that few are needed. A cloud without an
   /// image is used whole.
   std::size_t point_budget = 20000;
-  SensorNoise noise;
-  double cut = 4.0;  ///< residuals beyond this many standard deviations count as outliers
 
-  double visible_odds = 20.0;  ///< of the body predicted in a pixel against others as near
-
-  double lambda_free = 3.0;
-  double free_space_dead_zone = 3.0;  ///< standard deviations along the ray
-
-  CollisionMode collision = CollisionMode::eroded;
-  double lambda_collision = 1000.0;
-  double collision_sigma = 1e-4;  ///< metres, whitens the penetration depth
-  double erosion = 0.0015;        ///< metres, unless the model or a pair says otherwise
-
-  /// Neighbouring pixels err alike; the information in N of them is that of N / correlation.
-  double noise_correlation = 20.0;
-  /// The same for pixels of an outline, in the last step: there each is a witness almost by itself.
+  /// As noise_correlation, of pixels of an outline, in the last step: there each is a witness
+  /// almost by itself.
   double outline_correlation = 2.0;
 
   /// Look for joints whose parts do not stand out of the noise in the image itself

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "lockbox/core/depth_frame.hpp"
-#include "lockbox/core/parallel.hpp"
-#include "lockbox/model/articulated_model.hpp"
-#include "lockbox/registration/articulated_registration.hpp"
-#include "lockbox/tracking/tracker_options.hpp"
-
 namespace lockbox {
+
+struct ArticulatedModel;
+struct DepthFrame;
+class Executor;
+struct KinematicTree;
+struct RegistrationResult;
+struct TrackerOptions;
 
 /// What the frame shows, and how the model compares with it.
 struct SearchFailure {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/cloud/cloud_options.hpp"
 #include "lockbox/core/stop_request.hpp"
 #include "lockbox/registration/registration_options.hpp"
 

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The registration as PCL's users know registrations: where a program has an ICP, this goes in.
+//
+//   pcl::IterativeClosestPointWithNormals<P, P> icp;    lockbox::ArticulatedSdfRegistration<P> icp;
+//   icp.setInputSource(scan);                           icp.setInputSource(scan);
+//   icp.setInputTarget(model_cloud);                    icp.setModel(lockbox::load_model(file));
+//   icp.align(aligned, guess);                          icp.align(aligned, guess);
+//
+// docs/pcl-registration.md says what PCL's settings mean here.
+#pragma once
+
+#include <pcl/point_types.h>
+#include <pcl/registration/default_convergence_criteria.h>
+#include <pcl/registration/registration.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lockbox/cloud/point_cloud.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
+
+namespace lockbox {
+
+/// Aligns a scan (the source, one view of a scene) with an articulated model (the target): finds
+/// the base pose as PCL's transformation from source to target, and the joint positions.
+///
+/// An organized scan is seen as an image: its camera is the one given, or recovered from the
+/// points. A scan that is no image has the model and collision terms only, and should hold what is
+/// seen from sensor_origin_. Points that are not finite are not measured. With source indices,
+/// other points are not matched, but still tell where the camera saw through.
+///
+/// What PCL leaves to the process's end does not end it here: an empty cloud, one without a finite
+/// point, indices of points that the source does not have (of a larger cloud before it, say), no
+/// source, no model, a guess that is no rigid motion. Such an alignment says why, as PCL does, does
+/// not converge, and leaves the joints alone. A search tree that is null is refused, and nothing
+/// changes.
+///
+/// For pcl::PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA, PointNormal and PointXYZRGBNormal, with
+/// float and double. One object serves one thread at a time; objects can share a model.
+template <typename PointT, typename Scalar = float>
+class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scalar> {
+ public:
+  using Base = pcl::Registration<PointT, PointT, Scalar>;
+  using typename Base::KdTreePtr;
+  using typename Base::KdTreeReciprocalPtr;
+  using typename Base::Matrix4;
+  using typename Base::PointCloudSource;
+  using typename Base::PointCloudSourceConstPtr;
+  using typename Base::PointCloudTarget;
+  using typename Base::PointCloudTargetConstPtr;
+  using typename Base::PointIndicesConstPtr;
+  using Ptr = pcl::shared_ptr<ArticulatedSdfRegistration>;
+  using ConstPtr = pcl::shared_ptr<const ArticulatedSdfRegistration>;
+  using ConvergenceCriteria = pcl::registration::DefaultConvergenceCriteria<Scalar>;
+  using Base::correspondences_;
+
+  ArticulatedSdfRegistration();
+  ~ArticulatedSdfRegistration() override;
+
+  /// What the scan shows, instead of setInputTarget. The joints start at rest. The target becomes a
+  /// cloud of the model's surface in the base's frame, points target_spacing apart (metres; 0: so
+  /// that there are about 30,000), and is posed anew whenever the joints change. Throws InputError
+  /// if the model cannot be registered.
+  void setModel(std::shared_ptr<const ArticulatedModel> model, double target_spacing = 0.0);
+  void setModel(ArticulatedModel model, double target_spacing = 0.0);
+
+  /// Weights, sensor noise, fixed base, locked joints. max_iterations is PCL's
+  /// setMaximumIterations. Throws InputError if the model cannot be registered with them.
+  void setOptions(const RegistrationOptions& options);
+  const RegistrationOptions& getOptions() const;
+
+  /// Of the organized scans that follow; recovered from each if none is given.
+  void setCamera(const std::optional<PinholeCamera>& camera);
+
+  /// 0: all cores, the default. The result does not depend on it.
+  void setNumberOfThreads(unsigned int threads);
+
+  /// Where the joints start, and after an alignment what was found: metres or radians, one value a
+  /// joint that mimics no other, in the order of KinematicTree::variable_joint; none before
+  /// setModel. Throw InputError without a model, for joints that it does not have or that mimic,
+  /// and for values that are not finite.
+  void setJointPositions(const Eigen::VectorXd& positions);
+  void setJointPosition(const std::string& joint, double position);
+  const Eigen::VectorXd& getJointPositions() const;
+  double getJointPosition(const std::string& joint) const;
+
+  /// Of the last alignment that had data, empty before: covariance of (base twist in the base's
+  /// frame, joint positions), translation first; its standard deviations; whether the scan
+  /// determines them.
+  const Eigen::MatrixXd& getCovariance() const;
+  const Eigen::VectorXd& getStandardDeviations() const;
+  const std::vector<bool>& getObservable() const;
+
+  /// Shares of the visible surface; all zero for a scan that is no image.
+  const Agreement& getAgreement() const;
+  double getExplainedShare() const { return getAgreement().explained; }
+  double getContradictedShare() const { return getAgreement().contradicted; }
+
+  /// As IterativeClosestPoint has it.
+  typename ConvergenceCriteria::Ptr getConvergeCriteria() const;
+
+  /// An empty cloud is taken: no alignment then succeeds, and what indices selected is forgotten.
+  void setInputSource(const PointCloudSourceConstPtr& cloud) override;
+
+  /// Which points of the source are matched, of this one and of those that follow. Null: all.
+  void setIndices(const pcl::IndicesPtr& indices) override;
+  void setIndices(const pcl::IndicesConstPtr& indices) override;
+  void setIndices(const PointIndicesConstPtr& indices) override;
+  void setIndices(std::size_t first_row, std::size_t first_column, std::size_t rows,
+                  std::size_t columns) override;
+
+  /// What setIndices() was given; null: all. (PCL's own, which cannot be overridden, knows nothing
+  /// of them: it would follow them beyond the end of a cloud.)
+  pcl::IndicesPtr getIndices() const;
+
+  /// The target is the model; a cloud is refused with a warning once there is one.
+  void setInputTarget(const PointCloudTargetConstPtr& cloud) override;
+
+  /// PCL's, which cannot be overridden, for a tree that is not null; no tree but its own is used.
+  /// Through a pointer to the base class PCL's own is called: a null tree then has to be followed
+  /// by setInputSource, setModel or setJointPositions, which mend it.
+  void setSearchMethodTarget(const KdTreePtr& tree, bool force_no_recompute = false);
+  void setSearchMethodSource(const KdTreeReciprocalPtr& tree, bool force_no_recompute = false);
+
+  /// What ICP has besides, for programs that call it: without meaning here, warned of once.
+  void setUseReciprocalCorrespondences(bool use);
+  void setUseSymmetricObjective(bool use);
+  void setEnforceSameDirectionNormals(bool enforce);
+
+ protected:
+  using Base::converged_;
+  using Base::final_transformation_;
+  using Base::input_;
+  using Base::nr_iterations_;
+  using Base::previous_transformation_;
+  using Base::target_;
+  using Base::transformation_;
+  using Base::tree_;
+
+  void computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
+
+ private:
+  class Criteria;
+  struct State;
+
+  void warn_of_ignored_settings();
+  void warn_once(const std::string& setting);
+  void refuse_null_tree(const char* function) const;
+  void restore_search_tree();
+  bool selects_missing_points() const;
+  bool begin(const Matrix4& guess);
+  void find_configuration();
+  bool go_on(const Configuration& configuration, bool is_narrow);
+  bool pair_up();
+  void show();
+  void pose_target(const Configuration& joints);
+  double reach() const;
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lockbox

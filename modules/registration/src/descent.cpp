@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "descent.hpp"
+
+#include "lockbox/model/forward_kinematics.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kNearEnough = 0.002;          // metres: a step that is as good as exact
+constexpr double kNearEnoughToSettle = 0.004;  // the same, where the last iteration follows
+constexpr int kMostToSettle = 2;               // times the iterations, if more than a step is left
+constexpr int kMaxDampings = 5;
+constexpr double kFirstDamping = 1e-2;
+constexpr double kDampingGrowth = 10.0;
+
+/// The share of the start's spread that iteration k of n still allows: 1 at first, 0 at last.
+double spread_share(int k, int n) {
+  if (n < 2) {
+    return k == 0 ? 1.0 : 0.0;
+  }
+  const double rest = 1.0 - static_cast<double>(k) / (n - 1);
+  return rest > 0.0 ? rest * rest : 0.0;
+}
+
+}  // namespace
+
+Descent::Descent(const RegistrationOptions& options, Objective& objective, Steps& steps)
+    : step_tolerance_(options.step_tolerance), objective_(objective), steps_(steps) {}
+
+const Descended& Descent::run(const Configuration& start, const Annealing& annealing) {
+  found_.configuration = start;
+  found_.last_step.setZero(steps_.scale().unit.size());
+  found_.iterations = 0;
+  found_.converged = false;
+  const bool settles =
+      annealing.is_predicted && annealing.iterations > 1 && objective_.sees_free_space();
+  if (settles && objective_.has_rough_view()) {
+    objective_.look_roughly();
+  } else {
+    objective_.look_closely();
+  }
+  const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
+  const auto spread_of = [&](int k) {
+    return k < annealing.iterations ? annealing.spread * spread_share(k, narrowing) : 0.0;
+  };
+  const int iterations = annealing.iterations - (settles ? 1 : 0);
+  bool go_on = true;
+  for (int k = 0; k < iterations && go_on; ++k) {
+    const Linearization& at = objective_.linearize(found_.configuration, spread_of(k));
+    const bool is_narrow = spread_of(k) == 0.0;
+    if (settles && steps_.add_short(at.all, annealing.hold_joints, kNearEnoughToSettle,
+                                    found_.configuration)) {
+      go_on = report(annealing, is_narrow);
+      break;
+    }
+    const bool moved = improve(at, annealing.hold_joints, spread_of(k + 1));
+    found_.converged = !moved && is_narrow;
+    go_on = report(annealing, is_narrow) && !found_.converged;
+  }
+  if (settles) settle(annealing, go_on);
+  return found_;
+}
+
+/// The last iteration, of all points: mostly what is left is one step, as good as exact.
+void Descent::settle(const Annealing& annealing, bool is_to_report) {
+  objective_.look_closely();
+  bool moves_on = true;
+  for (int k = 0; k < kMostToSettle * annealing.iterations && moves_on; ++k) {
+    const Linearization& at = objective_.linearize(found_.configuration, 0.0);
+    const Eigen::VectorXd& step = steps_.best(at.all, found_.configuration, annealing.hold_joints);
+    moves_on = steps_.moves().of(step) > kNearEnough && improve(at, annealing.hold_joints, 0.0);
+  }
+  found_.converged = !moves_on;
+  if (!moves_on) found_.last_step.setZero();
+  if (is_to_report) report(annealing, true);
+}
+
+void Descent::find_rest(const Linearization& at, bool hold_joints, Configuration& at_rest) {
+  at_rest = found_.configuration;
+  steps_.add_short(at.all, hold_joints, kNearEnough, at_rest);
+}
+
+/// An iteration; false if it is to be the last.
+bool Descent::report(const Annealing& annealing, bool is_narrow) {
+  ++found_.iterations;
+  return !annealing.on_iteration || annealing.on_iteration(found_.configuration, is_narrow);
+}
+
+/// Takes the best acceptable step; false if there was none, or none worth taking. Mostly the first
+/// trial is taken: then the next linearisation is made along with its cost.
+bool Descent::improve(const Linearization& at, bool hold_joints, double next_spread) {
+  found_.last_step.setZero();
+  double damping = 0.0;
+  for (int trial = 0; trial <= kMaxDampings; ++trial) {
+    const Eigen::VectorXd& step = steps_.best(at.all, found_.configuration, hold_joints, damping);
+    if (!(steps_.moves().of(step) > step_tolerance_)) {
+      return false;
+    }
+    candidate_ = found_.configuration;
+    apply_step(step, candidate_);
+    const auto ahead = trial == 0 ? std::optional(next_spread) : std::nullopt;
+    if (objective_.cost(candidate_, ahead) < at.cost) {
+      found_.configuration = candidate_;
+      found_.last_step = step;
+      return true;
+    }
+    damping = damping == 0.0 ? kFirstDamping : damping * kDampingGrowth;
+  }
+  return false;
+}
+
+}  // namespace lockbox

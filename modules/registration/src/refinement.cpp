@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "refinement.hpp"
+
+#include <cmath>
+
+#include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/view/view_detail.hpp"
+
+namespace lockbox {
+namespace {
+
+/// Points near edges, and outlines, have told before part of what edges tell.
+constexpr double kOverlap = 0.5;
+constexpr double kSurelyStandsOut = 4.0;  // standard deviations of a depth
+constexpr double kPixelsOff = 2.0;        // that points and image may disagree by
+constexpr double kMostObjection = 4.5;    // of cost: three standard deviations
+
+}  // namespace
+
+OutlineStep::OutlineStep(const RegistrationOptions& options, Objective& objective, Steps& steps)
+    : weight_(options.noise_correlation / options.outline_correlation),
+      objective_(objective),
+      steps_(steps) {}
+
+void OutlineStep::take(Linearization& at, bool hold_joints, Estimate& estimate,
+                       std::vector<TileSystem>& tiles) {
+  objective_.weigh_outlines(weight_, tiles);
+  const Eigen::VectorXd& step = steps_.best(at.all, estimate.configuration, hold_joints);
+  const PinholeCamera& camera = objective_.cloud().camera();
+  if (steps_.moves().of(step) > steps_.farthest_refinement(camera, estimate.configuration)) {
+    estimate.configuration = estimate.at_rest;
+    return;
+  }
+  apply_step(step, estimate.configuration);
+  body_steps_.resize(at.jacobians.size());
+  for (std::size_t b = 0; b < at.jacobians.size(); ++b) {
+    body_steps_[b].noalias() = at.jacobians[b] * step;
+  }
+  for (TileSystem& tile : tiles) {
+    tile.gradient.noalias() += tile.hessian * body_steps_[static_cast<std::size_t>(tile.body)];
+  }
+}
+
+ReliefStep::ReliefStep(const ArticulatedModel& model, const RegistrationOptions& options,
+                       Objective& objective, const Steps& steps, const Executor& executor)
+    : model_(model),
+      options_(options),
+      objective_(objective),
+      steps_(steps),
+      low_relief_(model, options, executor),
+      sightings_(static_cast<std::size_t>(model.tree.variables())) {}
+
+void ReliefStep::take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate) {
+  skip();
+  for (int v = 0; v < model_.tree.variables() && options_.sight_low_relief; ++v) {
+    const double prominence = low_relief_.prominence(v, estimate.configuration);
+    if (prominence > kSurelyStandsOut || steps_.held()[static_cast<std::size_t>(6 + v)]) continue;
+    auto& sighting = sightings_[static_cast<std::size_t>(v)];
+    sighting = low_relief_.find_near(objective_.cloud(), estimate.configuration, v, start[v]);
+    if (prominence > options_.free_space_dead_zone &&
+        !is_elsewhere(estimate.configuration, v, sighting)) {
+      sighting.reset();
+      continue;
+    }
+    at.forget(6 + v);
+    if (!sighting) continue;
+    estimate.configuration.q[v] = sighting->position;
+    estimate.at_rest.q[v] = sighting->position;
+  }
+}
+
+/// Farther off than the image errs, and the other terms do not mind: points have pulled the joint
+/// along. Where they do mind, what stands out far at places misleads the image, which takes a pixel
+/// at an edge for the mean of both sides.
+bool ReliefStep::is_elsewhere(const Configuration& estimate, int variable,
+                              const std::optional<JointSighting>& sighting) {
+  if (!sighting) return false;
+  const double off = std::abs(sighting->position - estimate.q[variable]);
+  const double pixel = low_relief_.pixel_step(objective_.cloud().camera(), estimate, variable);
+  if (off < kPixelsOff * pixel || off < options_.cut * std::sqrt(sighting->variance)) return false;
+  candidate_ = estimate;
+  candidate_.q[variable] = sighting->position;
+  const double objection = objective_.cost(candidate_) - objective_.cost(estimate);
+  return objection < kMostObjection;
+}
+
+EdgeStep::EdgeStep(const ArticulatedModel& model, const RegistrationOptions& options,
+                   Objective& objective, Steps& steps, const Executor& executor)
+    : model_(model),
+      tiles_per_joint_(
+          options.refine_at_edges ? view_detail(options.point_budget).edge_tiles_per_joint : 0),
+      objective_(objective),
+      steps_(steps),
+      edges_(model.tree, options, executor) {}
+
+void EdgeStep::take(const BodyPoses& poses, bool hold_joints, Estimate& estimate,
+                    CovarianceEstimator& covariance) {
+  const TiledCloud& cloud = objective_.cloud();
+  if (tiles_per_joint_ == 0 || !cloud.has_image()) return;
+  const PredictedView& view = objective_.view();
+  body_jacobians(model_.tree, poses, jacobians_);
+  edges_.linearize(cloud, view.surface(), view.continued(), tiles_per_joint_, poses, jacobians_);
+  at_edges_.information = edges_.information();
+  at_edges_.gradient = edges_.gradient();
+  for (Eigen::Index i = 0; i < steps_.scale().unit.size(); ++i) {
+    if (!covariance.determines(i)) at_edges_.forget(i);
+  }
+  all_.information = kOverlap * covariance.information() + at_edges_.information;
+  all_.hessian = all_.information;
+  all_.gradient = at_edges_.gradient;
+  objective_.collision().evaluate(model_, poses, &all_);
+  const Eigen::VectorXd& step = steps_.best(all_, estimate.configuration, hold_joints);
+  const double farthest = steps_.farthest_refinement(cloud.camera(), estimate.configuration);
+  if (steps_.moves().of(step) > farthest) return;
+  apply_step(step, estimate.configuration);
+  at_edges_.information *= kOverlap;
+  covariance.add_information(at_edges_.information);
+}
+
+}  // namespace lockbox

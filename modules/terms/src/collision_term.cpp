@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/terms/collision_term.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/kernels/point_to_field.hpp"
+#include "lockbox/sdf/distance_rounding.hpp"
+#include "lockbox/sdf/rigid_motion.hpp"
+#include "penetration.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kThicknessShare = 0.125;  // of the thinner body: the largest erosion
+
+/// The erosion that the model's file sets for a pair, by any of the links' names.
+std::optional<double> pair_erosion(const ArticulatedModel& model, const Body& a, const Body& b) {
+  for (const std::string& link_a : a.links) {
+    for (const std::string& link_b : b.links) {
+      const auto found = model.parameters.pair_erosion.find(std::minmax(link_a, link_b));
+      if (found != model.parameters.pair_erosion.end()) {
+        return found->second;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// The erosion that the model's file sets for these bodies, if any. largest: metres.
+std::optional<double> chosen_erosion(const ArticulatedModel& model, const Body& a, const Body& b,
+                                     double largest) {
+  auto chosen = pair_erosion(model, a, b);
+  chosen = chosen ? chosen : model.parameters.erosion;
+  if (chosen && *chosen > largest) {
+    throw InputError(
+        model.file.string(),
+        "the erosion of " + std::to_string(*chosen * 1e3) + " mm for links '" + a.name + "' and '" +
+            b.name + "' is more than an eighth of the thinner one (" +
+            std::to_string(largest * 1e3) +
+            " mm): its eroded surface would vanish; lower it in the model's YAML file");
+  }
+  return chosen;
+}
+
+}  // namespace
+
+CollisionTerm::CollisionTerm(const ArticulatedModel& model, const CollisionOptions& options,
+                             const Executor& executor)
+    : executor_(executor),
+      weight_(options.lambda_collision / (options.collision_sigma * options.collision_sigma)) {
+  if (options.collision == CollisionMode::off) {
+    return;
+  }
+  const std::size_t bodies = model.fields.size();
+  std::vector<std::vector<SurfaceSample>> samples(bodies);
+  std::vector<ErodedSurface> whole(bodies);
+  executor.for_each(bodies, [&](std::size_t b) {
+    if (!model.fields[b]) return;
+    samples[b] = collision_samples(model.tree.bodies[b].mesh);
+    whole[b] = erode(*model.fields[b], samples[b], 0.0);
+  });
+  find_pairs(model, whole);
+  if (options.collision == CollisionMode::eroded) choose_erosions(model, options.erosion);
+  const std::vector<Erosion> erosions = list_erosions();
+  surfaces_.resize(erosions.size());
+  executor.for_each(erosions.size(), [&](std::size_t i) {
+    const auto body = static_cast<std::size_t>(erosions[i].body);
+    surfaces_[i] = erode(*model.fields[body], samples[body], erosions[i].depth);
+  });
+}
+
+/// whole: the surfaces of bodies that have a field.
+void CollisionTerm::find_pairs(const ArticulatedModel& model,
+                               const std::vector<ErodedSurface>& whole) {
+  const auto bodies = static_cast<int>(model.fields.size());
+  for (int a = 0; a < bodies; ++a) {
+    for (int b = a + 1; b < bodies; ++b) {
+      const bool have_fields =
+          model.fields[static_cast<std::size_t>(a)] && model.fields[static_cast<std::size_t>(b)];
+      if (have_fields) pairs_.push_back({a, b, 0.0, 0.0});
+    }
+  }
+  BodyPoses rest;
+  forward_kinematics(model.tree, rest_configuration(model.tree), rest);
+  executor_.for_each(pairs_.size(), [&](std::size_t i) {
+    const auto a = static_cast<std::size_t>(pairs_[i].a);
+    const auto b = static_cast<std::size_t>(pairs_[i].b);
+    const Eigen::Isometry3d T_b_a = rest[b].inverse() * rest[a];
+    const double overlap = std::max(whole[a].deepest_in(*model.fields[b], T_b_a),
+                                    whole[b].deepest_in(*model.fields[a], T_b_a.inverse()));
+    pairs_[i].rest_overlap = overlap < kDistanceRounding ? 0.0 : overlap;
+  });
+}
+
+void CollisionTerm::choose_erosions(const ArticulatedModel& model, double usual) {
+  for (CollisionPair& pair : pairs_) {
+    const auto a = static_cast<std::size_t>(pair.a);
+    const auto b = static_cast<std::size_t>(pair.b);
+    const double largest =
+        kThicknessShare * std::min(model.fields[a]->thickness(), model.fields[b]->thickness());
+    pair.erosion = chosen_erosion(model, model.tree.bodies[a], model.tree.bodies[b], largest)
+                       .value_or(std::min(usual, largest)) +
+                   0.5 * pair.rest_overlap;
+  }
+}
+
+/// Each once, of all pairs.
+std::vector<CollisionTerm::Erosion> CollisionTerm::list_erosions() {
+  std::vector<Erosion> erosions;
+  const auto place_of = [&](const Erosion& wanted) {
+    const auto known = std::find(erosions.begin(), erosions.end(), wanted);
+    const auto place = static_cast<std::size_t>(known - erosions.begin());
+    if (known == erosions.end()) erosions.push_back(wanted);
+    return place;
+  };
+  for (const CollisionPair& pair : pairs_) {
+    const std::size_t of_a = place_of({pair.a, pair.erosion});
+    pair_surfaces_.emplace_back(of_a, place_of({pair.b, pair.erosion}));
+  }
+  return erosions;
+}
+
+void CollisionTerm::compare(const ArticulatedModel& model, const ErodedSurface& surface, int other,
+                            double erosion, const Eigen::Isometry3d& T_other_body, Half& half) {
+  const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(other)];
+  half.cost = 0.0;
+  half.system = {};
+  half.clear_ways.resize(surface.patches.size());
+  const Eigen::AlignedBox3f box = field.bounds().cast<float>();
+  const Eigen::Isometry3f T = T_other_body.cast<float>();
+  const auto eroded = static_cast<float>(erosion);
+  const kernels::RigidMotion motion = to_rigid_motion(T_other_body);
+  std::array<float, ErodedSurface::kSamplesInPatch> distance;
+  for (std::size_t k = 0; k < surface.patches.size(); ++k) {
+    const ErodedSurface::Patch& patch = surface.patches[k];
+    ClearWay& clear_way = half.clear_ways[k];
+    const double off = field.bounds().squaredExteriorDistance(T_other_body * patch.centre);
+    if (off > patch.radius * patch.radius ||
+        clear_way.covers(T_other_body, patch.centre, patch.radius)) {
+      continue;
+    }
+    kernels::look_up_distance(field.view(), motion,
+                              {surface.x.data() + patch.first, surface.y.data() + patch.first,
+                               surface.z.data() + patch.first, patch.size},
+                              distance.data());
+    clear_way = ClearWay(T_other_body, field);
+    clear_way.note(*std::min_element(distance.begin(),
+                                     distance.begin() + static_cast<std::ptrdiff_t>(patch.size)) +
+                   eroded);
+    for (std::size_t i = 0; i < patch.size; ++i) {
+      if (distance[i] + eroded < kDistanceRounding) {
+        add_sample(field, box, T, surface.samples[patch.first + i], eroded, half);
+      }
+    }
+  }
+}
+
+/// What may penetrate, if it does. box: the field's bounds.
+void CollisionTerm::add_sample(const SignedDistanceField& field, const Eigen::AlignedBox3f& box,
+                               const Eigen::Isometry3f& T_other_body,
+                               const ErodedSurface::Sample& sample, float erosion,
+                               Half& half) const {
+  const Eigen::Vector3f p = T_other_body * sample.p_body;
+  if (!box.contains(p)) {
+    return;
+  }
+  const auto inside = penetration(field, p, T_other_body.linear() * sample.normal, erosion);
+  if (!inside) {
+    return;
+  }
+  const double w = weight_ * sample.share;
+  half.cost += 0.5 * w * inside->depth * inside->depth;
+  Twist row;
+  row << inside->normal, inside->point.cross(inside->normal);
+  half.system.hessian.noalias() += w * row * row.transpose();
+  half.system.gradient += w * inside->depth * row;
+}
+
+double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                               NormalEquations* equations) {
+  executor_.for_each(begin(T_camera_body),
+                     [&](std::size_t i) { evaluate_part(model, T_camera_body, i); });
+  return sum_up(model, T_camera_body, equations);
+}
+
+/// A step that is taken was evaluated when it was tried.
+std::size_t CollisionTerm::begin(const BodyPoses& T_camera_body) {
+  if (stands_at(T_camera_body)) return 0;
+  evaluated_.clear();
+  halves_.resize(2 * pairs_.size());
+  return halves_.size();
+}
+
+double CollisionTerm::sum_up(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                             NormalEquations* equations) {
+  evaluated_ = T_camera_body;
+  double cost = 0.0;
+  for (std::size_t i = 0; i < halves_.size(); ++i) {
+    const Half& half = halves_[i];
+    cost += half.cost;
+    if (equations != nullptr && half.cost > 0.0) {
+      const CollisionPair& pair = pairs_[i / 2];
+      const bool exchanged = i % 2 == 1;
+      relative_jacobian(model.tree, T_camera_body, exchanged ? pair.b : pair.a,
+                        exchanged ? pair.a : pair.b, jacobian_);
+      equations->add(half.system, jacobian_);
+    }
+  }
+  return cost;
+}
+
+bool CollisionTerm::stands_at(const BodyPoses& T_camera_body) const {
+  return std::equal(T_camera_body.begin(), T_camera_body.end(), evaluated_.begin(),
+                    evaluated_.end(), [](const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+                      return a.matrix() == b.matrix();
+                    });
+}
+
+/// a moves against b, in b's frame; or b against a, in a's.
+void CollisionTerm::evaluate_part(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                                  std::size_t i) {
+  const CollisionPair& pair = pairs_[i / 2];
+  const auto a = static_cast<std::size_t>(pair.a);
+  const auto b = static_cast<std::size_t>(pair.b);
+  Half& half = halves_[i];
+  half.cost = 0.0;
+  const Eigen::Isometry3d T_b_a = T_camera_body[b].inverse() * T_camera_body[a];
+  const Eigen::AlignedBox3d box_a = model.fields[a]->bounds().transformed(T_b_a);
+  if (!box_a.intersects(model.fields[b]->bounds())) {
+    return;
+  }
+  const auto& [surface_a, surface_b] = pair_surfaces_[i / 2];
+  if (i % 2 == 0) {
+    compare(model, surfaces_[surface_a], pair.b, pair.erosion, T_b_a, half);
+  } else {
+    compare(model, surfaces_[surface_b], pair.a, pair.erosion, T_b_a.inverse(), half);
+  }
+}
+
+}  // namespace lockbox

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/terms/eroded_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lockbox/kernels/point_to_field.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kSamplesPerBody = 4000.0;
+constexpr double kFinestSpacing = 0.003;    // metres
+constexpr double kCoarsestSpacing = 0.015;  // metres
+constexpr int kNewtonSteps = 5;
+constexpr float kExactly = 1e-6F;  // metres: single precision tells no less
+
+/// Moves a point along the field to the level set. Returns the field there.
+DistanceSample move_onto_level(const SignedDistanceField& field, float level, Eigen::Vector3f& p) {
+  DistanceSample at = field.sample(p);
+  for (int step = 0; step < kNewtonSteps && std::abs(at.distance - level) > kExactly; ++step) {
+    p -= (at.distance - level) * at.gradient / std::max(0.25F, at.gradient.squaredNorm());
+    at = field.sample(p);
+  }
+  return at;
+}
+
+/// Samples follow each other along a space-filling curve.
+std::vector<ErodedSurface::Patch> patches_of(const std::vector<ErodedSurface::Sample>& samples) {
+  std::vector<ErodedSurface::Patch> patches;
+  for (std::size_t first = 0; first < samples.size(); first += ErodedSurface::kSamplesInPatch) {
+    const std::size_t size = std::min(ErodedSurface::kSamplesInPatch, samples.size() - first);
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = first; i < first + size; ++i) {
+      box.extend(samples[i].p_body.cast<double>());
+    }
+    patches.push_back({first, kernels::padded(size), box.center(), 0.5 * box.diagonal().norm()});
+  }
+  return patches;
+}
+
+}  // namespace
+
+std::vector<SurfaceSample> collision_samples(const TriangleMesh& mesh) {
+  const double spacing = std::sqrt(surface_area(mesh) / kSamplesPerBody);
+  return sample_surface(mesh, std::clamp(spacing, kFinestSpacing, kCoarsestSpacing));
+}
+
+ErodedSurface erode(const SignedDistanceField& field, std::span<const SurfaceSample> surface,
+                    double erosion) {
+  ErodedSurface eroded;
+  const auto level = static_cast<float>(-erosion);
+  double total = 0.0;
+  for (const SurfaceSample& point : surface) {
+    Eigen::Vector3f p = point.position.cast<float>();
+    const DistanceSample at = move_onto_level(field, level, p);
+    if (std::abs(at.distance - level) > 0.25F * static_cast<float>(field.voxel())) {
+      continue;  // buried in another shell of the same body, or at a medial axis
+    }
+    eroded.samples.push_back({p, at.gradient.normalized(), point.area});
+    total += point.area;
+  }
+  for (ErodedSurface::Sample& sample : eroded.samples) {
+    sample.share /= total;
+    eroded.x.push_back(sample.p_body.x());
+    eroded.y.push_back(sample.p_body.y());
+    eroded.z.push_back(sample.p_body.z());
+  }
+  for (auto* axis : {&eroded.x, &eroded.y, &eroded.z}) {
+    axis->resize(kernels::padded(eroded.samples.size()), kernels::kPadding);
+  }
+  eroded.patches = patches_of(eroded.samples);
+  return eroded;
+}
+
+double ErodedSurface::deepest_in(const SignedDistanceField& other,
+                                 const Eigen::Isometry3d& T_other_body) const {
+  const Eigen::Isometry3f T = T_other_body.cast<float>();
+  double depth = 0.0;
+  for (const Sample& sample : samples) {
+    depth = std::max(depth, -static_cast<double>(other.sample(T * sample.p_body).distance));
+  }
+  return depth;
+}
+
+}  // namespace lockbox

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/terms/low_relief.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/surface_levers.hpp"
+#include "lockbox/model/variable_range.hpp"
+#include "lockbox/view/joint_prominence.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr int kPixelsAround = 4;
+constexpr double kPixelsPulled = 16.0;  // by points, at most
+constexpr double kScanPixels = 0.75;    // from one position to the next over the whole range
+constexpr int kMostSteps = 127;
+constexpr double kLeastGain = 9.0;  // of chi^2
+
+/// Within the limits, each once.
+void put_between(const VariableLimits& limits, std::vector<double>& positions) {
+  for (double& position : positions) position = std::clamp(position, limits.lower, limits.upper);
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+}
+
+std::size_t best(std::span<const double> costs) {
+  return static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
+}
+
+/// Of a chi^2 that is larger than its pixels, the noise is larger than assumed, or less alike.
+double excess(double chi_squared, int pixels) {
+  return std::max(1.0, chi_squared / pixels);
+}
+
+}  // namespace
+
+LowRelief::LowRelief(const ArticulatedModel& model, const ViewOptions& options,
+                     const Executor& executor)
+    : model_(model),
+      noise_(options.noise),
+      prominences_(joint_prominences(model)),
+      levers_(surface_levers(model.tree).tail(model.tree.variables())),
+      patch_(model.tree, options.noise, options.cut, executor) {}
+
+/// Along the optical axis, of what the joint moves first.
+double LowRelief::distance(int variable, const Configuration& configuration) {
+  const auto joint =
+      static_cast<std::size_t>(model_.tree.variable_joint[static_cast<std::size_t>(variable)]);
+  const auto body = static_cast<std::size_t>(model_.tree.joints[joint].child_body);
+  forward_kinematics(model_.tree, configuration, poses_);
+  return poses_[body].translation().z();
+}
+
+double LowRelief::prominence(int variable, const Configuration& configuration) {
+  const double z = distance(variable, configuration);
+  return z > 0.0 ? prominences_[variable] / noise_.sigma_z(z)
+                 : std::numeric_limits<double>::infinity();
+}
+
+double LowRelief::pixel_step(const PinholeCamera& camera, const Configuration& configuration,
+                             int variable) {
+  return distance(variable, configuration) / (camera.fx * levers_[variable]);
+}
+
+std::optional<JointSighting> LowRelief::find_near(const TiledCloud& cloud,
+                                                  const Configuration& configuration, int variable,
+                                                  double before) {
+  const double pixel = pixel_step(cloud.camera(), configuration, variable);
+  const double start = configuration.q[variable];
+  const int way = static_cast<int>(
+      std::clamp(std::round((before - start) / pixel), -kPixelsPulled, kPixelsPulled));
+  positions_.clear();
+  for (int k = std::min(0, way) - kPixelsAround; k <= std::max(0, way) + kPixelsAround; ++k) {
+    positions_.push_back(start + k * pixel);
+  }
+  put_between(variable_limits(model_.tree, variable), positions_);
+  costs_ = patch_.compare(cloud, configuration, variable, positions_);
+  if (costs_.empty()) return std::nullopt;
+  return settle(best(costs_));
+}
+
+/// The variance that all positions have by their likelihood.
+double LowRelief::scatter_around(std::size_t least) const {
+  const double scale = excess(costs_[least], patch_.pixels());
+  double total = 0.0;
+  double scatter = 0.0;
+  for (std::size_t k = 0; k < positions_.size(); ++k) {
+    const double offset = positions_[k] - positions_[least];
+    const double likelihood = std::exp(-0.5 * (costs_[k] - costs_[least]) / scale);
+    total += likelihood;
+    scatter += likelihood * offset * offset;
+  }
+  return scatter / total;
+}
+
+/// At the vertex of the parabola through the best position and its neighbours, whose width adds to
+/// the variance.
+JointSighting LowRelief::settle(std::size_t least) const {
+  const double at = positions_[least];
+  if (least == 0 || least + 1 >= positions_.size()) return {at, scatter_around(least)};
+  const double before = positions_[least - 1] - at;
+  const double after = positions_[least + 1] - at;
+  const double rise_before = (costs_[least - 1] - costs_[least]) / before;
+  const double rise_after = (costs_[least + 1] - costs_[least]) / after;
+  const double bend = (rise_after - rise_before) / (after - before);
+  if (!(bend > 0.0)) return {at, scatter_around(least)};
+  const double offset = 0.5 * (before - rise_before / bend);
+  return {at + std::clamp(offset, 0.5 * before, 0.5 * after),
+          scatter_around(least) + excess(costs_[least], patch_.pixels()) / bend};
+}
+
+std::optional<JointSighting> LowRelief::find_anywhere(const TiledCloud& cloud,
+                                                      const Configuration& configuration,
+                                                      int variable) {
+  const double start = configuration.q[variable];
+  const VariableRange range = variable_range(model_.tree, variable, start);
+  const double step = kScanPixels * pixel_step(cloud.camera(), configuration, variable);
+  positions_ =
+      positions_in(range, std::clamp(static_cast<int>(range.extent() / step) + 1, 1, kMostSteps));
+  const std::size_t here = positions_.size();
+  positions_.push_back(start);
+  costs_ = patch_.compare(cloud, configuration, variable, positions_);
+  if (costs_.empty()) return std::nullopt;
+  const std::size_t least = best(costs_);
+  const double gain = costs_[here] - costs_[least];
+  if (gain < kLeastGain * excess(costs_[least], patch_.pixels())) return std::nullopt;
+  positions_.pop_back();
+  costs_ = costs_.first(positions_.size());
+  return settle(best(costs_));
+}
+
+}  // namespace lockbox

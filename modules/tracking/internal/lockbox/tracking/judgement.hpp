@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Is the estimate believable?
+#pragma once
+
+#include <vector>
+
+#include "lockbox/initialization/initializer.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/tracking/tracker_options.hpp"
+#include "lockbox/tracking/tracking_status.hpp"
+
+namespace lockbox {
+
+/// For comparing answers in one frame: Agreement::conviction, but what may be a patch of a wall,
+/// for the scene goes on beyond its outline, explains nothing.
+double conviction(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// Whether enough of the model is explained, and nothing that is seen contradicts it, of any body,
+/// however small it is beside the others; of one that joints move only if it is not believed to be
+/// the object. It may still not be determined where it is.
+bool agrees(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// Whether it would agree if it were believed: nothing but parts that joints move contradict it.
+bool agrees_but_for_parts(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// By unknown: whether the frame determines it well enough to be reported as known, and nothing
+/// contradicts what it moves.
+std::vector<bool> known_unknowns(const RegistrationResult& registered, const KinematicTree& tree,
+                                 const TrackerOptions& options);
+
+/// Whether it has come to rest: what still moves may end anywhere.
+bool rests(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// Whether it agrees, and the surface does not go on beyond the outline, as that of a wall does.
+bool is_believable(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// Of a registered configuration: `tracking`, `uncertain` or `lost`. What is not believable, of
+/// which too little is seen to know where the base is, or was still on its way, is `uncertain` at
+/// best.
+TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options);
+
+/// Whether the camera sees through what the body should hide: much of it, or some patches.
+bool is_contradicted(const Agreement& body, const TrackerOptions& options);
+
+/// Whether a joint that was sought over its whole range may as well stand elsewhere: most of what
+/// it moves is hidden, and what stands before that may pass for it at many positions.
+bool is_doubtful(const RegistrationResult& registered, int variable, const JointMargins& margins,
+                 const KinematicTree& tree, const TrackerOptions& options);
+
+/// The joint variables, but for locked ones, that move a body which is contradicted.
+std::vector<int> contradicted_variables(const RegistrationResult& registered,
+                                        const KinematicTree& tree, const TrackerOptions& options);
+
+}  // namespace lockbox

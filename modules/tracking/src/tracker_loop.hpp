@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lockbox/cloud/tiled_cloud.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/tracking/acquisition.hpp"
+#include "lockbox/tracking/background_search.hpp"
+#include "lockbox/tracking/judgement.hpp"
+#include "lockbox/tracking/motion_predictor.hpp"
+#include "lockbox/tracking/tracker.hpp"
+#include "lockbox/verification/verifier.hpp"
+
+namespace lockbox {
+
+/// What the tracker does, and all that it remembers from frame to frame.
+class Tracker::Loop {
+ public:
+  Loop(const ArticulatedModel& model, const TrackerOptions& options);
+
+  // As in Tracker.
+  void start(const Configuration& configuration);
+  const TrackingResult& process(const DepthFrame& frame);
+  const std::optional<SearchFailure>& search_failure() const;
+  const TiledCloud& cloud() const { return cloud_; }
+  const TrackerOptions& options() const { return options_; }
+
+ private:
+  bool is_known() const;
+  bool shows_nothing_new(const DepthFrame& frame);
+  void search(const DepthFrame& frame);
+  std::optional<RegistrationResult> sought(const DepthFrame& frame, SearchScope scope);
+  std::optional<RegistrationResult> sought_in_background(const DepthFrame& frame, SearchScope scope,
+                                                         bool is_due);
+  std::optional<RegistrationResult> brought_up_to_date(const RegistrationResult& answer);
+  std::optional<RegistrationResult> where_it_was();
+  void stop_searching();
+  void follow(const DepthFrame& frame);
+  /// A joint that comes back into sight is sought until then.
+  static constexpr int kFramesToKnowMotion = 2;
+  void count_frames_in_sight(const RegistrationResult& found);
+  Configuration with_hidden_joints_sought(const Configuration& prediction);
+  const RegistrationResult& come_to_rest(const Configuration& prediction,
+                                         const RegistrationResult& registered);
+  Annealing further() const;
+  bool is_on_its_way(const Configuration& start, const RegistrationResult& result) const;
+  bool is_hidden_at_once(const RegistrationResult& registered) const;
+  bool has_leapt(const RegistrationResult& registered) const;
+  bool is_settled(const RegistrationResult& registered) const;
+  bool is_flush(const RegistrationResult& found, int variable) const;
+  const RegistrationResult& with_leap_followed(const DepthFrame& frame,
+                                               const Configuration& prediction,
+                                               const RegistrationResult& registered);
+  const RegistrationResult& with_rival_sought(const DepthFrame& frame,
+                                              const RegistrationResult& followed);
+  bool is_doubted_as_before(const RegistrationResult& registered) const;
+  const RegistrationResult& with_doubts_kept(const Configuration& prediction,
+                                             const RegistrationResult& registered);
+  void verify(RegistrationResult& found);
+  void carry_parts(const Configuration& prediction, RegistrationResult& best);
+  void seek_contradicted_joints(RegistrationResult& best);
+  void report(const RegistrationResult& registered);
+  void report_nothing();
+
+  const ArticulatedModel& model_;
+  TrackerOptions options_;
+  Executor executor_;
+  TiledCloud cloud_;
+  ArticulatedRegistration registration_;
+  Acquisition acquisition_;
+  MotionPredictor predictor_;
+  Verifier verifier_;
+  std::optional<Configuration> guess_;
+  /// The estimate was tracked, or given, and nothing has contradicted it since. Then it is followed
+  /// even where the image does not determine it, and not sought elsewhere.
+  bool is_kept_ = false;
+  std::vector<std::uint16_t> last_depth_;  ///< the image that was processed last
+  PinholeCamera last_camera_;
+  float last_unit_ = 0.0F;
+  int repeats_ = 0;          ///< of that image, in a row, since the object was found in it
+  int frames_searched_ = 0;  ///< since the object was last tracked, or the view is another
+  std::ptrdiff_t measured_before_ = 0;  ///< pixels, when that view was first searched
+  std::vector<int> sought_joints_;      ///< variables to be sought over their whole range
+  JointMargins hidden_margins_;         ///< of those that were sought since they were hidden
+  double rival_distance_ = 0.0;         ///< of what was last reported: until a search tells
+  RegistrationResult best_;             ///< of several tries at the same frame
+  double belief_ = 0.0;                 ///< of what was last reported, where it was asked for
+  std::vector<int> doubted_;            ///< variables whose parts contradicted that, in order
+  int frames_doubted_ = 0;              ///< since the image was asked
+  std::vector<int> frames_in_sight_;    ///< by variable: consecutive, up to the present
+  /// By variable: in view, but flush with what is around it, so that seeking would find nothing.
+  std::vector<bool> is_flush_;
+  TrackingResult result_;
+  std::unique_ptr<BackgroundSearch> background_;  ///< made when it is first needed
+  int answers_passed_ = 0;  ///< of it, in a row: right in their frames, not in the newest
+};
+
+}  // namespace lockbox

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/view/outline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "lockbox/kernels/outlines.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kLeastOutline = 0.5;  // of the normal's length: an outline, not a stray pixel
+
+bool inside(const RenderedDepth& image, int u, int v) {
+  return u >= 0 && v >= 0 && u < image.width && v < image.height;
+}
+
+/// Relative change of 1 / depth from pixel (u, v) along (du, dv): of both ways the one that changes
+/// less, for the other may lead over an edge.
+double slope(const RenderedDepth& image, int u, int v, int du, int dv) {
+  constexpr float kUnknown = std::numeric_limits<float>::infinity();
+  const std::size_t here = image.index(u, v);
+  const auto change = [&](int way) {
+    if (!inside(image, u + way * du, v + way * dv)) return kUnknown;
+    const std::size_t there = image.index(u + way * du, v + way * dv);
+    const float nearer = image.depth[here] / image.depth[there] - 1.0F;
+    return image.id[there] == image.id[here] ? nearer : kUnknown;
+  };
+  const float before = -change(-1);
+  const float after = change(1);
+  const float least = std::abs(after) < std::abs(before) ? after : before;
+  return std::abs(least) < kUnknown ? static_cast<double>(least) : 0.0;
+}
+
+}  // namespace
+
+TangentPlane::TangentPlane(const RenderedDepth& image, int u, int v)
+    : slope_u_(slope(image, u, v, 1, 0)), slope_v_(slope(image, u, v, 0, 1)) {}
+
+namespace {
+
+using kernels::kPullColumns;
+using kernels::kPullReach;
+using kernels::kPullRows;
+
+/// The depths around a pixel near the border of the image: 0, which lies beyond nothing, outside.
+std::array<float, std::size_t{kPullRows} * kPullColumns> with_border(const RenderedDepth& image,
+                                                                     int u, int v) {
+  std::array<float, std::size_t{kPullRows} * kPullColumns> depths{};
+  for (int row = 0; row < kPullRows; ++row) {
+    for (int column = 0; column < kPullRows; ++column) {
+      const int at_u = u + column - kPullReach;
+      const int at_v = v + row - kPullReach;
+      if (!inside(image, at_u, at_v)) continue;
+      depths[static_cast<std::size_t>(row * kPullColumns + column)] =
+          image.depth[image.index(at_u, at_v)];
+    }
+  }
+  return depths;
+}
+
+}  // namespace
+
+Eigen::Vector2d outline_normal(const RenderedDepth& image, const TangentPlane& plane, int u, int v,
+                               double step) {
+  const Eigen::Vector2d slopes = plane.slopes();
+  const kernels::PixelPlane pixel{image.depth[image.index(u, v)], static_cast<float>(slopes.x()),
+                                  static_cast<float>(slopes.y())};
+  const bool is_within = inside(image, u - kPullReach, v - kPullReach) &&
+                         inside(image, u - kPullReach + kPullColumns, v + kPullReach);
+  kernels::OutlinePull pull;
+  if (is_within) {
+    pull = kernels::outline_pull(&image.depth[image.index(u - kPullReach, v - kPullReach)],
+                                 image.width, pixel, static_cast<float>(step));
+  } else {
+    const auto depths = with_border(image, u, v);
+    pull = kernels::outline_pull(depths.data(), kPullColumns, pixel, static_cast<float>(step));
+  }
+  const Eigen::Vector2d normal = Eigen::Vector2d(pull.u, pull.v) / kernels::OutlinePull::kUnit;
+  const double length = normal.norm();
+  return length > kLeastOutline ? Eigen::Vector2d(normal / length) : Eigen::Vector2d::Zero();
+}
+
+}  // namespace lockbox
