@@ -41,6 +41,7 @@ RenderedDepth drawn_board(int width, int height) {
   RenderedDepth image;
   image.width = width;
   image.height = height;
+  image.drawn = {0, 0, width, height};
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
       const bool is_inside = is_on_board(u, v, width, height);

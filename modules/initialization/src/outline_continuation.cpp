@@ -121,8 +121,9 @@ class OutlineSurvey {
 double share_that_continues(const RenderedDepth& image, const CoarseView& view, double noise,
                             double slack) {
   OutlineSurvey survey(image, view, noise, slack);
-  for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
+  const ImageWindow& drawn = image.drawn;
+  for (int v = drawn.top; v < drawn.bottom(); ++v) {
+    for (int u = drawn.left; u < drawn.right(); ++u) {
       if (image.id[image.index(u, v)] == kNothing) continue;
       for (std::size_t direction = 0; direction < kNeighbours.size(); ++direction) {
         survey.look_across(u, v, direction);

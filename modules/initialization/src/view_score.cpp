@@ -175,9 +175,10 @@ bool ViewScore::speaks(std::size_t pixel) const {
 /// Of what whole_ shows.
 ViewEvidence ViewScore::count_pixels(double slack) const {
   const RenderedDepth& image = whole_.image;
+  const ImageWindow& drawn = image.drawn;
   ViewEvidence evidence;
-  for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
+  for (int v = drawn.top; v < drawn.bottom(); ++v) {
+    for (int u = drawn.left; u < drawn.right(); ++u) {
       const std::size_t pixel = image.index(u, v);
       if (!speaks(pixel)) continue;
       const double score = pixel_score(whole_, u, v, slack);
@@ -221,8 +222,8 @@ std::vector<double> ViewScore::scan(std::span<const Configuration> trials, int v
   draw(trials.front(), others, rest_);
   const RenderedDepth& rest = rest_.image;
   rest_scores_.assign(rest.depth.size(), 0.0);
-  for (int v = 0; v < rest.height; ++v) {
-    for (int u = 0; u < rest.width; ++u) {
+  for (int v = rest.drawn.top; v < rest.drawn.bottom(); ++v) {
+    for (int u = rest.drawn.left; u < rest.drawn.right(); ++u) {
       const std::size_t pixel = rest.index(u, v);
       if (rest.id[pixel] != kNothing) rest_scores_[pixel] = pixel_score(rest_, u, v, slack);
     }
@@ -239,9 +240,10 @@ std::vector<double> ViewScore::scan(std::span<const Configuration> trials, int v
 /// What the moved bodies explain, less what is explained of what they hide.
 double ViewScore::score_of_moved(double slack) const {
   const RenderedDepth& image = moving_.image;
+  const ImageWindow& drawn = image.drawn;
   double sum = 0.0;
-  for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
+  for (int v = drawn.top; v < drawn.bottom(); ++v) {
+    for (int u = drawn.left; u < drawn.right(); ++u) {
       const std::size_t pixel = image.index(u, v);
       if (image.id[pixel] != kNothing && image.depth[pixel] < rest_.image.depth[pixel]) {
         sum += pixel_score(moving_, u, v, slack) - rest_scores_[pixel];
