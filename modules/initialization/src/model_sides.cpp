@@ -13,6 +13,10 @@ namespace {
 /// narrower of two doors is not.
 constexpr double kLeastShare = 0.25;
 constexpr double kSameWay = 0.87;  // cosine of 30 degrees: seen together, or not
+/// The same of the largest side that faces another way. Doubled, chests of eight drawers have no
+/// fronts; halved, boards have narrow sides, by which none is found, and the search takes twice as
+/// long.
+constexpr double kLeastShareOfAll = 0.06;
 /// Shares of the square of the model's diameter, and of its surface, of which the smaller is the
 /// area of a flat side that can be told in a view: 4 cm by 5 cm of a metre. Doubled, narrow
 /// sides of large models are no longer matched; halved, the search takes longer for round ones.
@@ -29,7 +33,8 @@ double surface_of(const KinematicTree& tree) {
 
 bool is_large(const Facing& side, const std::vector<Facing>& sides) {
   return std::all_of(sides.begin(), sides.end(), [&](const Facing& other) {
-    return other.normal.dot(side.normal) < kSameWay || side.area >= kLeastShare * other.area;
+    const bool is_seen_with = other.normal.dot(side.normal) > kSameWay;
+    return side.area >= (is_seen_with ? kLeastShare : kLeastShareOfAll) * other.area;
   });
 }
 

@@ -25,8 +25,8 @@ struct Facing {
   double area;             ///< square metres
 };
 
-/// Among those that face the same way: from the front only fronts are seen, however large the other
-/// sides are.
+/// Above all among those that face the same way: from the front only fronts are seen, however large
+/// the other sides are.
 bool is_large(const Facing& side, const std::vector<Facing>& sides);
 
 /// The share of the surface that lies in flat sides, 0 to 1.

@@ -133,7 +133,7 @@ std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
 /// a cabinet is more than one of its fronts.
 void Initializer::Workspace::judge_match(bool is_close, Hypothesis& hypothesis) {
   hypothesis.score = judge(hypothesis, 0.02, 1.0, is_close);
-  if (hypothesis.configuration.q != held.q) return;
+  if (!(hypothesis.score > 0.0) || hypothesis.configuration.q != held.q) return;
   const Hypothesis whole{hypothesis.configuration, all_bodies};
   hypothesis.score = std::max(hypothesis.score, judge(whole, 0.02, 1.0, is_close));
 }
