@@ -200,16 +200,24 @@ std::vector<ModelRelief> reliefs_of_sides(
     const KinematicTree& tree,
     FunctionRef<ModelRelief(int body, const Eigen::Vector3d& normal, double offset, int draws)>
         relief_of) {
-  const std::vector<ModelSide> sides = flat_sides(tree);
-  std::vector<Facing> facings;  // what lies inside is never seen
-  for (const auto& [body, flat, normal] : sides) {
-    facings.push_back({normal, relief_of(body, flat.normal, flat.offset, kFewDraws).area});
-  }
+  std::vector<ModelSide> sides = flat_sides(tree);
   std::vector<ModelRelief> reliefs;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const FlatSide& flat = sides[i].flat;
-    if (facings[i].area == 0.0 || !is_large(facings[i], facings)) continue;
-    reliefs.push_back(relief_of(sides[i].body, flat.normal, flat.offset, kJointDraws));
+  // What lies inside is never seen: for most sides a glance tells.
+  for (const int draws : {kFewDraws, kJointDraws}) {
+    std::vector<ModelRelief> all;
+    std::vector<Facing> facings;
+    for (const auto& [body, flat, normal] : sides) {
+      all.push_back(relief_of(body, flat.normal, flat.offset, draws));
+      facings.push_back({normal, all.back().area});
+    }
+    std::vector<ModelSide> large;
+    reliefs.clear();
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (facings[i].area == 0.0 || !is_large(facings[i], facings)) continue;
+      large.push_back(sides[i]);
+      reliefs.push_back(std::move(all[i]));
+    }
+    sides = std::move(large);
   }
   std::stable_sort(reliefs.begin(), reliefs.end(),
                    [](const ModelRelief& a, const ModelRelief& b) { return a.area > b.area; });
