@@ -206,6 +206,8 @@ std::vector<ModelRelief> reliefs_of_sides(
   for (const int draws : {kFewDraws, kJointDraws}) {
     std::vector<ModelRelief> all;
     std::vector<Facing> facings;
+    all.reserve(sides.size());
+    facings.reserve(sides.size());
     for (const auto& [body, flat, normal] : sides) {
       all.push_back(relief_of(body, flat.normal, flat.offset, draws));
       facings.push_back({normal, all.back().area});
