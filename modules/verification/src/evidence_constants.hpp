@@ -21,10 +21,6 @@ inline constexpr double kOutlinePixels = 1.0;
 /// Nats of a straight contour that was foretold: where it lies and how it is turned, each to three
 /// cells of 240, and what begins there. Doubled, boxes pass for the model with half its edges.
 inline constexpr double kLine = 10.0;
-/// Stretches of a line, each of which something else in the model's place would have to have, too:
-/// of 20 cells that are blurred over 5 (kBand). Doubled, lines of a model seen at a grazing angle,
-/// near one of which everything lies, tell twice as much.
-inline constexpr double kStretches = 5.0;
 /// Cells along a contour that make a line of it: fewer may be noise. Doubled, edges of 6 cm at 2 m
 /// tell half as much.
 inline constexpr double kLeastLine = 4.0;

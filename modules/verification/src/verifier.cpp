@@ -40,11 +40,24 @@ double worth(int cells) {
   return evidence::kLine * std::min(1.0, cells / (evidence::kLeastLine * kBand));
 }
 
-/// The share of a line's nats that is left, where a line that has nothing to do with the model
-/// would be matched by chance, stretch by stretch.
-double information(double chance) {
-  return std::min(1.0, -evidence::kStretches * std::log(chance) / evidence::kLine);
+/// What is matched, less what chance matches, as tests are corrected for guessing (Lyerly, A Note
+/// on Correcting for Chance Success in Objective Tests, 1951): of lines that have nothing to do
+/// with the model it has that share, too, and the others are unmatched. All in nats.
+double beyond_chance(double matched, double unmatched, double chance) {
+  return std::max(0.0, matched - unmatched * chance / (1.0 - chance));
 }
+
+/// Of a row of cells, or of all.
+struct Sums {
+  Evidence evidence;
+  double unmatched = 0.0;  ///< nats of the scene's lines that the model has not
+
+  Sums& operator+=(const Sums& other) {
+    evidence += other.evidence;
+    unmatched += other.unmatched;
+    return *this;
+  }
+};
 
 /// What lies on the scene's own surface errs, too.
 double of_misfit(double misfit) {
@@ -66,7 +79,7 @@ struct Verifier::Workspace {
   int outline_reach(double inverse_depth) const;
   Around around(int u, int v) const;
   Seen judge(int u, int v, Evidence& sum) const;
-  void compare_lines(int u, int v, Evidence& sum) const;
+  void compare_lines(int u, int v, Sums& sum) const;
   bool is_in_sight(int u, int v, const Eigen::Vector2f& direction) const;
   double of_occluder(int u, int v) const;
 
@@ -79,11 +92,10 @@ struct Verifier::Workspace {
   ContourLines scene_lines;
   ContourLines model_lines;
   ContourLines faint_lines;  ///< of the model, those that are hardly ones, too
-  double informing = 1.0;    ///< share of a line's nats that one of this model has
   std::vector<Eigen::Isometry3d> poses;
   std::vector<RenderItem> items;
   std::vector<Seen> seen;
-  std::vector<Evidence> sums;  ///< by row
+  std::vector<Sums> sums;  ///< by row
 };
 
 Verifier::Verifier(const KinematicTree& tree) : workspace_(std::make_unique<Workspace>(tree)) {}
@@ -130,17 +142,17 @@ Evidence Verifier::Workspace::sum_up() {
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) judge_row(drawn.top + static_cast<int>(i));
   });
-  informing = information(chance_of_a_line());
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) compare_row(drawn.top + static_cast<int>(i));
   });
-  Evidence all;
-  for (const Evidence& row : sums) all += row;
-  return all;
+  Sums all;
+  for (const Sums& row : sums) all += row;
+  all.evidence.matched = beyond_chance(all.evidence.matched, all.unmatched, chance_of_a_line());
+  return all.evidence;
 }
 
 void Verifier::Workspace::judge_row(int v) {
-  Evidence& sum = sums[static_cast<std::size_t>(v)];
+  Evidence& sum = sums[static_cast<std::size_t>(v)].evidence;
   for (int u = image.drawn.left; u < image.drawn.right(); ++u) {
     if (!(shown(u, v) > 0.0) || !(scene->at(u, v) > 0.0)) continue;
     ++sum.cells;
@@ -169,10 +181,10 @@ double Verifier::Workspace::chance_of_a_line() const {
 }
 
 void Verifier::Workspace::compare_row(int v) {
-  Evidence& sum = sums[static_cast<std::size_t>(v)];
+  Sums& sum = sums[static_cast<std::size_t>(v)];
   for (int u = image.drawn.left; u < image.drawn.right(); ++u) {
     if (seen[image.index(u, v)] == Seen::nothing) continue;
-    sum.occluded += of_occluder(u, v);
+    sum.evidence.occluded += of_occluder(u, v);
     compare_lines(u, v, sum);
   }
 }
@@ -215,9 +227,9 @@ bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direc
   return true;
 }
 
-/// Each line of the scene tells for the model in so far as the model has it, too, and by chance
-/// would not; and each line of the model against it in so far as the scene goes on there.
-void Verifier::Workspace::compare_lines(int u, int v, Evidence& sum) const {
+/// Each line of the scene tells for the model in so far as the model has it, too, and each line of
+/// the model against it in so far as the scene goes on there.
+void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
   const std::size_t cell = image.index(u, v);
   if (seen[cell] != Seen::explained) return;
   const Eigen::Vector2f& of_scene = scene_lines.direction(cell);
@@ -227,15 +239,17 @@ void Verifier::Workspace::compare_lines(int u, int v, Evidence& sum) const {
     const int length = scene_lines.cells_of_line(cell);
     const double share = worth(length) / length;
     if (model_lines.passes(*scene, u, v, reach, of_scene)) {
-      sum.matched += informing * share;
+      sum.evidence.matched += share;
     } else if (is_in_sight(u, v, of_scene) && !faint_lines.passes(*scene, u, v, reach, of_scene)) {
-      sum.contradicted += std::log(evidence::kUnmodelled) / evidence::kLine * share;
+      sum.evidence.contradicted += std::log(evidence::kUnmodelled) / evidence::kLine * share;
+      sum.unmatched += share;
     }
   }
   if (!of_model.isZero() && is_in_sight(u, v, of_model) &&
       !scene_lines.passes(*scene, u, v, reach, of_model)) {
     const int length = model_lines.cells_of_line(cell);
-    sum.contradicted += std::log(evidence::kFlush) / evidence::kLine * worth(length) / length;
+    sum.evidence.contradicted +=
+        std::log(evidence::kFlush) / evidence::kLine * worth(length) / length;
   }
 }
 
