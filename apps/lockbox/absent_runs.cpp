@@ -74,7 +74,7 @@ void write_claim(const ArticulatedModel& model, const DepthFrame& frame,
   constexpr float kOpacity = 0.5F;
   RgbImage picture = depth_picture(frame);
   write_png(stem + "_image.png", picture);
-  ModelPainter(model.tree, frame.camera, interruption::executor(), GreyModel::in_orange)
+  ModelPainter(model.tree, frame.camera, Executor(), GreyModel::in_orange)
       .paint(claimed, kOpacity, picture);
   write_png(stem + "_claim.png", picture);
 }
