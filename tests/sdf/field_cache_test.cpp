@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <functional>
@@ -71,9 +72,33 @@ TEST_F(FieldCache, GivesBackWhatWasBuilt) {
 TEST_F(FieldCache, ReadsInsteadOfBuilding) {
   load(folder_.path());
   ASSERT_EQ(files().size(), 1U);
-  const auto written = fs::last_write_time(files()[0]);
+  const fs::path file = files()[0];
+  fs::create_hard_link(file, folder_.path() / "same");  // as what is built takes its place
   load(folder_.path());
-  EXPECT_EQ(fs::last_write_time(files()[0]), written);
+  EXPECT_TRUE(fs::equivalent(file, folder_.path() / "same"));
+}
+
+TEST_F(FieldCache, WhatWasNotUsedForTheLongestTimeGoesFirst) {
+  load(folder_.path());
+  const fs::path first = files().at(0);
+  const TriangleMesh other = make_cylinder(0.01, 0.03);
+  load_or_build_field(other, options_, folder_.path(), Executor(1));
+  folder_.write("notes.txt", "not a field");
+  const CachedFields both = cached_fields(folder_.path());
+  EXPECT_EQ(both.files, 2U);
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(24);
+  for (const fs::path& file : files()) fs::last_write_time(file, long_ago);
+  load(folder_.path());  // the first one is used again
+  const CachedFields left = limit_fields(folder_.path(), both.bytes - 1);
+  EXPECT_EQ(left.files, 1U);
+  EXPECT_EQ(left.bytes, fs::file_size(first));
+  EXPECT_EQ(limit_fields(folder_.path(), 0).files, 0U);
+  EXPECT_TRUE(fs::exists(folder_.path() / "notes.txt"));
+}
+
+TEST_F(FieldCache, AFolderThatIsNotThereHoldsNothing) {
+  EXPECT_EQ(cached_fields(folder_.path() / "none").files, 0U);
+  EXPECT_EQ(limit_fields(folder_.path() / "none", 0).files, 0U);
 }
 
 TEST_F(FieldCache, KeepsWhatDiffersApart) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cache_folder.hpp"
+#include "lockbox/model/cache_folder.hpp"
 
 #include <cstdlib>
 

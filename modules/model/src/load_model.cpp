@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cache_folder.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/mesh/simplify.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/model/cache_folder.hpp"
 #include "model_fields.hpp"
 #include "model_parameters.hpp"
 

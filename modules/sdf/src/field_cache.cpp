@@ -5,13 +5,16 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "field_file.hpp"
 #include "lockbox/mesh/content_hash.hpp"
@@ -30,10 +33,12 @@ std::uint64_t key_of(const TriangleMesh& mesh, const FieldOptions& options) {
   return hash.value();
 }
 
+constexpr auto kExtension = ".field";
+
 std::filesystem::path file_for(const std::filesystem::path& folder, std::uint64_t key) {
   char name[32];
-  std::snprintf(name, sizeof name, "%016llx.field", static_cast<unsigned long long>(key));
-  return folder / name;
+  std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(key));
+  return folder / (std::string(name) + kExtension);
 }
 
 std::optional<SignedDistanceField::Storage> read(const std::filesystem::path& file,
@@ -47,6 +52,8 @@ std::optional<SignedDistanceField::Storage> read(const std::filesystem::path& fi
   std::string bytes(size, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  // Used just now. Where that cannot be noted, the field goes as if it had not been.
+  std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), error);
   return from_bytes(bytes, key);
 }
 
@@ -98,7 +105,53 @@ void write(const std::filesystem::path& file, const std::string& bytes) {
   if (!write_nameless(file, bytes)) write_and_rename(file, bytes);
 }
 
+struct CachedFile {
+  std::filesystem::path path;
+  std::uintmax_t bytes;
+  std::filesystem::file_time_type used;
+};
+
+/// The one used last first. What other processes delete meanwhile is left out.
+std::vector<CachedFile> files_in(const std::filesystem::path& folder) {
+  std::vector<CachedFile> files;
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    if (entry->path().extension() != kExtension) continue;
+    std::error_code gone;
+    const std::uintmax_t bytes = entry->file_size(gone);
+    if (gone) continue;
+    const auto used = entry->last_write_time(gone);
+    if (!gone) files.push_back({entry->path(), bytes, used});
+  }
+  std::sort(files.begin(), files.end(), [](const CachedFile& a, const CachedFile& b) {
+    return std::tie(b.used, a.path) < std::tie(a.used, b.path);
+  });
+  return files;
+}
+
 }  // namespace
+
+CachedFields cached_fields(const std::filesystem::path& folder) {
+  CachedFields all;
+  for (const CachedFile& file : files_in(folder)) {
+    ++all.files;
+    all.bytes += file.bytes;
+  }
+  return all;
+}
+
+CachedFields limit_fields(const std::filesystem::path& folder, std::uintmax_t most_bytes) {
+  CachedFields kept;
+  for (const CachedFile& file : files_in(folder)) {
+    std::error_code error;
+    const bool is_too_much = kept.bytes + file.bytes > most_bytes;
+    if (is_too_much && std::filesystem::remove(file.path, error)) continue;
+    ++kept.files;
+    kept.bytes += file.bytes;
+  }
+  return kept;
+}
 
 SignedDistanceField load_or_build_field(const TriangleMesh& mesh, const FieldOptions& options,
                                         const std::filesystem::path& folder,
@@ -113,6 +166,7 @@ SignedDistanceField load_or_build_field(const TriangleMesh& mesh, const FieldOpt
   }
   SignedDistanceField field = build_field(mesh, options, executor);
   write(file, to_bytes(field.storage(), key));
+  limit_fields(folder, kMostCachedBytes);
   return field;
 }
 

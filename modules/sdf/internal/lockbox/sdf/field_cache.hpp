@@ -2,6 +2,8 @@
 // Fields on disk, named by what they were built from.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 
 #include "lockbox/sdf/build_field.hpp"
@@ -20,5 +22,22 @@ namespace lockbox {
 SignedDistanceField load_or_build_field(const TriangleMesh& mesh, const FieldOptions& options,
                                         const std::filesystem::path& folder,
                                         const Executor& executor);
+
+/// What the fields of a folder take.
+struct CachedFields {
+  std::size_t files = 0;
+  std::uintmax_t bytes = 0;
+};
+
+/// More than this is not kept: what was not used for the longest time goes when a field is added.
+/// Fields of about a hundred models. Doubled, twice as many models load at once.
+inline constexpr std::uintmax_t kMostCachedBytes = std::uintmax_t{1} << 30;
+
+CachedFields cached_fields(const std::filesystem::path& folder);
+
+/// Deletes those that were not used for the longest time, until the others take no more than that.
+/// Returns what is left. Other files in the folder are left alone, and so is what cannot be
+/// deleted.
+CachedFields limit_fields(const std::filesystem::path& folder, std::uintmax_t most_bytes);
 
 }  // namespace lockbox
