@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <locale>
+#include <sstream>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
@@ -51,6 +52,18 @@ void write_covariance_header(std::ofstream& stream, const KinematicTree& tree) {
   stream << '\n' << std::flush;
 }
 
+/// kind:probability, separated by semicolons.
+std::string alternatives_text(const std::vector<Alternative>& alternatives) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(3);
+  for (const Alternative& alternative : alternatives) {
+    if (&alternative != &alternatives.front()) text << ';';
+    text << to_string(alternative.kind) << ':' << alternative.probability;
+  }
+  return text.str();
+}
+
 /// Whether it holds nothing but the header of a states file.
 bool is_without_rows(const std::filesystem::path& file) {
   std::ifstream stream(file);
@@ -79,7 +92,7 @@ RunWriter::RunWriter(const std::filesystem::path& folder, const KinematicTree& t
   for (const int joint : tree.file_order) {
     states_ << ',' << tree.joints[static_cast<std::size_t>(joint)].name << ".sigma";
   }
-  states_ << ",residual_rms,explained,contradicted,latency_ms";
+  states_ << ",residual_rms,explained,contradicted,latency_ms,belief,alternatives";
   end_row(states_, folder / "states.csv");
   if (with_covariance) {
     covariance_ = open_for_writing(folder / "covariance.csv");
@@ -102,7 +115,8 @@ void RunWriter::write_state(const TrackingResult& result) {
     states_ << ',' << plain(joint_sigma(tree_.joints[static_cast<std::size_t>(joint)], result));
   }
   states_ << ',' << plain(result.residual_rms) << ',' << plain(result.explained) << ','
-          << plain(result.contradicted) << ',' << result.latency_ms;
+          << plain(result.contradicted) << ',' << result.latency_ms << ',' << result.belief << ','
+          << alternatives_text(result.alternatives);
   end_row(states_, folder_ / "states.csv");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <memory>
 
@@ -26,6 +27,10 @@
 
 namespace lockbox::app {
 namespace {
+
+/// Seconds: as long as one waits for a first answer without wondering. Doubled, an object that is
+/// hard to find is found two frames earlier, in frames that take twice as long.
+constexpr double kSearchLimit = 1.5;
 
 const std::map<std::string, CollisionMode> kCollisionModes = {{"off", CollisionMode::off},
                                                               {"literal", CollisionMode::literal},
@@ -77,6 +82,7 @@ class TrackCommand : public Command {
       if (source->frame_count()) source = open();
     }
     tracker_options.background_search = source->is_realtime();
+    if (is_short(*source)) tracker_options.search_limit = std::numeric_limits<double>::infinity();
     tracker_options.try_other_readings = !settings_.quiet;
     tracker_options.try_other_units = !source->is_unit_stated();
     tracker_options.stop_request = interruption::requested;
@@ -164,6 +170,14 @@ class TrackCommand : public Command {
     return source_.open();
   }
 
+  /// Whether it ends before a search does that goes on in later frames.
+  bool is_short(const FrameSource& source) const {
+    constexpr std::size_t kFramesOfSearch = 9;  // its last round is in the ninth frame
+    const auto frames = source.frame_count();
+    const bool ends = frames && *frames < kFramesOfSearch;
+    return ends || (settings_.max_frames > 0 && settings_.max_frames < kFramesOfSearch);
+  }
+
   void add_output_options(CLI::App& options) {
     options
         .add_option("-o,--output", settings_.output, "Folder for states.csv, base.tum and run.yaml")
@@ -202,6 +216,7 @@ class TrackCommand : public Command {
 
   void add_tracker_options(CLI::App& options) {
     RegistrationOptions& registration = tracker_.registration;
+    tracker_.search_limit = kSearchLimit;
     add_threads_option(options, tracker_.threads);
     options
         .add_option("--iterations", registration.max_iterations,
@@ -213,6 +228,13 @@ class TrackCommand : public Command {
                     "Points used a frame, at most about, those that tell most; 0: all")
         ->check(not_negative())
         ->check(whole_number());
+    options
+        .add_option("--search-limit", tracker_.search_limit,
+                    "Seconds that a search of the whole frame may take from one frame, counted in "
+                    "work as on the README's machine: one that needs more goes on in the next "
+                    "frames")
+        ->check(positive())
+        ->type_name("SECONDS");
     options.add_flag("--fixed-base", registration.fixed_base, "The base does not move");
     options.add_option("--lock-joint", locked_joints_, "Hold this joint (repeatable)")
         ->type_name("NAME")

@@ -18,9 +18,16 @@ namespace {
 
 constexpr double kFramePeriod = 1.0 / 30.0;  // seconds, as of sources that tell no times
 
+struct Alternative {
+  std::string kind;
+  State state;
+  double probability;
+};
+
 struct Result {
   double time;
   std::string status;
+  double belief;
   State state;        ///< NaN while nothing is known
   JointValues sigma;  ///< see joint_sigma()
   Eigen::MatrixXd covariance;
@@ -28,6 +35,7 @@ struct Result {
   double residual_rms;
   double explained;
   double contradicted;
+  std::vector<Alternative> alternatives;
   double seconds;
 };
 
@@ -44,6 +52,7 @@ Result to_result(const KinematicTree& tree, const TrackingResult& result) {
   Result copy;
   copy.time = result.stamp;
   copy.status = to_string(result.status);
+  copy.belief = result.belief;
   copy.state = to_state(tree, is_told ? result.configuration : unknown_configuration(tree));
   if (!is_told) copy.state.base.topRows<3>().setConstant(TrackingResult::kNothingFound);
   for (const int index : tree.file_order) {
@@ -56,6 +65,10 @@ Result to_result(const KinematicTree& tree, const TrackingResult& result) {
   copy.residual_rms = result.residual_rms;
   copy.explained = result.explained;
   copy.contradicted = result.contradicted;
+  for (const lockbox::Alternative& other : result.alternatives) {
+    copy.alternatives.push_back(
+        {to_string(other.kind), to_state(tree, other.configuration), other.probability});
+  }
   copy.seconds = 1e-3 * result.latency_ms;
   return copy;
 }
@@ -172,17 +185,44 @@ std::unique_ptr<PythonTracker> make_tracker(
 }
 
 py::tuple pickled_result(const Result& result) {
-  return py::make_tuple(result.time, result.status, result.state, result.sigma, result.covariance,
-                        result.reason, result.residual_rms, result.explained, result.contradicted,
-                        result.seconds);
+  return py::make_tuple(result.time, result.status, result.belief, result.state, result.sigma,
+                        result.covariance, result.reason, result.residual_rms, result.explained,
+                        result.contradicted, result.alternatives, result.seconds);
 }
 
 Result unpickled_result(const py::tuple& parts) {
-  return {parts[0].cast<double>(),          parts[1].cast<std::string>(),
-          parts[2].cast<State>(),           parts[3].cast<JointValues>(),
-          parts[4].cast<Eigen::MatrixXd>(), parts[5].cast<std::optional<std::string>>(),
-          parts[6].cast<double>(),          parts[7].cast<double>(),
-          parts[8].cast<double>(),          parts[9].cast<double>()};
+  return {parts[0].cast<double>(),
+          parts[1].cast<std::string>(),
+          parts[2].cast<double>(),
+          parts[3].cast<State>(),
+          parts[4].cast<JointValues>(),
+          parts[5].cast<Eigen::MatrixXd>(),
+          parts[6].cast<std::optional<std::string>>(),
+          parts[7].cast<double>(),
+          parts[8].cast<double>(),
+          parts[9].cast<double>(),
+          parts[10].cast<std::vector<Alternative>>(),
+          parts[11].cast<double>()};
+}
+
+void bind_alternative(py::module_& module) {
+  py::class_<Alternative>(module, "Alternative",
+                          "Where the object may be as well, as far as the frame tells.")
+      .def_readonly("kind", &Alternative::kind,
+                    "`flip` (in the same place, turned) or `elsewhere` (in another place).")
+      .def_readonly("state", &Alternative::state, "Base and joints as a State.")
+      .def_readonly("probability", &Alternative::probability, "How probable it is, 0 to 1.")
+      .def(py::pickle(
+          [](const Alternative& self) {
+            return py::make_tuple(self.kind, self.state, self.probability);
+          },
+          [](const py::tuple& parts) {
+            return Alternative{parts[0].cast<std::string>(), parts[1].cast<State>(),
+                               parts[2].cast<double>()};
+          }))
+      .def("__repr__", [](const Alternative& self) {
+        return "<lockbox.Alternative " + self.kind + ": " + std::to_string(self.probability) + ">";
+      });
 }
 
 void bind_result(py::module_& module) {
@@ -220,6 +260,12 @@ void bind_result(py::module_& module) {
                     "The share of the model's visible surface that the image confirms.")
       .def_readonly("contradicted", &Result::contradicted,
                     "The share of the model's visible surface that the image sees through.")
+      .def_readonly("belief", &Result::belief,
+                    "The probability that the base is where it is reported; 0 while nothing is "
+                    "known.")
+      .def_readonly("alternatives", &Result::alternatives,
+                    "What a search could not tell from what is reported: Alternatives, the most "
+                    "probable first.")
       .def_readonly("seconds", &Result::seconds, "How long the frame took, seconds.")
       .def(py::pickle(&pickled_result, &unpickled_result))
       .def("__repr__", [](const Result& self) {
@@ -230,6 +276,7 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_tracker(py::module_& module) {
+  bind_alternative(module);
   bind_result(module);
   py::class_<PythonTracker>(module, "Tracker", "Follows an object from frame to frame.")
       .def(

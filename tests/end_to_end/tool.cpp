@@ -104,7 +104,11 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
 
 std::vector<std::string> rows_without_latency(const std::filesystem::path& file) {
   auto lines = read_lines(file);
-  for (auto& line : lines) line.erase(line.rfind(','));
+  for (auto& line : lines) {  // belief and alternatives are behind it
+    const auto end = line.rfind(',', line.rfind(',') - 1);
+    const auto begin = line.rfind(',', end - 1);
+    line.erase(begin, end - begin);
+  }
   return lines;
 }
 

@@ -47,7 +47,7 @@ std::string read_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);
 std::vector<std::string> read_lines(const std::filesystem::path& file);
 
-/// The rows of states.csv without the last column, the latency, which is the clock's.
+/// The rows of states.csv without the latency, which is the clock's.
 std::vector<std::string> rows_without_latency(const std::filesystem::path& file);
 
 }  // namespace lockbox

@@ -154,9 +154,9 @@ TEST_F(JointRefusals, MimicsWithoutADriver) {
 }
 
 TEST_F(JointRefusals, NamesThatNoColumnCanBear) {
-  for (const std::string name :
-       {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw", "status", "residual_rms",
-        "explained", "contradicted", "latency_ms", "door.sigma", ".sigma"}) {
+  for (const std::string name : {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw", "status",
+                                 "residual_rms", "explained", "contradicted", "latency_ms",
+                                 "belief", "alternatives", "door.sigma", ".sigma"}) {
     EXPECT_THAT(refusal_of("continuous", "", name), HasSubstr("rename the joint")) << name;
   }
   for (const std::string name : {"a,b", "a&quot;b", "a'b", " door", "door "}) {

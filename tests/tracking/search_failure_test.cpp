@@ -212,6 +212,23 @@ TEST_F(SearchFailureTest, TheTrackerTellsUntilItHasFoundTheObject) {
   EXPECT_FALSE(tracker.search_failure());
 }
 
+/// A round a frame: what is not found in the first one may be in the next.
+TEST_F(SearchFailureTest, ASearchThatGoesOnHasNotFailedYet) {
+  TrackerOptions in_rounds = options();
+  in_rounds.search_limit = 1.5;
+  Tracker tracker(model, in_rounds);
+  DepthFrame dark = frame;
+  std::vector<int> failed;
+  for (int i = 0; i < 10; ++i) {
+    std::fill(dark.depth.begin(), dark.depth.end(), std::uint16_t{0});
+    dark.depth.front() = static_cast<std::uint16_t>(500 + i);  // another image each time
+    tracker.process(dark);
+    if (tracker.search_failure()) failed.push_back(i);
+  }
+  EXPECT_EQ(failed, (std::vector{8, 9}));
+  EXPECT_EQ(tracker.process(frame).status, TrackingStatus::tracking);
+}
+
 TEST_F(SearchFailureTest, ATrackerWhoseSearchIsStoppedGoesOnAsIfTheFrameHadNotCome) {
   bool is_stopped = true;
   TrackerOptions stoppable = options();

@@ -8,6 +8,7 @@ Metres, radians, seconds. Poses are those of the base link in the depth camera's
 import numpy as _numpy  # noqa: F401  # whose absence is said here, not at the first array
 
 from lockbox._lockbox import (
+    Alternative,
     DeviceError,
     Frame,
     InputError,
@@ -24,6 +25,7 @@ from lockbox._lockbox import (
 )
 
 __all__ = [
+    "Alternative",
     "DeviceError",
     "Frame",
     "InputError",

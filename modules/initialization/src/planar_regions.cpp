@@ -223,4 +223,10 @@ Eigen::Isometry3d region_frame(const CoarseView& view, const PlanarRegion& regio
   return frame;
 }
 
+PlanarScene find_planes(const CoarseView& view, double noise) {
+  constexpr std::size_t kLeastSamples = 20;
+  constexpr std::size_t kMostRegions = 32;
+  return {view, noise, find_planar_regions(view, noise, kLeastSamples, kMostRegions)};
+}
+
 }  // namespace lockbox

@@ -29,6 +29,9 @@ struct PlanarScene {
   std::vector<PlanarRegion> regions;
 };
 
+/// The planar regions that the search uses: the 32 best of 20 samples and more.
+PlanarScene find_planes(const CoarseView& view, double noise);
+
 /// Origin in the middle of the region, z towards the camera's side.
 Eigen::Isometry3d region_frame(const CoarseView& view, const PlanarRegion& region);
 

@@ -54,6 +54,10 @@ void compare(const ModelLevers& levers, std::span<const Eigen::Isometry3d> symme
     }
     candidate.belief = belief(candidate.evidence, others);
     candidate.rival_distance = std::sqrt(candidate.belief * squares);
+    const Configuration& first = candidates.front().configuration;
+    const double move = farthest_move(levers, symmetries, first.T_camera_base, pose);
+    candidate.distance = move < kAnotherAnswer * levers.radius ? 0.0 : move;
+    candidate.is_in_place_of_first = place_distance(levers, first, candidate.configuration) < 1.0;
   }
 }
 

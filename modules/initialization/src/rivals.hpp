@@ -19,8 +19,8 @@ double farthest_move(const ModelLevers& levers, std::span<const Eigen::Isometry3
 /// Puts the candidates with most evidence first.
 void sort_best_first(std::vector<Candidate>& candidates);
 
-/// Sets belief and rival_distance of each: one of them is right, or the object is not in view.
-/// Those that are hardly apart are one answer.
+/// Sets belief, rival_distance, distance and is_in_place_of_first of each: one of them is right, or
+/// the object is not in view. Those that are hardly apart are one answer.
 void compare(const ModelLevers& levers, std::span<const Eigen::Isometry3d> symmetries,
              std::vector<Candidate>& candidates);
 

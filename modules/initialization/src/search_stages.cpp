@@ -98,6 +98,13 @@ std::vector<Hypothesis> Initializer::Workspace::followed(const TiledCloud& cloud
   return hypotheses;
 }
 
+std::vector<Hypothesis> Initializer::Workspace::known(
+    const std::vector<Configuration>& answers) const {
+  std::vector<Hypothesis> hypotheses;
+  for (const Configuration& answer : answers) hypotheses.push_back({answer, all_bodies, 1.0});
+  return hypotheses;
+}
+
 std::vector<Hypothesis> Initializer::Workspace::seek_turned(const TiledCloud& cloud,
                                                             const Configuration& found) {
   std::vector<Hypothesis> hypotheses;

@@ -29,6 +29,19 @@ struct Breadth {
   bool is_close;  ///< for small things: judged in the finer view from the start
 };
 
+enum class Proposals {
+  sides,         ///< flat sides of the model on planes of the view
+  sides_closer,  ///< likewise, on planes of the finer view
+  points,        ///< pairs of points
+};
+
+/// A part of the search. Each looks closer than those before.
+struct Round {
+  Proposals proposals;
+  const Breadth* breadth;
+  double enough;  ///< belief in an answer, with which the search ends
+};
+
 /// The memory of the search, and its stages in their order.
 struct Initializer::Workspace {
   const ArticulatedModel& model;
@@ -63,11 +76,11 @@ struct Initializer::Workspace {
   double view_noise() const { return kMedianNoise * depth_noise(); }
   double fine_view_noise() const { return kHalfNoise * depth_noise(); }
 
-  /// All stages but the last. While no answer is convincing, they are gone through again with the
-  /// planes of the finer view, then keeping more, and all answers are ranked together, if that is
-  /// asked for.
-  std::vector<Candidate> seek_until_convinced(const TiledCloud& cloud, const PlanarScene& scene,
-                                              const CoarseView& fine_view, bool is_thorough);
+  /// All stages but the last, round by round, until an answer is convincing. The answers of all
+  /// rounds are ranked together.
+  std::vector<Candidate> seek_in_rounds(const TiledCloud& cloud, const PlanarScene& scene,
+                                        const CoarseView& fine_view, int most_rounds,
+                                        SearchProgress& progress);
   /// What was found made exact, all joints sought once more.
   void settle(const TiledCloud& cloud, const CoarseView& fine_view, Candidate& candidate);
   /// Parts within others would push away what is seen when it is registered: of these variables,
@@ -76,6 +89,10 @@ struct Initializer::Workspace {
                        Configuration& configuration);
 
  private:
+  std::vector<Hypothesis> proposed(const Round& round, const PlanarScene& scene,
+                                   const CoarseView& fine_view);
+  /// Answers of rounds before.
+  std::vector<Hypothesis> known(const std::vector<Configuration>& answers) const;
   /// The stages from place up to rank.
   std::vector<Hypothesis> followed(const TiledCloud& cloud, std::vector<Hypothesis> hypotheses,
                                    const Breadth& breadth);

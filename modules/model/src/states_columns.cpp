@@ -6,8 +6,8 @@
 namespace lockbox {
 namespace {
 
-constexpr std::array<std::string_view, 4> kJudgementColumns = {"residual_rms", "explained",
-                                                               "contradicted", "latency_ms"};
+constexpr std::array<std::string_view, 6> kJudgementColumns = {
+    "residual_rms", "explained", "contradicted", "latency_ms", "belief", "alternatives"};
 constexpr std::string_view kSigmaSuffix = ".sigma";
 
 }  // namespace

@@ -39,6 +39,26 @@ Json pose_of(const Eigen::Isometry3d& T_camera_base) {
        {{"x", number(r.x())}, {"y", number(r.y())}, {"z", number(r.z())}, {"w", number(r.w())}}}};
 }
 
+/// Of all movable joints.
+Json positions_of(const KinematicTree& tree, const Configuration& configuration) {
+  Json positions = Json::array();
+  for (const int index : tree.file_order) {
+    positions.push_back(number(joint_position(tree, configuration, index)));
+  }
+  return positions;
+}
+
+Json alternatives_of(const KinematicTree& tree, const std::vector<Alternative>& alternatives) {
+  Json all = Json::array();
+  for (const Alternative& alternative : alternatives) {
+    all.push_back({{"kind", to_string(alternative.kind)},
+                   {"probability", number(alternative.probability)},
+                   {"position", positions_of(tree, alternative.configuration)},
+                   {"pose", pose_of(alternative.configuration.T_camera_base)}});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string state_line(const KinematicTree& tree, std::uint64_t frame,
@@ -46,12 +66,10 @@ std::string state_line(const KinematicTree& tree, std::uint64_t frame,
   const bool is_told = is_known(result);
   const Configuration configuration = is_told ? result.configuration : unknown_configuration(tree);
   Json names = Json::array();
-  Json positions = Json::array();
   Json sigmas = Json::array();
   for (const int index : tree.file_order) {
     const Joint& joint = tree.joints[static_cast<std::size_t>(index)];
     names.push_back(joint.name);
-    positions.push_back(number(joint_position(tree, configuration, index)));
     sigmas.push_back(number(joint_sigma(joint, result)));
   }
   Json covariance = nullptr;
@@ -65,10 +83,12 @@ std::string state_line(const KinematicTree& tree, std::uint64_t frame,
       {"header", {{"stamp", number(result.stamp)}, {"frame_id", kFrameId}}},
       {"frame", frame},
       {"status", to_string(result.status)},
+      {"belief", number(result.belief)},
       {"name", names},
-      {"position", positions},
+      {"position", positions_of(tree, configuration)},
       {"sigma", sigmas},
-      {"pose", {{"pose", pose_of(configuration.T_camera_base)}, {"covariance", covariance}}}};
+      {"pose", {{"pose", pose_of(configuration.T_camera_base)}, {"covariance", covariance}}},
+      {"alternatives", alternatives_of(tree, result.alternatives)}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

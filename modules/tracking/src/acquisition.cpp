@@ -2,6 +2,7 @@
 #include "lockbox/tracking/acquisition.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "lockbox/cloud/segmentation.hpp"
@@ -10,6 +11,17 @@
 #include "lockbox/verification/belief.hpp"
 
 namespace lockbox {
+namespace {
+
+/// Of a search. Doubled, a limit is half as many rounds.
+constexpr double kSecondsOfRound = 1.5;  // on the README's machine, where nothing is found
+
+int rounds_a_frame(const TrackerOptions& options) {
+  constexpr double kMost = 1000.0;  // more than there are
+  return std::max(1, static_cast<int>(std::min(kMost, options.search_limit / kSecondsOfRound)));
+}
+
+}  // namespace
 
 void keep_better(const RegistrationResult& registered, const TrackerOptions& options,
                  RegistrationResult& best) {
@@ -47,21 +59,43 @@ std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
   if (scope != SearchScope::near) {
     ++searches_;
     look_anywhere(guess);
-    failure_ = is_found() ? std::nullopt : std::optional(explain(frame));
+    if (is_found()) {
+      failure_.reset();
+      may_be_misread_ = false;
+    } else if (progress_.rounds == 0) {  // else it goes on
+      failure_ = explain(frame);
+    }
   }
   return best_;
 }
 
 void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
-  const std::vector<Candidate> candidates = initializer().find(cloud_, guess);
+  alternatives_.clear();
+  const std::vector<Candidate> candidates =
+      initializer().find_part(cloud_, guess, rounds_a_frame(options_), progress_);
   for (const Candidate& candidate : candidates) {
     if (candidate.evidence < least_evidence()) return;
     if (ends_search(candidate)) {
       if (candidate.rival_distance > options_.most_rival_distance) {
         doubt_base(candidate.rival_distance, *best_);
+        note_alternatives(candidate, candidates);
       }
       return;
     }
+  }
+}
+
+/// Those that alone would make the base uncertain.
+void Acquisition::note_alternatives(const Candidate& answer,
+                                    const std::vector<Candidate>& candidates) {
+  for (const Candidate& other : candidates) {
+    const double distance = std::sqrt(other.belief) * std::max(other.distance, answer.distance);
+    if (&other == &answer || distance <= options_.most_rival_distance) continue;
+    if (alternatives_.size() == options_.most_alternatives) return;
+    alternatives_.push_back({other.is_in_place_of_first && answer.is_in_place_of_first
+                                 ? Alternative::Kind::flip
+                                 : Alternative::Kind::elsewhere,
+                             other.configuration, other.belief});
   }
 }
 
@@ -72,7 +106,8 @@ bool Acquisition::is_found() const {
 SearchFailure Acquisition::explain(const DepthFrame& frame) {
   SearchFailure failure = search_failure(frame, model_.tree, options_, best_ ? &*best_ : nullptr);
   const bool is_worth_while = options_.try_other_readings && !options_.background_search &&
-                              searches_ == 1 && !is_explained(failure);
+                              may_be_misread_ && !is_explained(failure);
+  may_be_misread_ = false;
   if (is_worth_while) {
     try_other_readings(frame, model_, options_, executor_, failure);
   }

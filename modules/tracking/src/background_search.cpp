@@ -2,6 +2,7 @@
 #include "lockbox/tracking/background_search.hpp"
 
 #include <cassert>
+#include <limits>
 #include <utility>
 
 namespace lockbox {
@@ -30,6 +31,7 @@ struct BackgroundSearch::Seeker {
 // anything.
 BackgroundSearch::BackgroundSearch(const ArticulatedModel& model, const TrackerOptions& options)
     : model_(model), options_(options), executor_(options.threads, Priority::low) {
+  options_.search_limit = std::numeric_limits<double>::infinity();
   options_.stop_request = [this, of_the_user = options.stop_request] {
     return is_cancelled_ || (of_the_user && of_the_user());
   };
@@ -107,6 +109,7 @@ std::optional<RegistrationResult> BackgroundSearch::take() {
   if (seeker_) {
     searches_ = seeker_->acquisition.searches();
     failure_ = seeker_->acquisition.failure();
+    alternatives_ = seeker_->acquisition.alternatives();
   }
   return is_cancelled_ ? std::nullopt : std::move(answer);
 }

@@ -6,6 +6,10 @@
 
 namespace lockbox {
 
+std::string to_string(Alternative::Kind kind) {
+  return kind == Alternative::Kind::flip ? "flip" : "elsewhere";
+}
+
 bool is_known(const TrackingResult& result) {
   return result.status == TrackingStatus::tracking || result.status == TrackingStatus::uncertain;
 }

@@ -131,9 +131,13 @@ const RegistrationResult& Tracker::Loop::with_doubts_kept(const Configuration& p
 /// Asks the image whether it is the object, if that decides.
 void Tracker::Loop::verify(RegistrationResult& found) {
   if (agrees(found, options_) || !agrees_but_for_parts(found, options_)) return;
-  verifier_.look_at(cloud_, options_.registration.noise.sigma_inverse_depth(), executor_);
-  found.belief = belief(verifier_.evidence(found.configuration).total(), {});
+  found.belief = belief_by_image(found.configuration);
   frames_doubted_ = 0;
+}
+
+double Tracker::Loop::belief_by_image(const Configuration& configuration) {
+  verifier_.look_at(cloud_, options_.registration.noise.sigma_inverse_depth(), executor_);
+  return belief(verifier_.evidence(configuration).total(), {});
 }
 
 /// One frame may mistake a stranger for the part that comes back; the second one tells.
@@ -259,6 +263,7 @@ void Tracker::Loop::report(const RegistrationResult& registered) {
   result_.explained = registered.agreement.explained;
   result_.contradicted = registered.agreement.contradicted;
   result_.occluded = registered.agreement.occluded;
+  const TrackingStatus before = result_.status;
   result_.status = judge(registered, options_);
   belief_ = registered.belief;
   doubted_.clear();
@@ -267,9 +272,39 @@ void Tracker::Loop::report(const RegistrationResult& registered) {
     std::sort(doubted_.begin(), doubted_.end());
   }
   rival_distance_ = registered.rival_distance;
+  report_belief(registered, before);
+}
+
+/// Following tells nothing of what a search could not tell apart: then its belief stays. What was
+/// believed once, and is tracked since, is not believed less because more of it is hidden, only
+/// where the image speaks against it.
+void Tracker::Loop::report_belief(const RegistrationResult& registered, TrackingStatus before) {
+  if (result_.status == TrackingStatus::lost) {
+    result_.belief = 0.0;
+    result_.alternatives.clear();
+    return;
+  }
+  const bool is_doubted = registered.rival_distance > 0.0;
+  const bool is_due =
+      result_.status != before || ++frames_without_belief_ >= options_.frames_between_beliefs;
+  double asked = registered.belief;
+  if (!(asked > 0.0) && !is_doubted && is_due) asked = belief_by_image(registered.configuration);
+  if (asked > 0.0) {
+    const bool is_followed =
+        before == TrackingStatus::tracking && result_.status == TrackingStatus::tracking;
+    const bool is_against = asked < belief(0.0, {});
+    result_.belief = is_followed && !is_against ? std::max(asked, result_.belief) : asked;
+    frames_without_belief_ = 0;
+  }
+  result_.alternatives.clear();
+  if (is_doubted) {
+    result_.alternatives = background_ ? background_->alternatives() : acquisition_.alternatives();
+  }
 }
 
 void Tracker::Loop::report_nothing() {
+  result_.belief = 0.0;
+  result_.alternatives.clear();
   result_.residual_rms = TrackingResult::kNothingFound;
   result_.explained = TrackingResult::kNothingFound;
   result_.contradicted = TrackingResult::kNothingFound;

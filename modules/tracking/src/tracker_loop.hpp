@@ -65,6 +65,8 @@ class Tracker::Loop {
   void carry_parts(const Configuration& prediction, RegistrationResult& best);
   void seek_contradicted_joints(RegistrationResult& best);
   void report(const RegistrationResult& registered);
+  void report_belief(const RegistrationResult& registered, TrackingStatus before);
+  double belief_by_image(const Configuration& configuration);
   void report_nothing();
 
   const ArticulatedModel& model_;
@@ -92,6 +94,7 @@ class Tracker::Loop {
   double belief_ = 0.0;                 ///< of what was last reported, where it was asked for
   std::vector<int> doubted_;            ///< variables whose parts contradicted that, in order
   int frames_doubted_ = 0;              ///< since the image was asked
+  int frames_without_belief_ = 0;       ///< since it was asked for the belief that is reported
   std::vector<int> frames_in_sight_;    ///< by variable: consecutive, up to the present
   /// By variable: in view, but flush with what is around it, so that seeking would find nothing.
   std::vector<bool> is_flush_;

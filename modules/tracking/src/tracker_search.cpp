@@ -66,6 +66,7 @@ std::optional<RegistrationResult> Tracker::Loop::sought(const DepthFrame& frame,
   if (is_another_view(measured, measured_before_)) {
     measured_before_ = measured;
     frames_searched_ = 0;
+    acquisition_.begin_anew();
   }
   const bool is_near_due = search_is_due(frames_searched_, kLongestPauseNear);
   std::optional<RegistrationResult> found;
@@ -187,6 +188,7 @@ const std::optional<SearchFailure>& Tracker::Loop::search_failure() const {
 
 void Tracker::Loop::stop_searching() {
   if (background_) background_->cancel();
+  acquisition_.begin_anew();
   answers_passed_ = 0;
 }
 

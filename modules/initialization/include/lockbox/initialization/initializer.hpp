@@ -38,6 +38,11 @@ struct Candidate {
   /// Metres by which the model's surface is somewhere else, in the root of the mean square over
   /// what else may be right, weighted by its probability: another answer, or none.
   double rival_distance = 0.0;
+  /// Metres from the first candidate's surface to this one's, at the farthest corner of the model's
+  /// box; 0 for one that is the same answer, or looks the same.
+  double distance = 0.0;
+  bool is_in_place_of_first =
+      false;  ///< its middle is within the model's radius of the first one's
   Agreement agreement;
 };
 
@@ -45,6 +50,12 @@ struct Candidate {
 struct SoughtJoints {
   Configuration configuration;
   JointMargins margins;
+};
+
+/// How far a search has come that goes on in later images.
+struct SearchProgress {
+  int rounds = 0;                      ///< that are done; 0: the next one begins anew
+  std::vector<Configuration> answers;  ///< the best ones up to now
 };
 
 /// Not thread-safe. The model must outlive it.
@@ -62,8 +73,16 @@ class Initializer {
   std::vector<Candidate> find(const TiledCloud& cloud,
                               const std::optional<Configuration>& held = std::nullopt);
 
-  /// The same, but ends after the first round (docs/initialization.md), whatever it has found: a
-  /// quarter of the time or less where the object is not in view. All joints are sought.
+  /// The same in parts: at most so many rounds, of which each takes about as long as the others and
+  /// looks closer than those before (docs/initialization.md), and what the rounds before have found
+  /// in earlier images, registered anew. progress.rounds is 0 afterwards if the search has ended:
+  /// it is convinced, or nothing is left to be tried.
+  std::vector<Candidate> find_part(const TiledCloud& cloud,
+                                   const std::optional<Configuration>& held, int most_rounds,
+                                   SearchProgress& progress);
+
+  /// The same as find(), but ends after the first round (docs/initialization.md), whatever it has
+  /// found: a quarter of the time or less where the object is not in view. All joints are sought.
   std::vector<Candidate> glance(const TiledCloud& cloud);
 
   /// The joints alone, each over its whole range, the base known within a centimetre. Variables
@@ -73,9 +92,6 @@ class Initializer {
                            const std::vector<int>& variables);
 
  private:
-  std::vector<Candidate> look(const TiledCloud& cloud, const std::optional<Configuration>& held,
-                              bool is_thorough);
-
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
 };

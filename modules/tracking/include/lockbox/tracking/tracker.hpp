@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lockbox/core/depth_frame.hpp"
@@ -19,6 +20,21 @@ namespace lockbox {
 struct ArticulatedModel;
 struct SearchFailure;
 class TiledCloud;
+
+/// Where the object may be as well, as far as the frame tells.
+struct Alternative {
+  enum class Kind {
+    flip,       ///< in the same place, turned
+    elsewhere,  ///< in another place
+  };
+
+  Kind kind;
+  Configuration configuration;
+  double probability;
+};
+
+/// The word for a states file.
+std::string to_string(Alternative::Kind kind);
 
 struct TrackingResult {
   static constexpr double kNothingFound = std::numeric_limits<double>::quiet_NaN();
@@ -34,6 +50,13 @@ struct TrackingResult {
   double explained = kNothingFound;     ///< shares of the model's visible surface
   double contradicted = kNothingFound;
   double occluded = kNothingFound;
+  /// The probability that the base is where it is reported (docs/verification.md); 0 while nothing
+  /// is found. The image is asked for it at the start, where the status changes, and every
+  /// TrackerOptions::frames_between_beliefs.
+  double belief = 0.0;
+  /// What the search could not tell from it, the most probable first, at most
+  /// TrackerOptions::most_alternatives; empty where a search could, or none was made.
+  std::vector<Alternative> alternatives;
   int searches = 0;    ///< how often the object was sought in the whole frame, up to now
   Elapsed cloud_time;  ///< from depth to cloud
   Elapsed step_time;   ///< all else: prediction, registration, judgement, searches if need be

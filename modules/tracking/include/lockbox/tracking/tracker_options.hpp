@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <limits>
+
 #include "lockbox/cloud/cloud_options.hpp"
 #include "lockbox/core/stop_request.hpp"
 #include "lockbox/registration/registration_options.hpp"
@@ -23,6 +26,10 @@ struct TrackerOptions {
   double start_joint_spread = 0.005;
   int start_joint_iterations = 10;
   bool search_anywhere = true;  ///< where no guess helps, at the start and when lost
+  /// Seconds of a machine like that of the README that a search may take from one frame: one that
+  /// needs more goes on in later frames (docs/initialization.md). No clock decides it, so that a
+  /// recording gives the same each time. Not in the background, where no frame waits.
+  double search_limit = std::numeric_limits<double>::infinity();
   /// Frames do not wait for searches, which then go on in a thread of their own: for live sources.
   /// What a recording gives depends on the clock with it, and not without.
   bool background_search = false;
@@ -65,6 +72,10 @@ struct TrackerOptions {
   /// contradicts the image is not known then, all else is; and what a search finds is kept even
   /// where it would drift off if gates were wider.
   double convincing_belief = 0.999;
+  /// A second; it takes half of a frame's time to ask the image. Doubled, belief lags twice as long
+  /// behind what has become of the object while its status stays the same.
+  int frames_between_beliefs = 30;
+  std::size_t most_alternatives = 3;
   /// A joint that was sought over its whole range, while less than this share of what it moves is
   /// explained, is known only where so many pixels more (of JointMargins) speak for its position
   /// than for any other. Of five wrong joints in 1000 random scenes four were such, and one in

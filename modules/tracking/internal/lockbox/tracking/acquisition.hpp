@@ -8,6 +8,7 @@
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/tracking/judgement.hpp"
 #include "lockbox/tracking/search_failure.hpp"
+#include "lockbox/tracking/tracker.hpp"
 
 namespace lockbox {
 
@@ -45,6 +46,9 @@ class Acquisition {
   /// Registers the base alone within a wide gate, then everything within a narrow one.
   const RegistrationResult& find_near(const DepthFrame& frame, const Configuration& guess);
 
+  /// Whatever a search has come to, the next one begins with its first round.
+  void begin_anew() { progress_ = {}; }
+
   /// Makes what the first search would take its time for.
   void prepare() { initializer(); }
 
@@ -54,6 +58,9 @@ class Acquisition {
   /// Why the last time that find() looked anywhere gave no answer that is judged `tracking`; none
   /// if it did, or has not looked anywhere yet.
   const std::optional<SearchFailure>& failure() const { return failure_; }
+
+  /// Of what the last search of the whole frame has found: what it could not tell from it.
+  const std::vector<Alternative>& alternatives() const { return alternatives_; }
 
   /// Seeks joints over their whole range and registers everything from there; those of which it is
   /// doubtful where they are count as not observable.
@@ -65,6 +72,7 @@ class Acquisition {
 
  private:
   void look_anywhere(const std::optional<Configuration>& guess);
+  void note_alternatives(const Candidate& answer, const std::vector<Candidate>& candidates);
   bool is_found() const;
   SearchFailure explain(const DepthFrame& frame);
   bool ends_search(const Candidate& candidate);
@@ -84,6 +92,9 @@ class Acquisition {
   std::optional<Initializer> initializer_;  ///< made when it is first needed: it draws the model
   std::optional<RegistrationResult> best_;
   std::optional<SearchFailure> failure_;
+  std::vector<Alternative> alternatives_;
+  SearchProgress progress_;
+  bool may_be_misread_ = true;  ///< nothing was found yet, and other readings were not tried
   int searches_ = 0;
 };
 

@@ -52,6 +52,9 @@ class BackgroundSearch {
   /// See Acquisition::failure(), of the last search that has ended.
   const std::optional<SearchFailure>& failure() const { return failure_; }
 
+  /// See Acquisition::alternatives(), likewise.
+  const std::vector<Alternative>& alternatives() const { return alternatives_; }
+
  private:
   struct Seeker;
   using Answer = std::optional<RegistrationResult>;
@@ -74,6 +77,7 @@ class BackgroundSearch {
   std::atomic<bool> is_cancelled_{false};
   int searches_ = 0;
   std::optional<SearchFailure> failure_;
+  std::vector<Alternative> alternatives_;
   std::future<Answer> running_;  ///< last: it goes first, and waits for the search
 };
 

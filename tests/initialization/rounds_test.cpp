@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A search in parts, which goes on in later images.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "lockbox/initialization/initializer.hpp"
+#include "registration/mechanism.hpp"
+#include "seen_model.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr int kAll = 100;  // more rounds than there are
+
+class RoundsTest : public ::testing::Test {
+ protected:
+  /// As through a lens cap.
+  static TiledCloud nothing() {
+    TiledCloud cloud;
+    cloud.assign({640, 480, 575.8, 575.8, 319.5, 239.5}, std::vector<float>(640 * 480, 0.0F), {},
+                 Executor(1));
+    return cloud;
+  }
+
+  const ArticulatedModel& model = bracket();
+  const Configuration truth = mechanism_start(model);
+  Initializer initializer{model, {}, Executor(1)};
+  SearchProgress progress;
+};
+
+TEST_F(RoundsTest, GoOnUntilNothingIsLeftToBeTried) {
+  std::vector<int> rounds;
+  do {
+    initializer.find_part(nothing(), std::nullopt, 1, progress);
+    rounds.push_back(progress.rounds);
+  } while (progress.rounds > 0 && rounds.size() < kAll);
+  EXPECT_EQ(rounds, (std::vector{1, 2, 3, 4, 0}));
+}
+
+TEST_F(RoundsTest, SeveralAtOnceAreOneAfterTheOther) {
+  initializer.find_part(nothing(), std::nullopt, 2, progress);
+  EXPECT_EQ(progress.rounds, 2);
+  initializer.find_part(nothing(), std::nullopt, kAll, progress);
+  EXPECT_EQ(progress.rounds, 0);
+}
+
+TEST_F(RoundsTest, EndWhereAnAnswerIsConvincing) {
+  const TiledCloud cloud = cloud_of(measured(model, truth, "primesense"));
+  const auto found = initializer.find_part(cloud, std::nullopt, 1, progress);
+  EXPECT_EQ(progress.rounds, 0);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().configuration.T_camera_base.matrix(),
+            initializer.find(cloud).front().configuration.T_camera_base.matrix());
+}
+
+/// The object is seen as it was, while a round looks for it that would not find it by itself.
+TEST_F(RoundsTest, KeepWhatRoundsBeforeHaveFound) {
+  progress.rounds = 2;
+  progress.answers = {truth};
+  const TiledCloud cloud = cloud_of(measured(model, truth, "primesense"));
+  const auto found = initializer.find_part(cloud, std::nullopt, 1, progress);
+  ASSERT_FALSE(found.empty());
+  EXPECT_LT(
+      (found.front().configuration.T_camera_base.translation() - truth.T_camera_base.translation())
+          .norm(),
+      0.005);
+}
+
+}  // namespace
+}  // namespace lockbox

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How probable what is reported is, and what may be right as well.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "../initialization/seen_model.hpp"
+#include "../temporary_folder.hpp"
+#include "lockbox/simulation/trajectory.hpp"
+#include "lockbox/tracking/tracker.hpp"
+#include "mechanism.hpp"
+
+namespace lockbox {
+namespace {
+
+TrackerOptions on_one_thread() {
+  TrackerOptions options;
+  options.threads = 1;
+  return options;
+}
+
+DepthFrame at_time(DepthFrame frame, int number) {
+  frame.stamp = number / 30.0;
+  return frame;
+}
+
+class BeliefTest : public ::testing::Test {
+ protected:
+  /// The mechanism on its wall, the n-th image of it.
+  DepthFrame frame(const Configuration& configuration) {
+    ++frames_;
+    return at_time(
+        measured(model, configuration, "primesense", static_cast<std::uint64_t>(frames_)), frames_);
+  }
+
+  const ArticulatedModel& model = mechanism();
+  const Configuration truth = mechanism_start(model);
+  Tracker tracker{model, on_one_thread()};
+
+ private:
+  int frames_ = 0;
+};
+
+TEST_F(BeliefTest, WhatIsInFullViewIsBelievedFromTheFirstFrameOn) {
+  EXPECT_GT(tracker.process(frame(truth)).belief, 0.9999);
+  const TrackingResult& followed = tracker.process(frame(truth));
+  EXPECT_GT(followed.belief, 0.9999);
+  EXPECT_TRUE(followed.alternatives.empty());
+}
+
+TEST_F(BeliefTest, AStartThatWasGivenIsAskedFor) {
+  tracker.start(truth);
+  EXPECT_GT(tracker.process(frame(truth)).belief, 0.9999);
+}
+
+TEST_F(BeliefTest, WhatIsNotFoundIsNotBelieved) {
+  tracker.start(truth);
+  tracker.process(frame(truth));
+  DepthFrame dark = frame(truth);
+  std::fill(dark.depth.begin(), dark.depth.end(), std::uint16_t{0});
+  const TrackingResult& lost = tracker.process(dark);
+  EXPECT_EQ(lost.status, TrackingStatus::lost);
+  EXPECT_EQ(lost.belief, 0.0);
+}
+
+/// A box that a small part on its back tells from itself turned by half a turn.
+constexpr auto kMarkedBox = R"(<robot name="marked_box"><link name="box">
+  <visual><geometry><box size="0.3 0.2 0.1"/></geometry></visual>
+  <visual><origin xyz="0.08 0.05 -0.06"/><geometry><box size="0.06 0.04 0.02"/></geometry></visual>
+</link></robot>)";
+
+TEST(Alternatives, AreSaidWhereTheObjectMayAsWellBeTurned) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "box.urdf") << kMarkedBox;
+  const ArticulatedModel model = load_model(folder.path() / "box.urdf", with_cache());
+  Configuration truth = rest_configuration(model.tree);
+  truth.T_camera_base = facing_pose(0.8) * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY()) *
+                        Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX());
+  Configuration elsewhere = truth;  // too far, and turned too much, to be followed
+  elsewhere.T_camera_base = Eigen::Translation3d(-0.35, 0.1, 0.2) * truth.T_camera_base *
+                            Eigen::AngleAxisd(1.4, Eigen::Vector3d::UnitZ());
+  TrackerOptions options = on_one_thread();
+  options.search_limit = 1.0;  // a round tells
+  Tracker tracker(model, options);
+  tracker.start(truth);
+  ASSERT_EQ(tracker.process(at_time(seen_frame(model, truth, wall_behind(0.6)), 1)).status,
+            TrackingStatus::tracking);
+  TrackingResult found;
+  for (int i = 2; i < 12 && found.alternatives.empty(); ++i) {
+    found = tracker.process(at_time(seen_frame(model, elsewhere, wall_behind(0.6), i), i));
+  }
+  EXPECT_EQ(found.status, TrackingStatus::uncertain);
+  ASSERT_FALSE(found.alternatives.empty());
+  const Alternative& other = found.alternatives.front();
+  EXPECT_EQ(to_string(other.kind), "flip");
+  EXPECT_GT(other.probability, 0.01);
+  EXPECT_LE(other.probability + found.belief, 1.0);
+  const Eigen::Isometry3d turn =
+      found.configuration.T_camera_base.inverse() * other.configuration.T_camera_base;
+  EXPECT_GT(Eigen::AngleAxisd(turn.linear()).angle(), 2.5);
+}
+
+}  // namespace
+}  // namespace lockbox
