@@ -11,12 +11,17 @@
 namespace lockbox {
 namespace {
 
-constexpr Breadth kUsual{8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, false, false};
-constexpr Breadth kWide{32,   {0.03, 400, 0.5, 64}, {0.03, 120, 0.5, 16}, {0.02, 24, 0.5, 4}, true,
+constexpr Breadth kUsual{
+    8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, std::nullopt, false};
+constexpr Breadth kWide{32,
+                        {0.03, 400, 0.5, 64},
+                        {0.03, 120, 0.5, 16},
+                        {0.02, 24, 0.5, 4},
+                        Selection{0.02, 48, 0.5, 8},
                         false};
 /// Of points, which propose many places that look alike from afar, of things that are mostly small.
 constexpr Breadth kOfPoints{
-    8, {0.03, 128, 0.5, 16}, {0.03, 64, 0.5, 12}, {0.05, 16, 0.5, 4}, false, true};
+    8, {0.03, 128, 0.5, 16}, {0.03, 64, 0.5, 12}, {0.05, 16, 0.5, 4}, std::nullopt, true};
 
 /// What is believed less than this after the first round is sought closer, and what still is less
 /// than this, with more of everything.

@@ -15,7 +15,6 @@ namespace lockbox {
 namespace {
 
 constexpr double kHardlyLess = 0.9;
-constexpr double kHardlyWorse = 0.01;  // of the visible surface
 /// Of the surface: then planes tell more than points. Bottles and mugs have a tenth, furniture and
 /// boards eight tenths and more.
 constexpr double kMostlyFlat = 0.5;
@@ -23,16 +22,13 @@ constexpr int kAnchorSteps = 4;  // of a joint between base and a matched side
 
 constexpr bool kHoldJoints = true;
 constexpr Selection kEach{0.0, 24, 0.0, 1};
-constexpr Breadth kAll{1, kEach, kEach, kEach, false, false};
+constexpr Breadth kAll{1, kEach, kEach, kEach, std::nullopt, false};
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
 
-// Coarse steps for a view of coarse pixels; fine ones, with what real objects differ from their
-// models by.
-const ClimbPlan kClimbFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
+/// Fine steps, with what real objects differ from their models by.
 const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 
 const Annealing kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
-const Annealing kExactly{.spread = 0.005, .iterations = 8};
 
 }  // namespace
 
@@ -172,14 +168,24 @@ void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses, const Bre
     for (int round = 0; round < kRounds; ++round) align_coarsely(0.015, 8, refined.configuration);
     refined.score = judge_closely(refined.configuration, 0.006);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
-    if (!breadth.climbs) return;
+  });
+  if (breadth.climbed) {
+    hypotheses = best_apart(std::move(hypotheses), *breadth.climbed, levers);
+    climb_each(hypotheses);
+  }
+  hypotheses = best_apart(std::move(hypotheses), breadth.posed, levers);
+}
+
+/// All unknowns to where the drawing fits best, where that is better.
+void Initializer::Workspace::climb_each(std::vector<Hypothesis>& hypotheses) {
+  executor.for_each(hypotheses.size(), [&](std::size_t i) {
+    Hypothesis& hypothesis = hypotheses[i];
     Hypothesis climbed = hypothesis;
     climb_far(climbed.configuration);
     align_coarsely(0.005, 6, climbed.configuration);
     climbed.score = judge_closely(climbed.configuration, 0.006);
     if (climbed.score > hypothesis.score) hypothesis = std::move(climbed);
   });
-  hypotheses = best_apart(std::move(hypotheses), breadth.posed, levers);
 }
 
 /// Base and joints together, in the coarse view.
@@ -247,61 +253,6 @@ void Initializer::Workspace::settle(const TiledCloud& cloud, const CoarseView& f
                 configuration);
   resolve_overlap(cloud, variables, configuration);
   align_exactly(cloud, configuration);
-}
-
-void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud, const std::vector<int>& which,
-                                             Configuration& configuration) {
-  for (const int v : which) {
-    if (!overlap.overlaps(configuration)) return;
-    const Configuration moved = overlap.with_moved(configuration, v);
-    const double before = align_finely(cloud, configuration, {0.0, 0}).agreement.conviction();
-    const double after = align_finely(cloud, moved, {0.0, 0}).agreement.conviction();
-    if (after > before - kHardlyWorse) configuration = moved;
-  }
-}
-
-/// Unless less is explained then. A drawing in pixels cannot tell: its score may be a quarter
-/// lower.
-void Initializer::Workspace::align_exactly(const TiledCloud& cloud, Configuration& configuration) {
-  const TiledCloud& object =
-      surroundings.left_out_of(cloud, configuration, depth_noise(), parts.front());
-  const double before = align_finely(object, configuration, {0.0, 0}).agreement.conviction();
-  const RegistrationResult& exact = align_finely(object, configuration, kExactly);
-  if (exact.agreement.conviction() > before - kHardlyWorse) configuration = exact.configuration;
-}
-
-const RegistrationResult& Initializer::Workspace::align_finely(const TiledCloud& cloud,
-                                                               const Configuration& start,
-                                                               const Annealing& annealing) {
-  stop_if(options.stop_request);
-  return fine.align(cloud, start, annealing);
-}
-
-void Initializer::Workspace::align_coarsely(double spread, int iterations,
-                                            Configuration& configuration, bool hold_joints) {
-  stop_if(options.stop_request);
-  const std::size_t worker = Executor::worker();
-  const TiledCloud& object =
-      surroundings.left_out_of(coarse_cloud, configuration, view_noise(), parts[worker]);
-  configuration =
-      coarse[worker].align(object, configuration, {spread, iterations, hold_joints}).configuration;
-}
-
-/// To where the drawing in the coarse view fits best.
-void Initializer::Workspace::climb_far(Configuration& configuration) {
-  climb(model.tree, levers, variables, std::span(&score(), 1), Executor(1), kClimbFar,
-        configuration);
-}
-
-double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance,
-                                     bool is_close) {
-  ViewScore& view = is_close ? halves[Executor::worker()] : score();
-  return view.evidence(hypothesis.configuration, slack, hypothesis.bodies).total(tolerance);
-}
-
-/// In a finer view, which shows more of what the camera saw through.
-double Initializer::Workspace::judge_closely(const Configuration& configuration, double slack) {
-  return halves[Executor::worker()].evidence(configuration, slack, all_bodies).total(0.0);
 }
 
 }  // namespace lockbox

@@ -25,7 +25,9 @@ struct Breadth {
   Selection matched;
   Selection placed;
   Selection posed;
-  bool climbs;    ///< poses are improved by the drawing, too, before all but the best are left out
+  /// Of the poses, those that are improved by the drawing, too, before all but the best are left
+  /// out.
+  std::optional<Selection> climbed;
   bool is_close;  ///< for small things: judged in the finer view from the start
 };
 
@@ -107,6 +109,7 @@ struct Initializer::Workspace {
                                        const Breadth& breadth);
   void place(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
   void pose(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
+  void climb_each(std::vector<Hypothesis>& hypotheses);
   void fit(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
   void fit_closely(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses,
                    const Breadth& breadth);
