@@ -10,7 +10,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::vector<std::string> kCommands = {"track",      "simulate", "record", "evaluate",
-                                            "experiment", "inspect",  "view"};
+                                            "experiment", "inspect",  "view",   "devices"};
 
 TEST(Help, ListsAllCommands) {
   const auto result = run_tool({"--help"});
