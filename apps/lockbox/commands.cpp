@@ -23,6 +23,8 @@ const std::vector<CommandEntry>& commands() {
       {"view", "Shows a model, a live device, or a recorded run in a 3D window",
        "lockbox view --model lockbox --source recording.oni --states out/run/states.csv",
        make_view_command},
+      {"devices", "Lists the depth cameras that OpenNI2 sees, or says why there is none",
+       "lockbox devices --uri virtual-depth:/tmp/camera", make_devices_command},
       {"cache", "Tells what the cache of distance fields holds, or clears it",
        "lockbox cache --clear", make_cache_command},
   };

@@ -28,5 +28,6 @@ std::unique_ptr<Command> make_experiment_command();
 std::unique_ptr<Command> make_inspect_command();
 std::unique_ptr<Command> make_view_command();
 std::unique_ptr<Command> make_cache_command();
+std::unique_ptr<Command> make_devices_command();
 
 }  // namespace lockbox::app

@@ -7,6 +7,7 @@
 
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/model/states_file.hpp"
+#include "lockbox/visualization/scene_composer.hpp"
 #include "recorded_frames.hpp"
 
 namespace lockbox::app {
@@ -16,15 +17,17 @@ namespace lockbox::app {
 class RecordedRun {
  public:
   struct Moment {
-    const DepthFrame* frame;      ///< null without a recording
-    Configuration configuration;  ///< NaN where it is not known
-    double stamp;                 ///< seconds
-    std::string word;             ///< on the state
+    const DepthFrame* frame;  ///< null without a recording
+    ShownEstimate estimate;
+    double stamp;      ///< seconds
+    std::string word;  ///< on the state
   };
 
-  /// states: empty if there is no file; a single one holds for all frames.
-  RecordedRun(const ArticulatedModel& model, std::optional<RecordedFrames> frames,
-              std::vector<State> states);
+  /// file: empty if there is none; a single state holds for all frames.
+  RecordedRun(const ArticulatedModel& model, std::optional<RecordedFrames> frames, StatesFile file);
+
+  /// Whether there is nothing but the model.
+  bool is_model_alone() const { return !frames_ && states_.empty(); }
 
   std::size_t size() const;
 
@@ -34,11 +37,13 @@ class RecordedRun {
  private:
   Moment start() const;
   const State* state_at(double stamp) const;
+  ShownEstimate estimate_of(const State& state) const;
 
   const ArticulatedModel& model_;
   std::optional<RecordedFrames> frames_;
   std::vector<State> states_;
-  std::vector<double> stamps_;  ///< of the states
+  std::vector<double> stamps_;              ///< of the states
+  std::vector<std::size_t> sigma_columns_;  ///< by joint, of State::extra; empty if one is missing
 };
 
 }  // namespace lockbox::app

@@ -54,6 +54,7 @@ void emit_totals(YAML::Emitter& out, const RunTotals& totals, const std::string&
   out << YAML::Key << "restamped" << YAML::Value << totals.faults().restamped;
   out << YAML::Key << "dropped" << YAML::Value << totals.faults().dropped;
   out << YAML::EndMap;
+  out << YAML::Key << "outages" << YAML::Value << totals.faults().outages;
   if (totals.frames() == 0) return;  // nothing was measured
   out << YAML::Key << "latency_ms" << YAML::Value << YAML::Flow << YAML::BeginMap;
   for (const int percent : {50, 95, 99, 100}) {

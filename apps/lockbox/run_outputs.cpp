@@ -4,12 +4,19 @@
 #include <utility>
 
 #include "lockbox/publishing/state_line.hpp"
+#include "lockbox/tracking/reported.hpp"
 #include "lockbox/visualization/scene_composer.hpp"
 
 namespace lockbox::app {
 namespace {
 
 constexpr int kRecordingRate = 30;  // nominal; the stamps say when frames really came
+
+std::vector<double> joint_sigmas(const KinematicTree& tree, const TrackingResult& result) {
+  std::vector<double> sigmas;
+  for (const Joint& joint : tree.joints) sigmas.push_back(joint_sigma(joint, result));
+  return sigmas;
+}
 
 }  // namespace
 
@@ -40,7 +47,7 @@ void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result,
   if (recording_) recording_->write(frame);
   if (snapshots_) snapshots_->add(frame, result.configuration);
   if (view_) {
-    view_->show(frame, result.configuration,
+    view_->show(frame, {result.configuration, joint_sigmas(tree_, result)},
                 frame_title(frame.index, frame.stamp, to_string(result.status)));
   }
 }

@@ -2,9 +2,12 @@
 #include "run_viewer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "interruption.hpp"
+#include "lockbox/core/readable_text.hpp"
+#include "lockbox/visualization/joint_panel.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -19,8 +22,8 @@ RunViewer::RunViewer(const ArticulatedModel& model, RecordedRun& run, const Play
     : model_(model), run_(run), playback_(playback), choices_(choices), options_(options) {}
 
 void RunViewer::play() {
-  const std::string playback_help =
-      run_.size() > 1 ? std::string(kPlaybackHelp).append("\n") : std::string();
+  const std::string playback_help = run_.size() > 1 ? kPlaybackHelp : "";
+  if (run_.is_model_alone()) posed_ = moment().estimate.configuration;
   SceneComposer composer(model_, playback_help + kSceneHelp);
   const auto window = open_scene_window(composer.parts(), options_);
   const Interruption interruption;
@@ -31,6 +34,7 @@ void RunViewer::play() {
     for (const auto& key : window->poll()) {
       has_changed |= playback_.handle(key) || choices_.handle(key);
     }
+    for (const auto& move : window->take_moves()) has_changed |= handle(move);
     if (playback_.is_playing() && is_next_due()) {
       playback_.advance();
       has_changed = true;
@@ -66,7 +70,7 @@ bool RunViewer::is_next_due() const {
   const double stamp = run_.at(playback_.position())->stamp;
   const auto next = run_.at(playback_.position() + 1);
   const double step = next ? std::min(next->stamp - stamp, kLongestPause) : 0.0;
-  return std::chrono::duration<double>(Clock::now() - drawn_).count() >= step;
+  return std::chrono::duration<double>(Clock::now() - drawn_).count() >= step / playback_.speed();
 }
 
 void RunViewer::aim(SceneWindow& window) {
@@ -77,21 +81,43 @@ void RunViewer::aim(SceneWindow& window) {
   }
   for (std::size_t i = playback_.position(); i < run_.size(); ++i) {
     const auto state = run_.at(i);
-    if (!state || !state->configuration.T_camera_base.matrix().allFinite()) continue;
-    window.look(camera_before_model(model_.tree, state->configuration));
+    if (!state || !state->estimate.configuration.T_camera_base.matrix().allFinite()) continue;
+    window.look(camera_before_model(model_.tree, state->estimate.configuration));
     return;
   }
 }
 
+bool RunViewer::handle(const SliderMove& move) {
+  if (posed_) {
+    move_joint(model_.tree, move, *posed_);
+    return true;
+  }
+  const auto frame = static_cast<std::size_t>(std::lround(move.value));
+  if (frame == playback_.position()) return false;
+  playback_.seek(frame);
+  return true;
+}
+
 void RunViewer::draw(SceneWindow& window, SceneComposer& composer) {
-  const auto now = moment();
+  auto now = moment();
   drawn_ = Clock::now();
-  window.show(composer.compose(now.frame, now.configuration, title(now), choices_));
+  if (posed_) now.estimate.configuration = *posed_;
+  DisplayedScene& scene = composer.compose(now.frame, now.estimate, title(now), choices_);
+  if (posed_) {
+    scene.sliders = joint_sliders(model_.tree, *posed_);
+    if (!scene.sliders.empty()) scene.status = title(now);
+  }
+  if (playback_.frames() > 1) {
+    scene.seek_bar = {"", "%.0f", 0.0, static_cast<double>(playback_.frames() - 1),
+                      static_cast<double>(playback_.position())};
+  }
+  window.show(scene);
 }
 
 std::string RunViewer::title(const RecordedRun::Moment& moment) const {
   if (playback_.frames() == 1 && moment.frame == nullptr) return model_.tree.name;
   std::string text = frame_title(playback_.position(), moment.stamp, moment.word);
+  if (playback_.speed() != 1.0) text += "   speed " + readable_number(playback_.speed());
   if (playback_.is_at_end()) return text + "   end";
   return playback_.is_playing() ? text : text + "   paused";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "lockbox/visualization/playback.hpp"
@@ -30,6 +31,7 @@ class RunViewer {
   RecordedRun::Moment moment();
   bool is_next_due() const;
   void aim(SceneWindow& window);
+  bool handle(const SliderMove& move);
   void draw(SceneWindow& window, SceneComposer& composer);
   std::string title(const RecordedRun::Moment& moment) const;
 
@@ -37,6 +39,7 @@ class RunViewer {
   RecordedRun& run_;
   Playback playback_;
   SceneChoices choices_;
+  std::optional<Configuration> posed_;  ///< by the user, a model that is shown alone
   WindowOptions options_;
   Clock::time_point drawn_;
 };

@@ -16,6 +16,10 @@ void SourceArguments::add_to(CLI::App& options) {
   add_sensor(options, "; auto: noise as the first frame shows it");
   options.add_flag("--realtime", realtime_,
                    "Play recordings at recorded speed, dropping frames like a live device");
+  options
+      .add_option("--patience", patience_,
+                  "Seconds to wait for a live device that was unplugged, or delivers nothing")
+      ->check(not_negative());
 }
 
 void SourceArguments::add_optional_to(CLI::App& options) {
@@ -74,6 +78,7 @@ SourceOptions SourceArguments::options() const {
   if (!camera_info_.empty()) options.camera_info = camera_info_;
   options.depth_scale = depth_scale_;
   options.realtime = realtime_;
+  options.patience = patience_;
   options.stop = interruption::requested;
   options.warn = [](const std::string& text) { std::cerr << "lockbox: warning: " << text << '\n'; };
   return options;

@@ -48,6 +48,7 @@ class SourceArguments {
   std::string sensor_;
   std::optional<double> depth_scale_;
   bool realtime_ = false;
+  double patience_ = 30.0;  ///< seconds: for who plugs a camera in again
 };
 
 }  // namespace lockbox::app

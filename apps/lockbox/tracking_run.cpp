@@ -98,6 +98,9 @@ void print_summary(std::ostream& out, const RunTotals& totals, const RunSettings
     out << counted(totals.faults().dropped, "frame")
         << " dropped: they came while the one before was worked on\n";
   }
+  if (totals.faults().outages > 0) {
+    out << counted(totals.faults().outages, "outage") << " of the device, which came back\n";
+  }
   if (!settings.output.empty()) {
     out << (totals.frames() > 0 ? "results: " : "no results; the same command begins anew in ")
         << settings.output.string() << '\n';

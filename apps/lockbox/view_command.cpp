@@ -58,8 +58,8 @@ class ViewCommand : public Command {
         ->check(between(kSmallest, kLargest))
         ->type_name("WIDTHxHEIGHT")
         ->default_str("1280x800");
-    options.footer(std::string(options.get_footer()) + "\n\nKeys in the window:\n  " +
-                   kPlaybackHelp + "\n  " + kSceneHelp);
+    options.footer(std::string(options.get_footer()) + "\n\nKeys in the window:\n" + kPlaybackHelp +
+                   kSceneHelp);
   }
 
   ExitStatus run() override {
@@ -82,12 +82,12 @@ class ViewCommand : public Command {
     return model_.load();
   }
 
-  std::vector<State> read_rows(const KinematicTree& tree) const {
+  StatesFile read_rows(const KinematicTree& tree) const {
     if (states_.empty()) return {};
-    auto states = read_states(states_, tree).states;
-    if (states.empty()) throw InputError(states_, "holds no rows");
-    require_plausible(states_, tree, states);
-    return states;
+    auto file = read_states(states_, tree);
+    if (file.states.empty()) throw InputError(states_, "holds no rows");
+    require_plausible(states_, tree, file.states);
+    return file;
   }
 
   ExitStatus run_live(FrameSource& source, const ArticulatedModel& model) const {

@@ -8,57 +8,28 @@
 #include <future>
 #include <thread>
 
+#include "lockbox/capture/device_list.hpp"
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_writer.hpp"
-#include "lockbox/capture/virtual_depth.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_frames.hpp"
 #include "temporary_folder.hpp"
+#include "virtual_camera.hpp"
 
 namespace lockbox {
 namespace {
 
 using namespace std::chrono_literals;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-/// A camera that delivers synthetic frames until it is unplugged.
-class VirtualCamera {
+/// Delivers synthetic frames.
+class SyntheticCamera : public VirtualCamera {
  public:
-  explicit VirtualCamera(std::chrono::milliseconds period)
-      : server_(folder_ / "camera"), thread_([this, period] { run(period); }) {}
-  ~VirtualCamera() {
-    unplug();
-    server_.close();
-    thread_.join();
-  }
-  VirtualCamera(const VirtualCamera&) = delete;
-  VirtualCamera& operator=(const VirtualCamera&) = delete;
-
-  std::string uri() const { return server_.uri(); }
-  void unplug() { plugged_ = false; }
-  void stall() { stalled_ = true; }
-
- private:
-  void run(std::chrono::milliseconds period) {
-    try {
-      VirtualDepthSender sender = server_.accept(small_camera(), 100, 0.001F);
-      for (std::uint64_t number = 0; plugged_; ++number) {
-        if (!stalled_) {
-          sender.try_send(synthetic_frame(number));
-        }
-        std::this_thread::sleep_for(period);
-      }
-    } catch (const DeviceError&) {
-      // closed
-    }
-  }
-
-  TemporaryFolder folder_;
-  std::atomic<bool> plugged_{true};
-  std::atomic<bool> stalled_{false};
-  VirtualDepthServer server_;
-  std::thread thread_;
+  explicit SyntheticCamera(std::chrono::milliseconds period)
+      : VirtualCamera([](std::uint64_t number) { return synthetic_frame(number); },
+                      static_cast<int>(1000 / period.count())) {}
 };
 
 std::uint64_t number_of(const DepthFrame& frame) {
@@ -66,7 +37,7 @@ std::uint64_t number_of(const DepthFrame& frame) {
 }
 
 TEST(LiveDevice, FramesArriveBitForBit) {
-  const VirtualCamera camera(5ms);
+  const SyntheticCamera camera(5ms);
   LiveDevice device(camera.uri());
   EXPECT_EQ(device.frame_count(), std::nullopt);
   DepthFrame frame;
@@ -82,7 +53,7 @@ TEST(LiveDevice, FramesArriveBitForBit) {
 }
 
 TEST(LiveDevice, ASlowConsumerGetsTheNewestFrame) {
-  const VirtualCamera camera(2ms);
+  const SyntheticCamera camera(2ms);
   LiveDevice device(camera.uri());
   DepthFrame first;
   DepthFrame second;
@@ -93,22 +64,114 @@ TEST(LiveDevice, ASlowConsumerGetsTheNewestFrame) {
   EXPECT_EQ(device.faults().dropped, second.index - first.index - 1);
 }
 
-TEST(LiveDevice, UnpluggingIsNoticed) {
-  VirtualCamera camera(2ms);
-  LiveDevice device(camera.uri());
+/// Takes what the device says of outages.
+struct Told {
+  std::vector<std::string> texts;
+  SourceOptions options(double patience) {
+    SourceOptions options;
+    options.patience = patience;
+    options.warn = [this](const std::string& text) { texts.push_back(text); };
+    return options;
+  }
+};
+
+void take_all(LiveDevice& device) {
+  DepthFrame frame;
+  while (device.next(frame)) {
+  }
+}
+
+TEST(LiveDevice, ThatIsUnpluggedForGoodFails) {
+  SyntheticCamera camera(2ms);
+  Told told;
+  LiveDevice device(camera.uri(), told.options(0.3));
   DepthFrame frame;
   ASSERT_TRUE(device.next(frame));
   camera.unplug();
-  EXPECT_THAT(
-      [&] {
-        while (device.next(frame)) {
-        }
-      },
-      ThrowsMessage<DeviceError>(HasSubstr("was unplugged")));
+  EXPECT_THAT([&] { take_all(device); },
+              ThrowsMessage<DeviceError>(HasSubstr("was unplugged, and did not come back")));
+  EXPECT_THAT(told.texts, ElementsAre(HasSubstr("was unplugged; waiting for it, 0.3 s at most")));
+}
+
+TEST(LiveDevice, ThatStallsForGoodFails) {
+  SyntheticCamera camera(2ms);
+  Told told;
+  LiveDevice device(camera.uri(), told.options(0.3));
+  DepthFrame frame;
+  ASSERT_TRUE(device.next(frame));
+  camera.stall();
+  EXPECT_THAT([&] { take_all(device); },
+              ThrowsMessage<DeviceError>(HasSubstr("has delivered no frame for 0.3 s; check")));
+}
+
+/// Goes on where it was: with the next number, and a later stamp.
+void expect_to_go_on(LiveDevice& device, const DepthFrame& before) {
+  DepthFrame frame;
+  ASSERT_TRUE(device.next(frame));
+  EXPECT_EQ(frame.index, before.index + 1);
+  EXPECT_GT(frame.stamp, before.stamp);
+}
+
+/// The last frame that is there before the device is away or silent.
+DepthFrame last_frame(LiveDevice& device) {
+  DepthFrame frame;
+  std::uint64_t count = 0;
+  do {
+    device.next(frame);
+  } while (++count < 3);
+  return frame;
+}
+
+TEST(LiveDevice, ThatWasUnpluggedGoesOn) {
+  SyntheticCamera camera(20ms);
+  Told told;
+  LiveDevice device(camera.uri(), told.options(LOCKBOX_SLOWDOWN * 10.0));
+  const DepthFrame before = last_frame(device);
+  camera.unplug();
+  const auto replug = std::async(std::launch::async, [&camera] {
+    std::this_thread::sleep_for(300ms);
+    camera.plug_in();
+  });
+  expect_to_go_on(device, before);
+  EXPECT_THAT(told.texts, ElementsAre(HasSubstr("was unplugged; waiting"),
+                                      HasSubstr("delivers frames again, after")));
+  EXPECT_EQ(device.faults().outages, 1U);
+  EXPECT_EQ(device.faults().dropped, 0U);
+}
+
+TEST(LiveDevice, ThatHasStalledGoesOn) {
+  SyntheticCamera camera(20ms);
+  Told told;
+  LiveDevice device(camera.uri(), told.options(LOCKBOX_SLOWDOWN * 10.0));
+  const DepthFrame before = last_frame(device);
+  camera.stall();
+  const auto resume = std::async(std::launch::async, [&camera] {
+    std::this_thread::sleep_for(1300ms);
+    camera.go_on();
+  });
+  DepthFrame frame;
+  while (told.texts.empty()) ASSERT_TRUE(device.next(frame));
+  EXPECT_GT(frame.index, before.index);
+  EXPECT_EQ(frame.depth, synthetic_frame(number_of(frame)).depth);
+  EXPECT_THAT(told.texts, ElementsAre(HasSubstr("no frame for 1 s; waiting"),
+                                      HasSubstr("delivers frames again, after 1")));
+  EXPECT_EQ(device.faults().outages, 1U);
+}
+
+TEST(LiveDevice, ThatWasUnpluggedIsFoundUnderAnotherName) {
+  // As USB devices are, which have a new number each time.
+  SyntheticCamera camera(20ms);
+  Told told;
+  LiveDevice device(camera.uri(), told.options(LOCKBOX_SLOWDOWN * 10.0));
+  const DepthFrame before = last_frame(device);
+  camera.unplug();
+  const SyntheticCamera again(20ms);
+  ASSERT_EQ(list_devices({again.uri()}).back().problem, std::nullopt);
+  expect_to_go_on(device, before);
 }
 
 TEST(LiveDevice, WaitingForAStalledDeviceCanBeEnded) {
-  VirtualCamera camera(2ms);
+  SyntheticCamera camera(2ms);
   std::atomic<bool> stop{false};
   SourceOptions options;
   options.stop = [&stop] { return stop.load(); };
@@ -127,7 +190,7 @@ TEST(LiveDevice, WaitingForAStalledDeviceCanBeEnded) {
 }
 
 /// Exit status of a process that opens the camera without naming it.
-[[noreturn]] void open_unnamed(const VirtualCamera& camera) {
+[[noreturn]] void open_unnamed(const SyntheticCamera& camera) {
   const std::string uri = camera.uri();
   ::setenv("LOCKBOX_VIRTUAL_DEPTH", uri.substr(uri.find(':') + 1).c_str(), 1);
   const std::unique_ptr<FrameSource> device = open_source("openni2:");
@@ -139,7 +202,7 @@ TEST(LiveDevice, WaitingForAStalledDeviceCanBeEnded) {
 TEST(LiveDevice, ADeviceIsFoundWithoutNamingItIfTheEnvironmentNamesIt) {
   // In a process of its own, because OpenNI2 looks for devices when it starts.
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  const VirtualCamera camera(5ms);
+  const SyntheticCamera camera(5ms);
   EXPECT_EXIT(open_unnamed(camera), ::testing::ExitedWithCode(0), "");
 }
 
@@ -175,7 +238,7 @@ TEST(LiveDevice, UnknownDevicesAreDeviceErrors) {
 
 TEST(Record, ALiveDeviceIsRecordedBitForBit) {
   const TemporaryFolder folder;
-  const VirtualCamera camera(5ms);
+  const SyntheticCamera camera(5ms);
   const auto deadline = std::chrono::steady_clock::now() + LOCKBOX_SLOWDOWN * 300ms;
   const std::size_t count =
       record("openni2:" + camera.uri(), folder / "a.oni",
@@ -197,7 +260,7 @@ TEST(Record, ALiveDeviceIsRecordedBitForBit) {
 
 TEST(Record, UnpluggingEndsTheRecording) {
   const TemporaryFolder folder;
-  VirtualCamera camera(2ms);
+  SyntheticCamera camera(2ms);
   auto unplug = std::async(std::launch::async, [&camera] {
     std::this_thread::sleep_for(LOCKBOX_SLOWDOWN * 200ms);
     camera.unplug();
@@ -239,7 +302,7 @@ TEST(Record, EndsAfterSecondsOfTheRecordingHoweverFastItIsRead) {
 
 TEST(Record, ADeviceIsRecordedForSecondsOfTheClock) {
   const TemporaryFolder folder;
-  const VirtualCamera camera(5ms);
+  const SyntheticCamera camera(5ms);
   const RecordingEnd end{[] { return false; }, LOCKBOX_SLOWDOWN * 0.3};
   EXPECT_GT(record("openni2:" + camera.uri(), folder / "a.oni", end), 5U);
 }

@@ -20,7 +20,7 @@ using testing::Not;
 using testing::UnorderedElementsAre;
 
 const std::vector<std::string> kCommands = {"track",      "simulate", "record", "evaluate",
-                                            "experiment", "inspect",  "view"};
+                                            "experiment", "inspect",  "view",   "devices"};
 
 /// The documents, written once for all tests.
 const std::filesystem::path& documents() {

@@ -9,8 +9,8 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::vector<std::string> kCommands = {"track",      "simulate", "record", "evaluate",
-                                            "experiment", "inspect",  "view",   "cache"};
+const std::vector<std::string> kCommands = {
+    "track", "simulate", "record", "evaluate", "experiment", "inspect", "view", "devices", "cache"};
 
 TEST(Help, ListsAllCommands) {
   const auto result = run_tool({"--help"});

@@ -200,11 +200,49 @@ TEST_F(View, RefusesFramesThatAreNotThere) {
   EXPECT_THAT(result.errors, HasSubstr("30 frames"));
 }
 
+/// Waits, at most some seconds, until the window shows something else to the right of the sliders.
+bool changes_beside_sliders(const XUser& user, const std::vector<unsigned char>& before,
+                            int width) {
+  for (int waits = 0; waits < 200; ++waits) {
+    const auto now = user.picture();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const std::size_t column = i / 3 % static_cast<std::size_t>(width);
+      if (column > static_cast<std::size_t>(width) / 3 && now[i] != before[i]) return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return false;
+}
+
+TEST_F(View, OfAModelAloneHasSlidersThatMoveItsJoints) {
+  constexpr int kWidth = 640;
+  Tool tool({"view", "--model", "cabinet", "--size", "640x480"});
+  user_->find_window("lockbox");
+  const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(700)); };
+  pause();
+  const auto before = user_->picture();
+  // The first slider's handle: its joint stands at its lower limit.
+  const int x = 21;
+  const int y = 58;
+  user_->point(x, y);
+  pause();
+  user_->press_button(x, y);
+  pause();
+  user_->point(120, y);
+  pause();
+  user_->release_button(120, y);
+  EXPECT_TRUE(changes_beside_sliders(*user_, before, kWidth));
+  user_->press("q");
+  const auto result = tool.wait();
+  EXPECT_EQ(result.status, 0) << result.errors;
+}
+
 TEST_F(View, PlaysUntilItsWindowIsClosedOrInterrupted) {
   for (const bool by_signal : {true, false}) {
     Tool tool(viewing({}));
     user_->find_window("lockbox");
-    for (const auto* key : {"End", "Left", "Home", "space", "e", "m", "p", "r"}) user_->press(key);
+    for (const auto* key : {"End", "Left", "Home", "h", "minus", "space", "e", "m", "p", "r", "h"})
+      user_->press(key);
     if (by_signal) {
       std::this_thread::sleep_for(std::chrono::milliseconds(200));
       tool.send_signal(SIGINT);

@@ -50,6 +50,29 @@ TEST(Playback, TogglesWithSpaceAndBeginsAgainFromTheEnd) {
   EXPECT_TRUE(playback.is_playing());
 }
 
+TEST(Playback, DoublesAndHalvesItsSpeedWithoutAPause) {
+  Playback playback(300, 0, true);
+  EXPECT_EQ(playback.speed(), 1.0);
+  EXPECT_TRUE(playback.handle("plus"));
+  EXPECT_EQ(playback.speed(), 2.0);
+  playback.handle("minus");
+  playback.handle("minus");
+  EXPECT_EQ(playback.speed(), 0.5);
+  for (int i = 0; i < 20; ++i) playback.handle("minus");
+  EXPECT_GT(playback.speed(), 0.01) << "it would seem to stand still";
+  EXPECT_TRUE(playback.is_playing());
+  EXPECT_EQ(playback.position(), 0U);
+}
+
+TEST(Playback, SeeksAndPausesThere) {
+  Playback playback(300, 0, true);
+  playback.seek(200);
+  EXPECT_EQ(playback.position(), 200U);
+  EXPECT_FALSE(playback.is_playing());
+  playback.seek(1000);
+  EXPECT_EQ(playback.position(), 299U);
+}
+
 TEST(Playback, LeavesOtherKeysAlone) {
   Playback playback(3, 1, true);
   EXPECT_FALSE(playback.handle("e"));

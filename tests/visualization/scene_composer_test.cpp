@@ -96,7 +96,19 @@ TEST_F(SceneComposerTest, SaysHowTheJointsStand) {
   SceneComposer composer(drawer, "");
   const DisplayedScene& scene = composer.compose(nullptr, configuration, "title", {});
   EXPECT_THAT(scene.status, HasSubstr("title\n"));
-  EXPECT_THAT(scene.status, HasSubstr("12.3 mm  drawer"));
+  EXPECT_THAT(scene.status, HasSubstr("drawer    12.3 mm"));
+}
+
+TEST_F(SceneComposerTest, ExplainsTheKeysWhereTheUserAsks) {
+  SceneChoices choices;
+  EXPECT_THAT(compose(one_metre_away(), choices).overlay, IsEmpty());
+  EXPECT_THAT(compose(one_metre_away(), choices).help, HasSubstr("h help"));
+  EXPECT_TRUE(choices.handle("h"));
+  EXPECT_THAT(compose(one_metre_away(), choices).overlay, HasSubstr("keys"));
+  choices.handle("h");
+  EXPECT_THAT(compose(one_metre_away(), choices).overlay, IsEmpty());
+  SceneComposer silent(model_, "");
+  EXPECT_THAT(silent.compose(nullptr, one_metre_away(), "", {}).help, IsEmpty()) << "in pictures";
 }
 
 TEST(CameraNearSensor, LooksAtWhatIsMeasuredFromTheSideOfTheSensor) {

@@ -15,8 +15,10 @@
 namespace lockbox {
 namespace {
 
+using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::ThrowsMessage;
 
 /// A red block half a metre from the camera, which looks at it along z.
@@ -118,6 +120,59 @@ TEST_F(SceneWindowTest, ReportsKeysByName) {
   for (const auto* key : {"space", "Left", "e"}) user_.press(key);
   EXPECT_THAT(keys_of(*window, 3), ElementsAre("space", "Left", "e"));
   EXPECT_TRUE(window->is_open());
+}
+
+/// Moves the mouse from one pixel to another with its button down.
+void drag(XUser& user, SceneWindow& window, int x, int y, int to) {
+  user.point(x, y);
+  window.poll();
+  user.press_button(x, y);
+  window.poll();
+  user.point(to, y);
+  window.poll();
+  user.release_button(to, y);
+  window.poll();
+}
+
+TEST_F(SceneWindowTest, ReportsWhereSlidersAreMoved) {
+  const auto window = open(true);
+  DisplayedScene scene = block_at(0.0);
+  scene.sliders = {{"one", "%.0f", 0.0, 10.0, 5.0}, {"two", "%.0f", -1.0, 1.0, 0.0}};
+  scene.seek_bar = {"", "%.0f", 0.0, 100.0, 50.0};
+  window->show(scene);
+  user_.find_window(kTitle);
+  EXPECT_THAT(window->take_moves(), IsEmpty());
+
+  // The handle of the second slider: the middle of 0.02 to 0.24 of the width, at 0.88 - 0.085 of
+  // the height; the seek bar's is in the middle, at 0.06.
+  drag(user_, *window, 26, 32, 36);
+  auto moves = window->take_moves();
+  ASSERT_FALSE(moves.empty());
+  EXPECT_EQ(moves.back().slider, 1U);
+  EXPECT_GT(moves.back().value, 0.2);
+  EXPECT_LT(moves.back().value, 1.0);
+  EXPECT_THAT(window->take_moves(), IsEmpty());
+
+  drag(user_, *window, 100, 150, 60);
+  moves = window->take_moves();
+  ASSERT_FALSE(moves.empty());
+  EXPECT_EQ(moves.back().slider, std::nullopt);
+  EXPECT_NEAR(moves.back().value, 24.0, 6.0);
+}
+
+TEST_F(SceneWindowTest, TellsItsFrameRateInTheTitleWhileItMoves) {
+  const auto window = open(true);
+  window->show(block_at(0.0));
+  user_.find_window(kTitle);
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (user_.title() == kTitle && std::chrono::steady_clock::now() < give_up) {
+    window->show(block_at(0.0));
+    window->poll();
+  }
+  EXPECT_THAT(user_.title(), ContainsRegex("^scene window test - [0-9]+ frames/s$"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  window->poll();
+  EXPECT_EQ(user_.title(), kTitle);
 }
 
 TEST_F(SceneWindowTest, IsClosedByTheUser) {

@@ -16,7 +16,8 @@ bool is_shown_as(Display* display, Window window, const std::string& name) {
   if (XGetWindowAttributes(display, window, &attributes) == 0) return false;
   char* text = nullptr;
   if (attributes.map_state != IsViewable || XFetchName(display, window, &text) == 0) return false;
-  const bool is_same = name == text;
+  const std::string title = text;
+  const bool is_same = title == name || title.starts_with(name + " - ");  // with its frame rate
   XFree(text);
   return is_same;
 }
@@ -77,6 +78,50 @@ void XUser::press(const std::string& key) {
   event.xkey.keycode = XKeysymToKeycode(display_, XStringToKeysym(key.c_str()));
   XSendEvent(display_, window_, True, KeyPressMask, &event);
   XSync(display_, False);
+}
+
+void XUser::point(int x, int y) {
+  XWarpPointer(display_, None, window_, 0, 0, 0, 0, x, y);  // VTK asks where the pointer is
+  XSync(display_, False);
+}
+
+void XUser::send_button(bool down, int x, int y) {
+  XEvent event = {};
+  event.xbutton.type = down ? ButtonPress : ButtonRelease;
+  event.xbutton.display = display_;
+  event.xbutton.window = window_;
+  event.xbutton.root = DefaultRootWindow(display_);
+  event.xbutton.same_screen = True;
+  event.xbutton.button = Button1;
+  event.xbutton.x = x;
+  event.xbutton.y = y;
+  XSendEvent(display_, window_, True, down ? ButtonPressMask : ButtonReleaseMask, &event);
+  XSync(display_, False);
+}
+
+std::string XUser::title() const {
+  char* text = nullptr;
+  if (XFetchName(display_, window_, &text) == 0) return {};
+  std::string title = text;
+  XFree(text);
+  return title;
+}
+
+std::vector<unsigned char> XUser::picture() const {
+  XWindowAttributes size = {};
+  XGetWindowAttributes(display_, window_, &size);
+  XImage* const image = XGetImage(display_, window_, 0, 0, static_cast<unsigned>(size.width),
+                                  static_cast<unsigned>(size.height), AllPlanes, ZPixmap);
+  std::vector<unsigned char> rgb;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const unsigned long pixel = XGetPixel(image, x, y);
+      for (const int shift : {16, 8, 0})
+        rgb.push_back(static_cast<unsigned char>(pixel >> shift & 0xFF));
+    }
+  }
+  XDestroyImage(image);
+  return rgb;
 }
 
 void XUser::close() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 struct _XDisplay;
 
@@ -28,10 +29,25 @@ class XUser {
   /// key: its name in X11, such as `space`.
   void press(const std::string& key);
 
+  /// Moves the pointer; pixels of the window.
+  void point(int x, int y);
+
+  /// The left mouse button goes down, or up, at this pixel of the window.
+  void press_button(int x, int y) { send_button(true, x, y); }
+  void release_button(int x, int y) { send_button(false, x, y); }
+
+  /// The name of the window, as it is now.
+  std::string title() const;
+
+  /// What the window shows, three bytes a pixel, row by row.
+  std::vector<unsigned char> picture() const;
+
   /// As with the button of its frame.
   void close();
 
  private:
+  void send_button(bool down, int x, int y);
+
   _XDisplay* display_ = nullptr;
   unsigned long window_ = 0;
 };

@@ -7,42 +7,34 @@
 
 #include "lockbox/core/error.hpp"
 #include "openni_session.hpp"
+#include "usb_cameras.hpp"
 
 namespace lockbox {
 namespace {
 
-/// Recordings that were opened in this process stay in OpenNI2's list of devices, under this name.
-bool is_live(const openni::DeviceInfo& info) {
-  return std::string_view(info.getName()) != "oni File";
-}
-
 std::string first_device() {
-  openni::Array<openni::DeviceInfo> devices;
-  openni::OpenNI::enumerateDevices(&devices);
-  for (int i = 0; i < devices.getSize(); ++i) {
-    if (is_live(devices[i])) {
-      return devices[i].getUri();
-    }
-  }
-  throw DeviceError(
-      "no OpenNI2 device is connected; check the cable and the permissions of the USB device, or "
-      "name a recording");
+  const auto devices = live_devices();
+  if (devices.empty()) throw DeviceError(absence_text());
+  return devices.front().getUri();
 }
 
-std::string list_of_devices() {
-  openni::Array<openni::DeviceInfo> devices;
-  openni::OpenNI::enumerateDevices(&devices);
+/// Why a device cannot be opened whose name is right.
+std::string hint() {
+  for (const auto& camera : usb_cameras()) {
+    if (const auto reason = obstacle(camera)) return "; " + *reason;
+  }
+  return "; does another program use it?";
+}
+
+std::string why_not_opened(const std::string& name) {
+  const std::string error = openni_error();
   std::string list;
-  for (int i = 0; i < devices.getSize(); ++i) {
-    if (is_live(devices[i])) {
-      list += std::string(list.empty() ? "" : ", ") + devices[i].getUri();
-    }
+  for (const auto& info : live_devices()) {
+    if (name == info.getUri()) return name + ": the device cannot be opened: " + error + hint();
+    list += std::string(list.empty() ? "" : ", ") + info.getUri();
   }
-  return list.empty() ? "none" : list;
-}
-
-bool is_depth_format(openni::PixelFormat format) {
-  return format == openni::PIXEL_FORMAT_DEPTH_1_MM || format == openni::PIXEL_FORMAT_DEPTH_100_UM;
+  return name + ": no such OpenNI2 device, or it cannot be opened (connected: " +
+         (list.empty() ? "none" : list) + "): " + error;
 }
 
 /// Smaller is better.
@@ -72,12 +64,33 @@ void choose_mode(const std::string& name, openni::VideoStream& depth) {
 
 }  // namespace
 
+bool is_depth_format(openni::PixelFormat format) {
+  return format == openni::PIXEL_FORMAT_DEPTH_1_MM || format == openni::PIXEL_FORMAT_DEPTH_100_UM;
+}
+
+std::vector<openni::DeviceInfo> live_devices() {
+  // Recordings that were opened in this process stay in OpenNI2's list, under this name.
+  constexpr std::string_view kRecording = "oni File";
+  openni::Array<openni::DeviceInfo> devices;
+  openni::OpenNI::enumerateDevices(&devices);
+  std::vector<openni::DeviceInfo> live;
+  for (int i = 0; i < devices.getSize(); ++i) {
+    if (devices[i].getName() != kRecording) live.push_back(devices[i]);
+  }
+  return live;
+}
+
+std::string absence_text() {
+  return "no OpenNI2 device is connected: " + why_no_camera(usb_cameras()) +
+         " (drivers are loaded from " + driver_folder() +
+         "; `lockbox devices` lists what is there)";
+}
+
 void open_depth(const std::string& uri, openni::Device& device, openni::VideoStream& depth) {
   require_openni();
   const std::string name = uri.empty() ? first_device() : uri;
   if (device.open(name.c_str()) != openni::STATUS_OK) {
-    throw DeviceError(name + ": no such OpenNI2 device, or it cannot be opened (connected: " +
-                      list_of_devices() + "): " + openni_error());
+    throw DeviceError(why_not_opened(name));
   }
   if (depth.create(device, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
     throw DeviceError(name + ": the device has no depth stream: " + openni_error());

@@ -6,8 +6,18 @@
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 namespace lockbox {
+
+/// Whether it is one of the two units in which depth is taken.
+bool is_depth_format(openni::PixelFormat format);
+
+/// The devices that OpenNI2 lists, without recordings.
+std::vector<openni::DeviceInfo> live_devices();
+
+/// That there is no device, why, and what to do.
+std::string absence_text();
 
 /// Opens the device with this URI, or the first live one if it is empty, and creates its depth
 /// stream: un-mirrored where the device can, at 640x480, 30 Hz, 1 mm where there is a choice.

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "openni_session.hpp"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 #include "field_of_view.hpp"
 #include "lockbox/core/error.hpp"
@@ -43,13 +47,30 @@ void require_part_of_image(const openni::VideoFrameRef& frame, int left, int top
   }
 }
 
+/// Users of OpenNI2's own archives have set this variable; builds use it, OpenNI2 does not read it.
+std::string note_on_redist() {
+  return std::getenv("OPENNI2_REDIST") == nullptr
+             ? ""
+             : " (OPENNI2_REDIST is set, but OpenNI2 loads no drivers from there)";
+}
+
 }  // namespace
 
 void require_openni() {
   static const openni::Status status = openni::OpenNI::initialize();
   if (status != openni::STATUS_OK) {
-    throw DeviceError("OpenNI2 does not start: " + openni_error());
+    throw DeviceError("OpenNI2 does not start: " + openni_error() +
+                      "; its drivers, lib*.so.0, or " + "links to them, must be in " +
+                      driver_folder() + ": install Debian's libopenni2-0, and lockbox anew" +
+                      note_on_redist());
   }
+}
+
+std::string driver_folder() {
+  Dl_info library{};
+  ::dladdr(reinterpret_cast<const void*>(&oniInitialize), &library);
+  const std::filesystem::path file(library.dli_fname == nullptr ? "" : library.dli_fname);
+  return (file.parent_path() / "OpenNI2" / "Drivers").lexically_normal().string();
 }
 
 std::string openni_error() {
@@ -58,6 +79,7 @@ std::string openni_error() {
       text.begin(), text.end(),
       [](char character) { return character == '\n' || character == '\t'; }, ' ');
   text.erase(text.find_last_not_of(' ') + 1);
+  text.erase(0, text.find_first_not_of(' '));
   return text.empty() ? "no reason given" : text;
 }
 

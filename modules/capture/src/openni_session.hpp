@@ -16,6 +16,9 @@ namespace lockbox {
 /// again reloads all drivers. Throws DeviceError.
 void require_openni();
 
+/// The folder from which OpenNI2 loads drivers: beside its library, as it was loaded.
+std::string driver_folder();
+
 /// Text of OpenNI2's last error, for a message.
 std::string openni_error();
 

@@ -38,8 +38,9 @@ Connection::Connection(const std::string& uri) {
     error_ = "nobody offers frames at " + address;
     return;
   }
-  error_ = read(&header_, sizeof(header_)) ? problem_of(header_)
-                                           : "the producer at " + address + " sends nothing";
+  error_ = read(&header_, sizeof(header_))
+               ? problem_of(header_)
+               : "the producer at " + address + " sends nothing; does another program use it?";
 }
 
 Connection::~Connection() {

@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <string>
 
+#include "return_watch.hpp"
 #include "stream.hpp"
 
 namespace lockbox::virtual_depth {
@@ -79,8 +81,10 @@ class Driver : public oni::driver::DriverBase {
                        oni::driver::DeviceDisconnectedCallback disconnected,
                        oni::driver::DeviceStateChangedCallback changed, void* cookie) override {
     DriverBase::initialize(connected, disconnected, changed, cookie);
-    if (const char* const path = std::getenv(kVirtualDepthVariable)) {
-      tryDevice((std::string(kVirtualDepthPrefix) + path).c_str());
+    const char* const list = std::getenv(kVirtualDepthVariable);
+    std::istringstream paths(list == nullptr ? "" : list);
+    for (std::string path; std::getline(paths, path, ':');) {
+      tryDevice((kVirtualDepthPrefix + path).c_str());
     }
     return ONI_STATUS_OK;
   }
@@ -89,8 +93,7 @@ class Driver : public oni::driver::DriverBase {
     if (std::strncmp(uri, kVirtualDepthPrefix, sizeof(kVirtualDepthPrefix) - 1) != 0) {
       return ONI_STATUS_ERROR;
     }
-    const OniDeviceInfo info = device_info(uri);
-    deviceConnected(&info);
+    announce(uri);
     return ONI_STATUS_OK;
   }
 
@@ -99,6 +102,7 @@ class Driver : public oni::driver::DriverBase {
     auto* const device = new Device(name, [this, name] {
       const OniDeviceInfo info = device_info(name);
       deviceDisconnected(&info);
+      returns_.await(name);  // OpenNI2 opens it again only if it is told that it is back
     });
     if (!device->connection().is_open()) {
       getServices().errorLoggerAppend("%s", device->connection().error().c_str());
@@ -111,6 +115,14 @@ class Driver : public oni::driver::DriverBase {
   void deviceClose(oni::driver::DeviceBase* device) override { delete device; }
 
   void shutdown() override {}
+
+ private:
+  void announce(const std::string& uri) {
+    const OniDeviceInfo info = device_info(uri);
+    deviceConnected(&info);
+  }
+
+  ReturnWatch returns_{[this](const std::string& uri) { announce(uri); }};
 };
 
 }  // namespace lockbox::virtual_depth

@@ -12,8 +12,6 @@
 #include <thread>
 #include <utility>
 
-#include "lockbox/visualization/scene_composer.hpp"
-
 namespace lockbox {
 namespace {
 
@@ -32,7 +30,7 @@ void lower_priority() {
 
 struct Moment {
   DepthFrame frame;
-  Configuration configuration;
+  ShownEstimate estimate;
   std::string title;
 };
 
@@ -70,11 +68,10 @@ class LiveView::Loop {
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
-  void hand_over(const DepthFrame& frame, const Configuration& configuration,
-                 const std::string& title) {
+  void hand_over(const DepthFrame& frame, const ShownEstimate& estimate, const std::string& title) {
     const std::lock_guard lock(mutex_);
     next_.frame = frame;
-    next_.configuration = configuration;
+    next_.estimate = estimate;
     next_.title = title;
     has_next_ = true;
   }
@@ -123,7 +120,7 @@ class LiveView::Loop {
     is_new |= take_over();
     if (!is_new || !has_shown_) return;
     if (is_first) window.look(camera_near_sensor(now_.frame));
-    window.show(composer_.compose(&now_.frame, now_.configuration, now_.title, choices_));
+    window.show(composer_.compose(&now_.frame, now_.estimate, now_.title, choices_));
   }
 
   bool take_over() {
@@ -153,9 +150,9 @@ LiveView::LiveView(const ArticulatedModel& model) : loop_(std::make_unique<Loop>
 
 LiveView::~LiveView() = default;
 
-void LiveView::show(const DepthFrame& frame, const Configuration& configuration,
+void LiveView::show(const DepthFrame& frame, const ShownEstimate& estimate,
                     const std::string& title) {
-  if (loop_->is_open()) loop_->hand_over(frame, configuration, title);
+  if (loop_->is_open()) loop_->hand_over(frame, estimate, title);
 }
 
 bool LiveView::is_open() const {

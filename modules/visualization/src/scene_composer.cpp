@@ -5,9 +5,9 @@
 #include <iomanip>
 #include <sstream>
 
-#include "lockbox/core/units.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/visualization/depth_picture.hpp"
+#include "lockbox/visualization/joint_panel.hpp"
 #include "lockbox/visualization/model_distance.hpp"
 
 namespace lockbox {
@@ -16,24 +16,9 @@ namespace {
 constexpr float kErrorRange = 0.01F;  // metres to both sides; what is farther off is grey
 constexpr double kFinePoint = 1.0;    // pixels: lets the model show between the points
 constexpr double kDensePoint = 2.0;
-constexpr double kSeeThrough = 0.35;      // opacity of the model among errors
+constexpr double kSeeThrough = 0.35;  // opacity of the model among errors
+constexpr auto kScaleTitle = "mm to model\n+ before it\n- behind it\ngrey: more";
 constexpr std::uint8_t kGreyBeyond = 95;  // of points that are not near the model
-
-/// The joints that move by themselves, in the order of the file, one a line.
-std::string joint_lines(const KinematicTree& tree, const Configuration& configuration) {
-  std::ostringstream lines;
-  lines << std::fixed << std::setprecision(1);
-  for (const int j : tree.file_order) {
-    const Joint& joint = tree.joints[static_cast<std::size_t>(j)];
-    if (joint.is_mimic) continue;
-    const bool slides = joint.type == JointType::prismatic;
-    const double scale = slides ? kMillimetres : kDegrees;
-    lines << '\n'
-          << std::setw(8) << scale * joint_position(tree, configuration, j)
-          << (slides ? " mm  " : " deg ") << joint.name;
-  }
-  return lines.str();
-}
 
 }  // namespace
 
@@ -51,6 +36,8 @@ bool SceneChoices::handle(const std::string& key) {
     model = !model;
   } else if (key == "e") {
     errors = !errors;
+  } else if (key == "h") {
+    help = !help;
   } else {
     return false;
   }
@@ -67,15 +54,17 @@ std::vector<ScenePart> SceneComposer::parts() const {
   return parts;
 }
 
-const DisplayedScene& SceneComposer::compose(const DepthFrame* frame,
-                                             const Configuration& configuration,
-                                             const std::string& title,
-                                             const SceneChoices& choices) {
-  place_model(configuration);
+DisplayedScene& SceneComposer::compose(const DepthFrame* frame, const ShownEstimate& estimate,
+                                       const std::string& title, const SceneChoices& choices) {
+  place_model(estimate.configuration);
   const bool is_known = !T_camera_body_.empty();
   const bool with_errors = choices.errors && is_known;
   scene_.status = title;
-  if (is_known) scene_.status += joint_lines(model_.tree, configuration);
+  if (is_known) {
+    scene_.status += joint_panel(model_.tree, estimate.configuration, estimate.sigma);
+  }
+  scene_.help = help_.empty() || choices.help ? "" : "h help   q close";
+  scene_.overlay = choices.help ? "\n" + help_ : "";
   scene_.points.clear();
   scene_.point_rgb.clear();
   if (frame != nullptr && choices.points) {
@@ -83,9 +72,11 @@ const DisplayedScene& SceneComposer::compose(const DepthFrame* frame,
     if (with_errors) color_points_by_distance();
   }
   scene_.point_size = with_errors ? kDensePoint : kFinePoint;
-  scene_.scale_title = "mm";
+  scene_.scale_title = kScaleTitle;
   scene_.scale = with_errors ? distance_scale(kErrorRange) : std::vector<ScaleColor>{};
   scene_.model_opacity = with_errors ? kSeeThrough : 1.0;
+  scene_.sliders.clear();
+  scene_.seek_bar.reset();
   scene_.T_camera_body = choices.model ? T_camera_body_ : std::vector<Eigen::Isometry3d>{};
   return scene_;
 }

@@ -8,8 +8,9 @@
 namespace lockbox {
 namespace {
 
-constexpr int kStatusSize = 16;  // pixels
+constexpr int kStatusSize = 14;  // pixels
 constexpr int kSmallSize = 13;
+constexpr int kOverlaySize = 16;
 
 void place(vtkTextActor& text, double x, double y) {
   text.GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
@@ -40,6 +41,12 @@ Captions::Captions(vtkRenderer& renderer) {
   place(*status_, 0.012, 0.982);
   style(*help_->GetTextProperty(), kSmallSize, 0.65);
   place(*help_, 0.012, 0.015);
+  style(*overlay_->GetTextProperty(), kOverlaySize, 0.95);
+  overlay_->GetTextProperty()->SetBackgroundOpacity(0.85);
+  overlay_->GetTextProperty()->SetVerticalJustificationToCentered();
+  overlay_->GetTextProperty()->SetFrame(true);
+  overlay_->GetTextProperty()->SetFrameColor(0.5, 0.5, 0.5);
+  place(*overlay_, 0.3, 0.5);
   style(*scale_->GetTitleTextProperty(), kSmallSize, 0.9);
   style(*scale_->GetLabelTextProperty(), kSmallSize, 0.9);
   scale_->SetUnconstrainedFontSize(true);
@@ -50,7 +57,7 @@ Captions::Captions(vtkRenderer& renderer) {
   scale_->SetHeight(0.4);
   scale_->VisibilityOff();
   for (vtkProp* prop : {static_cast<vtkProp*>(status_), static_cast<vtkProp*>(help_),
-                        static_cast<vtkProp*>(scale_)}) {
+                        static_cast<vtkProp*>(overlay_), static_cast<vtkProp*>(scale_)}) {
     renderer.AddViewProp(prop);
   }
 }
@@ -58,6 +65,7 @@ Captions::Captions(vtkRenderer& renderer) {
 void Captions::set(const DisplayedScene& scene) {
   show(*status_, scene.status);
   show(*help_, scene.help);
+  show(*overlay_, scene.overlay);
   set_scale(scene);
 }
 

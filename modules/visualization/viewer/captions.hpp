@@ -22,6 +22,7 @@ class Captions {
 
   vtkNew<vtkTextActor> status_;
   vtkNew<vtkTextActor> help_;
+  vtkNew<vtkTextActor> overlay_;
   vtkNew<vtkScalarBarActor> scale_;
 };
 

@@ -7,6 +7,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lockbox {
 namespace {
@@ -19,9 +20,11 @@ constexpr int kSamplesOfPictures = 8;  // a pixel; smooths edges
 
 VtkWindow::VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& options)
     : on_loss_(options.on_display_lost),
+      title_(options.title),
       model_(parts, *renderer_),
       points_(*renderer_),
-      captions_(*renderer_) {
+      captions_(*renderer_),
+      sliders_(*interactor_) {
   renderer_->GradientBackgroundOn();
   renderer_->SetBackground(kBottomOfBackground);
   renderer_->SetBackground2(kTopOfBackground);
@@ -72,13 +75,28 @@ void VtkWindow::show(const DisplayedScene& scene) {
   points_.set(scene);
   model_.place(scene.T_camera_body, scene.model_opacity);
   captions_.set(scene);
+  const bool is_visible = window_->GetOffScreenRendering() == 0;
+  if (is_visible) sliders_.set(scene);
   renderer_->ResetCameraClippingRange();
   window_->Render();
+  if (is_visible) tell_rate();
+}
+
+void VtkWindow::tell_rate() {
+  const auto rate = rate_.add();
+  if (!rate) return;
+  const auto whole = static_cast<int>(std::lround(*rate));
+  window_->SetWindowName((title_ + " - " + std::to_string(whole) + " frames/s").c_str());
+  tells_rate_ = true;
 }
 
 std::vector<std::string> VtkWindow::poll() {
   if (window_->GetOffScreenRendering() != 0) return {};
-  interactor_->ProcessEvents();
+  if (tells_rate_ && rate_.has_stopped()) {
+    window_->SetWindowName(title_.c_str());
+    tells_rate_ = false;
+  }
+  interactor_->ProcessEvents();  // also sends what was said to the display
   auto keys = style_->take_keys();
   if (std::find(keys.begin(), keys.end(), "r") != keys.end()) {
     aim();

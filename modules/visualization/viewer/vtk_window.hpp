@@ -8,10 +8,12 @@
 
 #include "captions.hpp"
 #include "display.hpp"
+#include "frame_rate.hpp"
 #include "key_style.hpp"
 #include "lockbox/visualization/scene_window.hpp"
 #include "model_actors.hpp"
 #include "point_actor.hpp"
+#include "sliders.hpp"
 
 namespace lockbox {
 
@@ -23,6 +25,7 @@ class VtkWindow : public SceneWindow {
   void look(const SceneCamera& camera) override;
   void show(const DisplayedScene& scene) override;
   std::vector<std::string> poll() override;
+  std::vector<SliderMove> take_moves() override { return sliders_.take_moves(); }
   bool is_open() const override;
   RgbImage picture() override;
 
@@ -30,8 +33,12 @@ class VtkWindow : public SceneWindow {
   void aim();
   void listen();
   void note_exit();
+  void tell_rate();
 
   const std::function<void()> on_loss_;
+  const std::string title_;
+  FrameRate rate_;
+  bool tells_rate_ = false;
   SceneCamera camera_;
   bool closed_ = false;
   vtkNew<vtkRenderer> renderer_;
@@ -41,6 +48,7 @@ class VtkWindow : public SceneWindow {
   ModelActors model_;
   PointActor points_;
   Captions captions_;
+  Sliders sliders_;
 };
 
 }  // namespace lockbox

@@ -18,6 +18,7 @@ struct SourceFaults {
   std::size_t unreadable = 0;  ///< file missing, damaged, of another size: came without any depth
   std::size_t restamped = 0;   ///< stamp not later than that of the frame before: was advanced
   std::size_t dropped = 0;     ///< came while the consumer was busy, in real time
+  std::size_t outages = 0;     ///< times that a device was unplugged or silent, and came back
 };
 
 /// Delivers frames one after the other, on demand. Not thread-safe.
@@ -50,7 +51,8 @@ struct SourceOptions {
   std::optional<std::filesystem::path> camera_info;  ///< ROS camera calibration YAML
   std::optional<double> depth_scale;                 ///< units per metre, folders
   bool realtime = false;                             ///< play recordings at recorded speed
-  std::function<void(const std::string&)> warn;      ///< told what looks wrong but is usable
+  double patience = 5.0;  ///< seconds that next() waits for a live device that is away or silent
+  std::function<void(const std::string&)> warn;  ///< told what looks wrong but is usable
   /// Asked again and again, every half a second at least, while next() waits for a device or for
   /// the time of a frame. True ends the wait.
   std::function<bool()> stop;

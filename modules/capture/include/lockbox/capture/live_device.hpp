@@ -15,8 +15,10 @@ class LiveDevice : public FrameSource {
   explicit LiveDevice(const std::string& uri, const SourceOptions& options = {});
   ~LiveDevice() override;
 
-  /// Waits for a frame; false if it was told to stop. Throws DeviceError if the device is unplugged
-  /// or delivers nothing for five seconds.
+  /// Waits for a frame; false if it was told to stop. A device that is unplugged or silent is
+  /// waited for, options.patience at most: options.warn is told so, and when it is back. Numbers of
+  /// frames go on then, and stamps increase by the time that has passed if its clock begins anew.
+  /// Throws DeviceError if it does not come back, InputError if it does with another image size.
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override { return std::nullopt; }
   bool is_realtime() const override { return true; }

@@ -12,7 +12,7 @@ namespace lockbox {
 /// `virtual-depth:fd:<number>`, an inherited end of a socket pair.
 inline constexpr char kVirtualDepthPrefix[] = "virtual-depth:";
 
-/// If it holds the path of a socket, that device is found without naming it.
+/// Paths of sockets, with colons between them: these devices are found without naming them.
 inline constexpr char kVirtualDepthVariable[] = "LOCKBOX_VIRTUAL_DEPTH";
 
 /// A stream property (int): the device delivers no more than so many frames in all. Whoever may not

@@ -6,6 +6,7 @@
 
 #include "lockbox/core/depth_frame.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/visualization/scene_composer.hpp"
 
 namespace lockbox {
 
@@ -21,9 +22,8 @@ class LiveView {
   LiveView(const LiveView&) = delete;
   LiveView& operator=(const LiveView&) = delete;
 
-  /// Copies what is to be shown next; configuration: NaN while it is not known. Does not wait for
-  /// the drawing.
-  void show(const DepthFrame& frame, const Configuration& configuration, const std::string& title);
+  /// Copies what is to be shown next. Does not wait for the drawing.
+  void show(const DepthFrame& frame, const ShownEstimate& estimate, const std::string& title);
 
   /// False after the user has closed the window.
   bool is_open() const;

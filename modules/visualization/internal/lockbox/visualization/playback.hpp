@@ -8,7 +8,12 @@ namespace lockbox {
 
 /// Explains the keys of Playback.
 inline constexpr char kPlaybackHelp[] =
-    "space play, pause   left, right 1 frame   down, up 10   page keys 100   home, end";
+    "  space         play, pause\n"
+    "  left, right   one frame\n"
+    "  down, up      10 frames\n"
+    "  page keys     100 frames\n"
+    "  home, end     first, last frame\n"
+    "  + -           twice, half as fast\n";
 
 /// Where a recording is being looked at, and whether it runs. It does not know the time: whoever
 /// shows the frames says when the next one is due.
@@ -25,8 +30,14 @@ class Playback {
   /// At the end nothing plays.
   bool is_playing() const { return playing_ && !is_at_end(); }
 
-  /// What a key stands for (its name in X11); all but `space` pause. False if it is none of ours.
+  /// What a key stands for (its name in X11); those that step pause. False if it is none of ours.
   bool handle(const std::string& key);
+
+  /// Goes to the frame, or to the last one, and pauses there.
+  void seek(std::size_t frame);
+
+  /// How many times as fast as recorded it plays.
+  double speed() const { return speed_; }
 
   /// Goes to the next frame, if there is one.
   void advance();
@@ -40,6 +51,7 @@ class Playback {
   std::size_t frames_;
   std::size_t position_;
   bool playing_;
+  double speed_ = 1.0;
 };
 
 }  // namespace lockbox

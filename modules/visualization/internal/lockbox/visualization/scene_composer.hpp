@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lockbox/core/depth_frame.hpp"
@@ -10,19 +11,36 @@
 
 namespace lockbox {
 
+/// What is known of the model in a frame.
+struct ShownEstimate {
+  ShownEstimate() = default;
+  ShownEstimate(Configuration where, std::vector<double> deviations = {})
+      : configuration(std::move(where)), sigma(std::move(deviations)) {}
+
+  Configuration configuration;  ///< NaN while it is not known
+  std::vector<double> sigma;    ///< of the joints, by index, radians or metres; empty: not told
+};
+
 /// What of a scene the user wants to see.
 struct SceneChoices {
   bool points = true;
   bool model = true;
   bool errors = false;  ///< points by their distance to the model, which becomes translucent
+  bool help = false;    ///< the keys
 
-  /// Toggles what a key (its name in X11) stands for: `p`, `m`, `e`. False if it is none of them.
+  /// Toggles what a key (its name in X11) stands for: `p`, `m`, `e`, `h`. False if it is none of
+  /// them.
   bool handle(const std::string& key);
 };
 
 /// Explains the keys of SceneChoices and of the window.
 inline constexpr char kSceneHelp[] =
-    "e errors   m model   p points   r reset view   mouse turn, shift, zoom   q close";
+    "  e             errors: colours say how far points are from the model\n"
+    "  m, p          model, points on and off\n"
+    "  r             the view from near the sensor\n"
+    "  mouse         turns; with shift it moves, the wheel zooms\n"
+    "  h             this help on and off\n"
+    "  q             close\n";
 
 /// The first line of a status: number and stamp (seconds) of a frame, a word on its estimate.
 std::string frame_title(std::size_t index, double stamp, const std::string& word);
@@ -30,18 +48,18 @@ std::string frame_title(std::size_t index, double stamp, const std::string& word
 /// Puts depth frames and estimates together into scenes.
 class SceneComposer {
  public:
-  /// The model is referred to, not copied. help: what all scenes say on keys.
-  SceneComposer(const ArticulatedModel& model, const std::string& help) : model_(model) {
-    scene_.help = help;
-  }
+  /// The model is referred to, not copied. help: the lines that explain the keys where they are
+  /// asked for; empty: nothing is said of keys.
+  SceneComposer(const ArticulatedModel& model, std::string help)
+      : model_(model), help_(std::move(help)) {}
 
   /// The model's parts, for the window.
   std::vector<ScenePart> parts() const;
 
-  /// frame: nothing if it is null. configuration: NaN while the model's pose is not known.
-  /// title: the first line of the status. The scene is valid until the next call.
-  const DisplayedScene& compose(const DepthFrame* frame, const Configuration& configuration,
-                                const std::string& title, const SceneChoices& choices);
+  /// frame: nothing if it is null. title: the first line of the status. The scene is valid, and may
+  /// be added to, until the next call.
+  DisplayedScene& compose(const DepthFrame* frame, const ShownEstimate& estimate,
+                          const std::string& title, const SceneChoices& choices);
 
  private:
   void place_model(const Configuration& configuration);
@@ -49,6 +67,7 @@ class SceneComposer {
   void color_points_by_distance();
 
   const ArticulatedModel& model_;
+  std::string help_;
   std::vector<Eigen::Isometry3d> T_camera_body_;  ///< empty while they are not known
   std::vector<float> distances_;
   DisplayedScene scene_;

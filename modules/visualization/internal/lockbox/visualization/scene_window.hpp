@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,21 @@ struct ScaleColor {
   Eigen::Vector3f color;  ///< red, green, blue in [0, 1]
 };
 
+/// A quantity that the user sets with the mouse.
+struct SceneSlider {
+  std::string name;
+  std::string format;  ///< of the value, as printf's of a double
+  double lower = 0.0;
+  double upper = 1.0;
+  double value = 0.0;
+};
+
+/// Where the user has moved a slider.
+struct SliderMove {
+  std::optional<std::size_t> slider;  ///< of the scene's sliders; none: the seek bar
+  double value;
+};
+
 /// What a window shows, in the depth camera's optical frame (metres).
 struct DisplayedScene {
   std::vector<Eigen::Vector3f> points;
@@ -35,10 +51,13 @@ struct DisplayedScene {
   double point_size = 1.0;                       ///< pixels of the window
   std::vector<Eigen::Isometry3d> T_camera_body;  ///< by body; empty: the model is not shown
   double model_opacity = 1.0;
-  std::string status;             ///< lines for the upper left corner
-  std::string help;               ///< lines for the lower left corner
-  std::string scale_title;        ///< of the colour scale
-  std::vector<ScaleColor> scale;  ///< values at equal steps; empty: no scale is shown
+  std::string status;                   ///< lines for the upper left corner
+  std::string help;                     ///< a line for the lower left corner
+  std::string overlay;                  ///< lines over the middle of the picture
+  std::string scale_title;              ///< of the colour scale
+  std::vector<ScaleColor> scale;        ///< values at equal steps; empty: no scale is shown
+  std::vector<SceneSlider> sliders;     ///< on the left; not in pictures
+  std::optional<SceneSlider> seek_bar;  ///< at the bottom; not in pictures
 };
 
 /// From where a scene is seen.
@@ -63,6 +82,9 @@ class SceneWindow {
   /// Handles what the user did since the last call (the mouse turns, shifts and zooms the view) and
   /// returns the keys that were pressed, by their names in X11. Does not wait.
   virtual std::vector<std::string> poll() = 0;
+
+  /// Where sliders were moved before the last poll(), once.
+  virtual std::vector<SliderMove> take_moves() = 0;
 
   /// False after the user has closed it, also with `q` or Escape.
   virtual bool is_open() const = 0;

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/visualization/joint_panel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+
+#include "lockbox/core/units.hpp"
+
+namespace lockbox {
+namespace {
+
+// What fits below each other in a window of 720 pixels.
+constexpr std::size_t kMostLines = 32;
+constexpr std::size_t kMostSliders = 14;
+
+constexpr double kWithoutLimit = std::numbers::pi;  // to both sides: radians; metres for a slide
+
+/// Its unit, and how many of it a radian or a metre is.
+struct Unit {
+  const char* name;
+  double scale;
+};
+
+Unit unit_of(const Joint& joint) {
+  return joint.type == JointType::prismatic ? Unit{"mm", kMillimetres} : Unit{"°", kDegrees};
+}
+
+/// Of those that move by themselves, in the order of the file, as indices.
+std::vector<int> moving_joints(const KinematicTree& tree) {
+  std::vector<int> moving;
+  for (const int j : tree.file_order) {
+    if (!tree.joints[static_cast<std::size_t>(j)].is_mimic) moving.push_back(j);
+  }
+  return moving;
+}
+
+std::string one_decimal(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << value;
+  return text.str() == "-0.0" ? "0.0" : text.str();
+}
+
+std::string sigma_text(double sigma, const Unit& unit) {
+  if (std::isnan(sigma)) return "";
+  if (std::isinf(sigma)) return "unseen";
+  if (sigma == 0.0) return "held";
+  std::ostringstream text;
+  text << "±" << std::setprecision(2) << sigma * unit.scale;
+  return text.str();
+}
+
+std::string limits_text(const Joint& joint, const Unit& unit) {
+  if (!std::isfinite(joint.lower) || !std::isfinite(joint.upper)) return "no limits";
+  return one_decimal(unit.scale * joint.lower) + " to " + one_decimal(unit.scale * joint.upper);
+}
+
+/// Filled with blanks on the right; ± and ° are one letter, of two bytes.
+std::string padded(const std::string& text, std::size_t width) {
+  const auto letters = static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
+  return text + std::string(width > letters ? width - letters : 0, ' ');
+}
+
+std::size_t longest_name(const KinematicTree& tree, const std::vector<int>& joints) {
+  std::size_t length = 0;
+  for (const int j : joints) {
+    length = std::max(length, tree.joints[static_cast<std::size_t>(j)].name.size());
+  }
+  return length;
+}
+
+std::string line_of(const KinematicTree& tree, int j, const Configuration& configuration,
+                    const std::vector<double>& sigma, std::size_t name_width) {
+  constexpr int kValueWidth = 8;
+  const auto index = static_cast<std::size_t>(j);
+  const Joint& joint = tree.joints[index];
+  const Unit unit = unit_of(joint);
+  std::ostringstream line;
+  line << padded(joint.name, name_width) << std::setw(kValueWidth)
+       << one_decimal(unit.scale * joint_position(tree, configuration, j)) << ' '
+       << padded(unit.name, 4);
+  if (!sigma.empty()) line << padded(sigma_text(sigma[index], unit), 8);
+  line << limits_text(joint, unit);
+  return line.str();
+}
+
+}  // namespace
+
+std::string joint_panel(const KinematicTree& tree, const Configuration& configuration,
+                        const std::vector<double>& sigma) {
+  const auto joints = moving_joints(tree);
+  const std::size_t name_width = longest_name(tree, joints);
+  std::string lines;
+  for (std::size_t i = 0; i < std::min(joints.size(), kMostLines); ++i) {
+    lines += '\n' + line_of(tree, joints[i], configuration, sigma, name_width);
+  }
+  if (joints.size() > kMostLines) {
+    lines += "\nand " + std::to_string(joints.size() - kMostLines) + " more";
+  }
+  return lines;
+}
+
+std::vector<SceneSlider> joint_sliders(const KinematicTree& tree,
+                                       const Configuration& configuration) {
+  std::vector<SceneSlider> sliders;
+  for (const int j : moving_joints(tree)) {
+    if (sliders.size() == kMostSliders) break;
+    const Joint& joint = tree.joints[static_cast<std::size_t>(j)];
+    const Unit unit = unit_of(joint);
+    const bool has_limits = std::isfinite(joint.lower) && std::isfinite(joint.upper);
+    sliders.push_back({joint.name, std::string("%.1f ") + unit.name,
+                       unit.scale * (has_limits ? joint.lower : -kWithoutLimit),
+                       unit.scale * (has_limits ? joint.upper : kWithoutLimit),
+                       unit.scale * joint_position(tree, configuration, j)});
+  }
+  return sliders;
+}
+
+void move_joint(const KinematicTree& tree, const SliderMove& move, Configuration& configuration) {
+  const auto joints = moving_joints(tree);
+  if (!move.slider || *move.slider >= joints.size()) return;
+  const Joint& joint = tree.joints[static_cast<std::size_t>(joints[*move.slider])];
+  configuration.q(joint.variable) = move.value / unit_of(joint).scale;
+}
+
+}  // namespace lockbox

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A depth camera that can be unplugged, plugged in again and stalled: a device of the real OpenNI2
+// runtime, through the virtual device driver.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "lockbox/capture/virtual_depth.hpp"
+#include "lockbox/core/error.hpp"
+#include "temporary_folder.hpp"
+
+namespace lockbox {
+
+class VirtualCamera {
+ public:
+  /// frame: what it sees, by the number of frames that were sent since it exists.
+  VirtualCamera(std::function<DepthFrame(std::uint64_t)> frame, int frames_per_second,
+                float metres_per_unit = 0.001F)
+      : frame_(std::move(frame)),
+        frames_per_second_(frames_per_second),
+        metres_per_unit_(metres_per_unit) {
+    plug_in();
+  }
+  ~VirtualCamera() { unplug(); }
+  VirtualCamera(const VirtualCamera&) = delete;
+  VirtualCamera& operator=(const VirtualCamera&) = delete;
+
+  std::string socket() const { return folder_ / "camera"; }
+  std::string uri() const { return "virtual-depth:" + socket(); }
+
+  void plug_in() {
+    is_plugged_ = true;
+    server_ = std::make_unique<VirtualDepthServer>(socket());
+    thread_ = std::thread([this] { serve(); });
+  }
+
+  void unplug() {
+    is_plugged_ = false;
+    if (!server_) return;
+    server_->close();
+    thread_.join();
+    server_.reset();
+  }
+
+  void stall() { is_stalled_ = true; }
+  void go_on() { is_stalled_ = false; }
+
+  /// The number of frames sent, whether they were taken or not.
+  std::uint64_t sent() const { return sent_; }
+
+ private:
+  void serve() {
+    while (is_plugged_) {
+      try {
+        deliver(server_->accept(frame_(0).camera, frames_per_second_, metres_per_unit_));
+      } catch (const DeviceError&) {
+        // Its user has closed it, or it is unplugged.
+      }
+    }
+  }
+
+  void deliver(VirtualDepthSender sender) {
+    auto next = std::chrono::steady_clock::now();
+    while (is_plugged_) {
+      if (!is_stalled_) sender.try_send(frame_(sent_++));
+      next += std::chrono::microseconds(1'000'000 / frames_per_second_);
+      std::this_thread::sleep_until(next);
+    }
+  }
+
+  TemporaryFolder folder_;
+  std::function<DepthFrame(std::uint64_t)> frame_;
+  int frames_per_second_;
+  float metres_per_unit_;
+  std::atomic<bool> is_plugged_{false};
+  std::atomic<bool> is_stalled_{false};
+  std::atomic<std::uint64_t> sent_{0};
+  std::unique_ptr<VirtualDepthServer> server_;
+  std::thread thread_;
+};
+
+}  // namespace lockbox
