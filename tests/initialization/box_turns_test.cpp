@@ -39,5 +39,16 @@ TEST(BoxTurns, WhatLooksTheSameIsNoOtherAnswer) {
             2U);
 }
 
+/// A round foot that carries an arm.
+TEST(BoxTurns, WhatTurnsAsOneOfThemIsAddedOnce) {
+  std::vector<Eigen::Isometry3d> of_base;
+  for (int step = 0; step < 8; ++step) {
+    of_base.emplace_back(Eigen::AngleAxisd(0.25 * M_PI * step, Eigen::Vector3d::UnitZ()));
+  }
+  std::vector<Eigen::Isometry3d> turns = box_turns(box(0.9, 0.5, 0.2), kIdentityAlone);
+  add_turns_of_base(of_base, kIdentityAlone, turns);
+  EXPECT_EQ(turns.size(), 3U + 6U);  // the half turn is one of the box, too
+}
+
 }  // namespace
 }  // namespace lockbox

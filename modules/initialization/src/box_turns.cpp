@@ -27,7 +27,12 @@ std::vector<Eigen::Matrix3d> cube_rotations() {
   return rotations;
 }
 
-constexpr double kSameRotation = 1e-2;
+bool turns_as_one_of(std::span<const Eigen::Isometry3d> motions, const Eigen::Matrix3d& rotation) {
+  constexpr double kSameRotation = 1e-2;
+  return std::any_of(motions.begin(), motions.end(), [&](const Eigen::Isometry3d& motion) {
+    return motion.linear().isApprox(rotation, kSameRotation);
+  });
+}
 
 }  // namespace
 
@@ -38,17 +43,23 @@ std::vector<Eigen::Isometry3d> box_turns(const ModelLevers& levers,
     const Eigen::Array3d turned = (rotation * levers.sides).cwiseAbs();
     const bool is_alike =
         (turned.min(levers.sides.array()) >= kLeastAlike * turned.max(levers.sides.array())).all();
-    const bool is_symmetry =
-        std::any_of(symmetries.begin(), symmetries.end(), [&](const Eigen::Isometry3d& symmetry) {
-          return symmetry.linear().isApprox(rotation, kSameRotation);
-        });
-    if (!is_alike || is_symmetry) continue;
+    if (!is_alike || turns_as_one_of(symmetries, rotation)) continue;
     Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
     turn.linear() = rotation;
     turn.translation() = levers.centre - rotation * levers.centre;
     turns.push_back(turn);
   }
   return turns;
+}
+
+void add_turns_of_base(std::span<const Eigen::Isometry3d> of_base,
+                       std::span<const Eigen::Isometry3d> symmetries,
+                       std::vector<Eigen::Isometry3d>& turns) {
+  for (const Eigen::Isometry3d& motion : of_base) {
+    const Eigen::Matrix3d rotation = motion.linear();
+    if (turns_as_one_of(symmetries, rotation) || turns_as_one_of(turns, rotation)) continue;
+    turns.push_back(motion);
+  }
 }
 
 }  // namespace lockbox

@@ -17,4 +17,10 @@ namespace lockbox {
 std::vector<Eigen::Isometry3d> box_turns(const ModelLevers& levers,
                                          std::span<const Eigen::Isometry3d> symmetries);
 
+/// Adds the motions after which the base alone looks the same, but for those that turn as one of
+/// the turns or symmetries does: what the base of a lamp tells, it tells of all of them.
+void add_turns_of_base(std::span<const Eigen::Isometry3d> of_base,
+                       std::span<const Eigen::Isometry3d> symmetries,
+                       std::vector<Eigen::Isometry3d>& turns);
+
 }  // namespace lockbox

@@ -49,6 +49,7 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       low_relief(model, options.registration, executor),
       overlap(model, fine.collision()),
       verifier(model.tree) {
+  add_turns_of_base(find_base_symmetries(model), symmetries, turns);
   RegistrationOptions coarse_options = options.registration;
   coarse_options.refine_at_edges = false;
   coarse_options.collision = CollisionMode::off;
@@ -97,6 +98,7 @@ std::vector<Hypothesis> Initializer::Workspace::followed(const TiledCloud& cloud
 std::vector<Hypothesis> Initializer::Workspace::known(
     const std::vector<Configuration>& answers) const {
   std::vector<Hypothesis> hypotheses;
+  hypotheses.reserve(answers.size());
   for (const Configuration& answer : answers) hypotheses.push_back({answer, all_bodies, 1.0});
   return hypotheses;
 }

@@ -54,7 +54,7 @@ struct Initializer::Workspace {
   std::optional<BodyPairs> pairs;                   ///< made when first needed
   ModelLevers levers;
   std::vector<Eigen::Isometry3d> symmetries;  ///< of the model
-  std::vector<Eigen::Isometry3d> turns;       ///< of its box, which are none of the model
+  std::vector<Eigen::Isometry3d> turns;       ///< of its box, or its base, that are none of it
   Surroundings surroundings;
   Configuration held;          ///< in which locked joints stand
   std::vector<int> variables;  ///< of joints that are not locked

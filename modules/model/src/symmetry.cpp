@@ -16,15 +16,16 @@ namespace {
 constexpr double kSamples = 3000.0;
 constexpr int kTurns = 24;  // steps of a full turn
 
-/// The surface of the model in the base's frame.
+/// The surface of the model, or of its first bodies, in the base's frame.
 class ModelSurface {
  public:
-  ModelSurface(const ArticulatedModel& model, Configuration configuration) : model_(model) {
+  ModelSurface(const ArticulatedModel& model, Configuration configuration, std::size_t bodies)
+      : model_(model), bodies_(bodies) {
     configuration.T_camera_base.setIdentity();
     forward_kinematics(model.tree, configuration, poses_);
     double area = 0.0;
-    for (const Body& body : model.tree.bodies) area += surface_area(body.mesh);
-    for (std::size_t b = 0; b < poses_.size(); ++b) {
+    for (std::size_t b = 0; b < bodies_; ++b) area += surface_area(model.tree.bodies[b].mesh);
+    for (std::size_t b = 0; b < bodies_; ++b) {
       if (!model.fields[b]) continue;
       resolution_ = std::max(resolution_, model.fields[b]->voxel());
       add_moments(transformed(model.tree.bodies[b].mesh, poses_[b]));
@@ -63,7 +64,7 @@ class ModelSurface {
   /// To the union of the bodies, negative inside, metres.
   double distance(const Eigen::Vector3d& p) const {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t b = 0; b < poses_.size(); ++b) {
+    for (std::size_t b = 0; b < bodies_; ++b) {
       if (!model_.fields[b]) continue;
       const Eigen::Vector3f p_body = (poses_[b].inverse() * p).cast<float>();
       least = std::min(least, static_cast<double>(model_.fields[b]->sample(p_body).distance));
@@ -86,6 +87,7 @@ class ModelSurface {
   }
 
   const ArticulatedModel& model_;
+  std::size_t bodies_;
   double resolution_ = 0.0;  // of the fields, metres
   double area_ = 0.0;
   Eigen::Vector3d first_ = Eigen::Vector3d::Zero();
@@ -107,11 +109,8 @@ Eigen::Affine3d mirrored(const Eigen::Vector3d& centre, const Eigen::Vector3d& n
   return Eigen::Translation3d(centre) * Eigen::Affine3d(mirror) * Eigen::Translation3d(-centre);
 }
 
-}  // namespace
-
-std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model, double tolerance) {
+std::vector<Eigen::Isometry3d> symmetries_of(const ModelSurface& surface, double tolerance) {
   std::vector<Eigen::Isometry3d> symmetries{Eigen::Isometry3d::Identity()};
-  const ModelSurface surface(model, rest_configuration(model.tree));
   const Eigen::Vector3d centre = surface.centre();
   const Eigen::Matrix<double, 3, 6> axes = surface.axes();
   for (const auto& axis : axes.colwise()) {
@@ -126,9 +125,21 @@ std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model, do
   return symmetries;
 }
 
+}  // namespace
+
+std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model, double tolerance) {
+  const Configuration rest = rest_configuration(model.tree);
+  return symmetries_of(ModelSurface(model, rest, model.tree.bodies.size()), tolerance);
+}
+
+std::vector<Eigen::Isometry3d> find_base_symmetries(const ArticulatedModel& model,
+                                                    double tolerance) {
+  return symmetries_of(ModelSurface(model, rest_configuration(model.tree), 1), tolerance);
+}
+
 bool is_own_mirror_image(const ArticulatedModel& model, const Configuration& configuration,
                          double tolerance) {
-  const ModelSurface surface(model, configuration);
+  const ModelSurface surface(model, configuration, model.tree.bodies.size());
   const Eigen::Vector3d centre = surface.centre();
   const Eigen::Matrix<double, 3, 6> axes = surface.axes();
   for (const auto& axis : axes.colwise()) {

@@ -16,6 +16,10 @@ namespace lockbox {
 std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model,
                                                double tolerance = 0.0005);
 
+/// The same for the body of the base alone, whatever it carries: the foot of a lamp is round.
+std::vector<Eigen::Isometry3d> find_base_symmetries(const ArticulatedModel& model,
+                                                    double tolerance = 0.0005);
+
 /// Whether the model, joints as in the configuration, looks the same in a mirror (within the
 /// tolerance, metres), however it is turned. Looked for among the mirrors normal to those axes,
 /// together with those turns.

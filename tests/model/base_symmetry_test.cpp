@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the base alone does not tell.
+#include <gtest/gtest.h>
+
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/model/symmetry.hpp"
+#include "temporary_folder.hpp"
+
+namespace lockbox {
+namespace {
+
+TEST(BaseSymmetries, OfALampAreThoseOfItsFoot) {
+  const TemporaryFolder folder;
+  const ArticulatedModel model = load_model(folder.write("lamp.urdf", R"(<robot name="lamp">
+  <link name="foot">
+    <visual><geometry><cylinder radius="0.08" length="0.02"/></geometry></visual>
+  </link>
+  <link name="arm">
+    <visual><origin xyz="0.1 0 0"/><geometry><box size="0.2 0.02 0.02"/></geometry></visual>
+  </link>
+  <joint name="hinge" type="revolute">
+    <parent link="foot"/><child link="arm"/><origin xyz="0.02 0 0.03"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="1" velocity="1"/>
+  </joint>
+</robot>)"),
+                                            {});
+  EXPECT_EQ(find_symmetries(model).size(), 1U);
+  // Steps of 15 degrees about its axis, and upside down.
+  EXPECT_GE(find_base_symmetries(model).size(), 24U);
+}
+
+}  // namespace
+}  // namespace lockbox
