@@ -82,6 +82,7 @@ TEST_F(SceneWindowTest, DrawsTheModelWhereItIs) {
 
 TEST_F(SceneWindowTest, HidesTheModelWithoutPoses) {
   const auto window = open(false);
+  EXPECT_FALSE(is_red(window->picture(), 100, 80)) << "before the first scene: it is not known";
   window->show(block_at(0.0));
   window->show({});
   EXPECT_FALSE(is_red(window->picture(), 100, 80));

@@ -59,6 +59,7 @@ std::vector<ListedDevice> list_devices(const std::vector<std::string>& uris) {
     if (std::find(all.begin(), all.end(), uri) == all.end()) all.push_back(uri);
   }
   std::vector<ListedDevice> devices;
+  devices.reserve(all.size());
   for (const auto& uri : all) devices.push_back(look_at(uri));
   return devices;
 }

@@ -32,6 +32,7 @@ VtkWindow::VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& o
   window_->SetOffScreenRendering(options.visible ? 0 : 1);
   window_->SetSize(options.width, options.height);
   window_->AddRenderer(renderer_);
+  model_.place({}, 1.0);  // where it is, the first scene says
   if (options.visible) listen();
   aim();
   window_->Render();
