@@ -29,5 +29,18 @@ TEST(BaseSymmetries, OfALampAreThoseOfItsFoot) {
   EXPECT_GE(find_base_symmetries(model).size(), 24U);
 }
 
+/// A can with a handle, which is an eighth of its surface.
+TEST(BaseSymmetries, OfAMugAreThoseOfMostOfIt) {
+  const TemporaryFolder folder;
+  const ArticulatedModel model =
+      load_model(folder.write("mug.urdf", R"(<robot name="mug"><link name="mug">
+  <visual><geometry><cylinder radius="0.04" length="0.1"/></geometry></visual>
+  <visual><origin xyz="0.055 0 0"/><geometry><box size="0.03 0.01 0.06"/></geometry></visual>
+</link></robot>)"),
+                 {});
+  EXPECT_EQ(find_base_symmetries(model).size(), 2U);  // upside down
+  EXPECT_GE(find_base_symmetries(model, 0.75).size(), 24U);
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -8,16 +8,10 @@
 #include "search_workspace.hpp"
 
 namespace lockbox {
-namespace {
-
-constexpr Selection kRanked{0.0, 32, 1.0, 8};
-
-}  // namespace
-
 void Initializer::Workspace::assess(const TiledCloud& cloud,
                                     const std::vector<Hypothesis>& hypotheses,
-                                    std::vector<Candidate>& answers) {
-  for (const Hypothesis& hypothesis : best_apart(hypotheses, kRanked, levers)) {
+                                    const Selection& ranked, std::vector<Candidate>& answers) {
+  for (const Hypothesis& hypothesis : best_apart(hypotheses, ranked, levers)) {
     if (hypothesis.score <= 0.0) continue;
     Configuration configuration = hypothesis.configuration;
     resolve_overlap(cloud, variables, configuration);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "lockbox/verification/belief.hpp"
 #include "search_workspace.hpp"
 
 namespace lockbox {
@@ -22,6 +23,10 @@ constexpr Breadth kWide{32,
 /// Of points, which propose many places that look alike from afar, of things that are mostly small.
 constexpr Breadth kOfPoints{
     8, {0.03, 128, 0.5, 16}, {0.03, 64, 0.5, 12}, {0.05, 16, 0.5, 4}, std::nullopt, true};
+
+/// Log odds by which an answer is more than the one before made a little more exact.
+constexpr double kAnother = 1.0;
+constexpr Selection kRanked{0.0, 32, 1.0, 8};
 
 /// What is believed less than this after the first round is sought closer, and what still is less
 /// than this, with more of everything.
@@ -58,19 +63,21 @@ std::vector<Candidate> Initializer::Workspace::seek_in_rounds(const TiledCloud& 
                                                               int most_rounds,
                                                               SearchProgress& progress) {
   std::vector<Candidate> answers;
-  assess(cloud, known(progress.answers), answers);
+  assess(cloud, known(progress.answers), kRanked, answers);
   double most_evidence = -std::numeric_limits<double>::infinity();
   const std::span<const Round> rounds =
       is_flat ? std::span<const Round>(kFlatRounds) : kRoundRounds;
   bool is_convinced = false;
   for (int i = 0; i < most_rounds && !is_convinced && progress.rounds < std::ssize(rounds); ++i) {
     const Round& round = rounds[static_cast<std::size_t>(progress.rounds++)];
-    assess(cloud, followed(cloud, proposed(round, scene, fine_view), *round.breadth), answers);
+    assess(cloud, followed(cloud, proposed(round, scene, fine_view), *round.breadth), kRanked,
+           answers);
     if (answers.empty()) continue;
-    // Back to front or upside down, it may look nearly the same, and be passed over.
-    if (answers.front().evidence > most_evidence) {
-      assess(cloud, seek_turned(cloud, answers.front().configuration), answers);
+    // Back to front or upside down, it may look nearly the same, and be passed over; and so may the
+    // turns of what that finds.
+    while (log_odds(answers.front().evidence, most_evidence) > kAnother) {
       most_evidence = answers.front().evidence;
+      assess(cloud, seek_turned(cloud, answers.front().configuration), kEachTurn, answers);
     }
     is_convinced = answers.front().belief >= round.enough;
   }

@@ -18,11 +18,13 @@ constexpr double kHardlyLess = 0.9;
 /// Of the surface: then planes tell more than points. Bottles and mugs have a tenth, furniture and
 /// boards eight tenths and more.
 constexpr double kMostlyFlat = 0.5;
+/// Of the base's surface: a mug's without its handle. Doubled in what it leaves, twice as many
+/// turns are tried.
+constexpr double kMostlyAlike = 0.75;
 constexpr int kAnchorSteps = 4;  // of a joint between base and a matched side
 
 constexpr bool kHoldJoints = true;
-constexpr Selection kEach{0.0, 24, 0.0, 1};
-constexpr Breadth kAll{1, kEach, kEach, kEach, std::nullopt, false};
+constexpr Breadth kAll{1, kEachTurn, kEachTurn, kEachTurn, std::nullopt, false};
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
 
 /// Fine steps, with what real objects differ from their models by.
@@ -49,7 +51,9 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       low_relief(model, options.registration, executor),
       overlap(model, fine.collision()),
       verifier(model.tree) {
-  add_turns_of_base(find_base_symmetries(model), symmetries, turns);
+  // What is mostly flat is told by its outline.
+  const double alike = is_flat ? 1.0 : kMostlyAlike;
+  add_turns_of_base(find_base_symmetries(model, alike), symmetries, turns);
   RegistrationOptions coarse_options = options.registration;
   coarse_options.refine_at_edges = false;
   coarse_options.collision = CollisionMode::off;

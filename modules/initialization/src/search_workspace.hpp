@@ -31,6 +31,9 @@ struct Breadth {
   bool is_close;  ///< for small things: judged in the finer view from the start
 };
 
+/// Turns of an answer are compared all of them, however much alike they look.
+inline constexpr Selection kEachTurn{0.0, 128, 0.0, 1};
+
 enum class Proposals {
   sides,         ///< flat sides of the model on planes of the view
   sides_closer,  ///< likewise, on planes of the finer view
@@ -102,7 +105,7 @@ struct Initializer::Workspace {
   std::vector<Hypothesis> seek_turned(const TiledCloud& cloud, const Configuration& found);
   /// Adds what stages sought, made exact, the most convincing first.
   void assess(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses,
-              std::vector<Candidate>& answers);
+              const Selection& ranked, std::vector<Candidate>& answers);
   std::vector<Hypothesis> match(const PlanarScene& scene, const Breadth& breadth);
   /// Proposals of pairs of points of the view, but for its wide planes.
   std::vector<Hypothesis> match_points(const CoarseView& view, const PlanarScene& scene,

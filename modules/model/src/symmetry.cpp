@@ -33,7 +33,9 @@ class ModelSurface {
            sample_surface(model.tree.bodies[b].mesh, std::sqrt(area / kSamples))) {
         const Eigen::Vector3d p = poses_[b] * sample.position;
         // Surface inside another body is none.
-        if (distance(p) > -1e-4) points_.push_back(p);
+        if (!(distance(p) > -1e-4)) continue;
+        points_.push_back(p);
+        normals_.push_back(poses_[b].linear() * sample.normal);
       }
     }
   }
@@ -50,13 +52,37 @@ class ModelSurface {
     return axes;
   }
 
-  /// Whether the motion, or mirror, leaves the surface where it is. tolerance: metres.
+  /// Where an axis of that direction is that most of the surface turns about: normals of a surface
+  /// of revolution meet its axis (Pottmann and Randrup, Rotational and Helical Surface
+  /// Approximation for Reverse Engineering, 1998). Lines that miss it, as those of a handle do,
+  /// count the less the farther they do.
+  Eigen::Vector3d centre_about(const Eigen::Vector3d& axis) const {
+    constexpr int kRounds = 20;
+    Eigen::Vector3d at = centre();
+    for (int round = 0; round < kRounds; ++round) {
+      Eigen::Matrix3d information = axis * axis.transpose();  // anywhere along it
+      Eigen::Vector3d pull = axis * axis.dot(at);
+      for (std::size_t i = 0; i < points_.size(); ++i) {
+        const Eigen::Vector3d across = axis.cross(normals_[i]);  // of the plane of axis and normal
+        const double missed = across.dot(at - points_[i]);
+        const double weight = std::pow(resolution_ / std::max(resolution_, std::abs(missed)), 2);
+        information += weight * across * across.transpose();
+        pull += weight * across * across.dot(points_[i]);
+      }
+      at = information.ldlt().solve(pull);
+    }
+    return at;
+  }
+
+  /// Whether the motion, or mirror, leaves that share of the surface where it is. tolerance:
+  /// metres.
   template <typename Motion>
-  bool is_kept_by(const Motion& motion, double tolerance) const {
+  bool is_kept_by(const Motion& motion, double tolerance, double share = 1.0) const {
     // Fields round edges off by a fraction of their voxel.
     const double limit = tolerance + 0.25 * resolution_;
+    double moved_away = (1.0 - share) * static_cast<double>(points_.size());
     return std::all_of(points_.begin(), points_.end(), [&](const Eigen::Vector3d& p) {
-      return std::abs(distance(motion * p)) < limit;
+      return std::abs(distance(motion * p)) < limit || --moved_away >= 0.0;
     });
   }
 
@@ -94,6 +120,7 @@ class ModelSurface {
   Eigen::Matrix3d second_ = Eigen::Matrix3d::Zero();
   std::vector<Eigen::Isometry3d> poses_;
   std::vector<Eigen::Vector3d> points_;
+  std::vector<Eigen::Vector3d> normals_;
 };
 
 /// About an axis through the centre, by a number of steps.
@@ -109,17 +136,18 @@ Eigen::Affine3d mirrored(const Eigen::Vector3d& centre, const Eigen::Vector3d& n
   return Eigen::Translation3d(centre) * Eigen::Affine3d(mirror) * Eigen::Translation3d(-centre);
 }
 
-std::vector<Eigen::Isometry3d> symmetries_of(const ModelSurface& surface, double tolerance) {
+std::vector<Eigen::Isometry3d> symmetries_of(const ModelSurface& surface, double tolerance,
+                                             double share) {
   std::vector<Eigen::Isometry3d> symmetries{Eigen::Isometry3d::Identity()};
-  const Eigen::Vector3d centre = surface.centre();
   const Eigen::Matrix<double, 3, 6> axes = surface.axes();
   for (const auto& axis : axes.colwise()) {
+    const Eigen::Vector3d centre = share < 1.0 ? surface.centre_about(axis) : surface.centre();
     for (int turn = 1; turn < kTurns; ++turn) {
       const Eigen::Isometry3d motion = turned(centre, axis, turn);
       const bool known = std::any_of(symmetries.begin(), symmetries.end(), [&](const auto& other) {
         return motion.isApprox(other, 1e-3);
       });
-      if (!known && surface.is_kept_by(motion, tolerance)) symmetries.push_back(motion);
+      if (!known && surface.is_kept_by(motion, tolerance, share)) symmetries.push_back(motion);
     }
   }
   return symmetries;
@@ -129,12 +157,12 @@ std::vector<Eigen::Isometry3d> symmetries_of(const ModelSurface& surface, double
 
 std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model, double tolerance) {
   const Configuration rest = rest_configuration(model.tree);
-  return symmetries_of(ModelSurface(model, rest, model.tree.bodies.size()), tolerance);
+  return symmetries_of(ModelSurface(model, rest, model.tree.bodies.size()), tolerance, 1.0);
 }
 
-std::vector<Eigen::Isometry3d> find_base_symmetries(const ArticulatedModel& model,
+std::vector<Eigen::Isometry3d> find_base_symmetries(const ArticulatedModel& model, double share,
                                                     double tolerance) {
-  return symmetries_of(ModelSurface(model, rest_configuration(model.tree), 1), tolerance);
+  return symmetries_of(ModelSurface(model, rest_configuration(model.tree), 1), tolerance, share);
 }
 
 bool is_own_mirror_image(const ArticulatedModel& model, const Configuration& configuration,

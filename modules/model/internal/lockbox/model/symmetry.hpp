@@ -16,9 +16,10 @@ namespace lockbox {
 std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model,
                                                double tolerance = 0.0005);
 
-/// The same for the body of the base alone, whatever it carries: the foot of a lamp is round.
+/// The same for the body of the base alone, whatever it carries, and of its surface at least that
+/// share: the foot of a lamp is round, and so is most of a mug.
 std::vector<Eigen::Isometry3d> find_base_symmetries(const ArticulatedModel& model,
-                                                    double tolerance = 0.0005);
+                                                    double share = 1.0, double tolerance = 0.0005);
 
 /// Whether the model, joints as in the configuration, looks the same in a mirror (within the
 /// tolerance, metres), however it is turned. Looked for among the mirrors normal to those axes,
