@@ -36,12 +36,13 @@ void Tracker::Loop::start(const Configuration& configuration) {
   is_kept_ = true;
   frames_searched_ = 0;
   rival_distance_ = 0.0;
-  result_.status = TrackingStatus::initializing;
+  status_ = TrackingStatus::initializing;
+  result_.status = status_;
   stop_searching();
 }
 
 bool Tracker::Loop::is_known() const {
-  return result_.status == TrackingStatus::tracking || result_.status == TrackingStatus::uncertain;
+  return status_ == TrackingStatus::tracking || status_ == TrackingStatus::uncertain;
 }
 
 /// Whether it is the last image again, once too often since the object was found in it to still
@@ -77,7 +78,8 @@ const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
   } else {
     search(frame);
   }
-  if (result_.status == TrackingStatus::tracking) stop_searching();
+  if (status_ == TrackingStatus::tracking) stop_searching();
+  report_size();
   result_.step_time = step_watch.elapsed();
   result_.latency_ms = result_.cloud_time.wall_ms + result_.step_time.wall_ms;
   return result_;
@@ -89,7 +91,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
       registration_.align(cloud_, prediction,
                           {.spread = predictor_.spread(),
                            .iterations = options_.registration.max_iterations,
-                           .is_predicted = result_.status == TrackingStatus::tracking});
+                           .is_predicted = status_ == TrackingStatus::tracking});
   const bool is_as_before = is_doubted_as_before(registered);
   if (is_as_before) ++frames_doubted_;
   const RegistrationResult& followed = is_as_before ? with_doubts_kept(prediction, registered)
@@ -98,17 +100,19 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
                                            : come_to_rest(prediction, registered);
   const RegistrationResult& found =
       rival_distance_ > 0.0 ? with_rival_sought(frame, followed) : followed;
-  const bool was_believed = result_.status == TrackingStatus::tracking;
+  const bool was_believed = status_ == TrackingStatus::tracking;
   report(found);
-  is_kept_ = result_.status == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
-  if (!was_believed && result_.status == TrackingStatus::tracking) {
+  if (is_known() && size_record_.is_due())
+    size_record_.add(registration_.measure_size(found.configuration));
+  is_kept_ = status_ == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
+  if (!was_believed && status_ == TrackingStatus::tracking) {
     predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
   } else {
     predictor_.update(frame.stamp, found.at_rest, found.observable,
                       registration_.moves().between(prediction, found.at_rest));
   }
   count_frames_in_sight(found);
-  if (result_.status == TrackingStatus::tracking) {
+  if (status_ == TrackingStatus::tracking) {
     guess_ = found.at_rest;
     frames_searched_ = 0;
   }
@@ -259,14 +263,21 @@ void Tracker::Loop::report(const RegistrationResult& registered) {
   result_.explained = registered.agreement.explained;
   result_.contradicted = registered.agreement.contradicted;
   result_.occluded = registered.agreement.occluded;
-  result_.status = judge(registered, options_);
+  status_ = judge(registered, options_);
   belief_ = registered.belief;
   doubted_.clear();
-  if (result_.status == TrackingStatus::tracking) {
+  if (status_ == TrackingStatus::tracking) {
     doubted_ = contradicted_variables(registered, model_.tree, options_);
     std::sort(doubted_.begin(), doubted_.end());
   }
   rival_distance_ = registered.rival_distance;
+}
+
+/// What disagrees in size is followed as well as ever, but not to be trusted.
+void Tracker::Loop::report_size() {
+  result_.size = size_record_.mean();
+  const bool is_believed = status_ != TrackingStatus::tracking || !result_.size.is_implausible();
+  result_.status = is_believed ? status_ : TrackingStatus::uncertain;
 }
 
 void Tracker::Loop::report_nothing() {
