@@ -56,7 +56,6 @@ TEST(Size, OfTheDepthsIsSaidWithSizeSignAndCauses) {
   EXPECT_THAT(run.result.errors, HasSubstr("--mesh-scale"));
   EXPECT_THAT(run.result.errors, HasSubstr("--depth-scale"));
   EXPECT_THAT(run.result.errors, Not(HasSubstr("focal length")));
-  EXPECT_THAT(run.states, HasSubstr("tracking"));  // until it was measured
   EXPECT_THAT(run.states.substr(run.states.size() / 2), Not(HasSubstr("tracking")));
   EXPECT_NEAR(number_after(run.description, "across"), 1.05, 0.005);
   EXPECT_NEAR(number_after(run.description, "along"), 1.05, 0.03);
