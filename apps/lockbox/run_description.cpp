@@ -3,6 +3,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -64,6 +66,16 @@ void emit_totals(YAML::Emitter& out, const RunTotals& totals, const std::string&
   out << YAML::EndMap;
 }
 
+void emit_size(YAML::Emitter& out, const ApparentSize& size) {
+  if (!size.covariance.allFinite()) return;  // it was never measured
+  const Eigen::Vector2d sigma = size.covariance.diagonal().cwiseSqrt();
+  out << YAML::Key << "apparent_size" << YAML::Value << YAML::Flow << YAML::BeginMap;
+  out << YAML::Key << "across" << YAML::Value << size.value[0];
+  out << YAML::Key << "across_sigma" << YAML::Value << sigma[0];
+  out << YAML::Key << "along" << YAML::Value << size.value[1];
+  out << YAML::Key << "along_sigma" << YAML::Value << sigma[1] << YAML::EndMap;
+}
+
 void emit_published(YAML::Emitter& out, const std::vector<Publication>& published) {
   if (published.empty()) return;
   out << YAML::Key << "published" << YAML::Value << YAML::BeginSeq;
@@ -83,6 +95,20 @@ void RunTotals::add(const TrackingResult& result, const SourceFaults& faults) {
   faults_ = faults;
   latencies_.push_back(result.latency_ms);
   statuses_.push_back(result.status);
+  if (!result.size.covariance.allFinite()) return;
+  const Eigen::Matrix2d precision = result.size.covariance.inverse();
+  ++frames_measured_;
+  size_precision_ += precision;
+  weighted_size_ += precision * result.size.value;
+}
+
+ApparentSize RunTotals::size() const {
+  ApparentSize size;
+  if (frames_measured_ > 0.0) {
+    size.value = size_precision_.ldlt().solve(weighted_size_);
+    size.covariance = frames_measured_ * size_precision_.inverse();
+  }
+  return size;
 }
 
 std::size_t RunTotals::frames_with(TrackingStatus status) const {
@@ -114,6 +140,7 @@ void write_run_description(const std::filesystem::path& file, const RunDescripti
   emit_values(out, "parameters", description.parameters);
   emit_versions(out);
   emit_totals(out, totals, end, seconds);
+  emit_size(out, totals.size());
   emit_published(out, published);
   out << YAML::EndMap;
   write_whole_file(file, std::string(out.c_str()) + '\n');

@@ -32,6 +32,9 @@ class RunTotals {
 
   std::size_t frames() const { return latencies_.size(); }
   std::size_t frames_with(TrackingStatus status) const;
+  /// Over the run, by precision. Errors repeat, so that many frames are not taken for more exact
+  /// than one. Of infinite covariance if it was never measured.
+  ApparentSize size() const;
   const SourceFaults& faults() const { return faults_; }
   bool ended_lost() const { return !statuses_.empty() && statuses_.back() == TrackingStatus::lost; }
 
@@ -42,6 +45,9 @@ class RunTotals {
   std::vector<double> latencies_;
   std::vector<TrackingStatus> statuses_;
   SourceFaults faults_;
+  double frames_measured_ = 0.0;                              ///< those with a size
+  Eigen::Matrix2d size_precision_ = Eigen::Matrix2d::Zero();  ///< sum over these
+  Eigen::Vector2d weighted_size_ = Eigen::Vector2d::Zero();
 };
 
 /// Writes run.yaml anew: first when the run starts, then when it has ended. end: why it has.

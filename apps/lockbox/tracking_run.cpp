@@ -14,6 +14,7 @@
 #include "published_output.hpp"
 #include "run_outputs.hpp"
 #include "search_report.hpp"
+#include "size_report.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -38,6 +39,7 @@ std::string signal_text() {
 std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& settings,
                       RunOutputs& outputs, PublishedOutput& published, SearchReport& report) {
   Progress progress("track", expected_frames(source, settings), settings.quiet);
+  SizeReport size_report(settings.quiet);
   DepthFrame frame;
   auto status = TrackingStatus::initializing;
   std::string end = "end of the source";
@@ -49,6 +51,7 @@ std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& 
     status = result.status;
     outputs.add(frame, result, source.faults());
     report.look_at(tracker, frame, outputs.totals());
+    size_report.look_at(result);
     progress.update(outputs.totals().frames(), to_string(status));
     if (published.is_in_vain()) break;
     if (outputs.totals().frames() == settings.max_frames) {
@@ -88,6 +91,7 @@ void print_summary(std::ostream& out, const RunTotals& totals, const RunSettings
         << " ms (median), " << totals.latency_percentile(0.95) << " ms (95 %)";
   }
   out << '\n';
+  SizeReport::print_summary(out, totals);
   if (totals.faults().unreadable > 0) {
     out << counted(totals.faults().unreadable, "frame") << " could not be read\n";
   }

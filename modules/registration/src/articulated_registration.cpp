@@ -8,6 +8,7 @@
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/verification/agreement_meter.hpp"
 #include "refinement.hpp"
+#include "size_meter.hpp"
 
 namespace lockbox {
 
@@ -22,7 +23,8 @@ struct ArticulatedRegistration::Stages {
         descent(how, objective, steps),
         outline_step(how, objective, steps),
         relief_step(of, how, objective, steps, with),
-        edge_step(of, how, objective, steps, with) {
+        edge_step(of, how, objective, steps, with),
+        size_meter(of, how, steps) {
     options.locked.resize(static_cast<std::size_t>(of.tree.variables()), false);
   }
 
@@ -43,6 +45,7 @@ struct ArticulatedRegistration::Stages {
   OutlineStep outline_step;
   ReliefStep relief_step;
   EdgeStep edge_step;
+  SizeMeter size_meter;
   AgreementMeter agreement;
   CovarianceEstimator covariance;
 
@@ -142,6 +145,13 @@ const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud
                                                          const Configuration& start,
                                                          const Annealing& annealing) {
   return stages_->align(cloud, start, annealing);
+}
+
+SizeMeasurement ArticulatedRegistration::measure_size(const Configuration& configuration) {
+  Objective& objective = stages_->objective;
+  if (!objective.cloud().has_image()) return {};
+  return stages_->size_meter.measure(objective.view_of(configuration), objective.cloud(),
+                                     configuration);
 }
 
 const RegistrationOptions& ArticulatedRegistration::options() const {

@@ -78,13 +78,21 @@ ModelTerm::Scene Objective::scene() const {
   return {model_, view_->points(), cloud_->camera(), view_->prediction(), options_, executor_};
 }
 
+void Objective::look_at(const Configuration& configuration, double spread) {
+  if (view_->shows(configuration, moves_)) return;
+  view_->look_at(*cloud_, model_, configuration, options_.cut * spread, is_predicted_, options_,
+                 executor_);
+}
+
+const PredictedView& Objective::view_of(const Configuration& configuration) {
+  look_at(configuration, 0.0);
+  return *view_;
+}
+
 Linearization& Objective::linearize(const Configuration& configuration, double spread) {
   Linearization& at = linearization_;
   if (linearized_.is(configuration, spread)) return at;  // the last step was not taken
-  if (!view_->shows(configuration, moves_)) {
-    view_->look_at(*cloud_, model_, configuration, options_.cut * spread, is_predicted_, options_,
-                   executor_);
-  }
+  look_at(configuration, spread);
   forward_kinematics(model_.tree, configuration, at.poses);
   body_jacobians(model_.tree, at.poses, at.jacobians);
   std::fill(systems_.begin(), systems_.end(), BodySystem{});

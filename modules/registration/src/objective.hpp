@@ -66,6 +66,9 @@ class Objective {
   /// clusters of free space.
   void weigh_outlines(double weight, std::vector<TileSystem>& systems);
 
+  /// The view in hand, drawn anew if it does not show that configuration.
+  const PredictedView& view_of(const Configuration& configuration);
+
   const TiledCloud& cloud() const { return *cloud_; }
   const PredictedView& view() const { return *view_; }  ///< the one in hand
   const ModelTerm::Totals& totals() const { return model_term_.totals(); }
@@ -73,6 +76,7 @@ class Objective {
 
  private:
   void look_through(PredictedView& view);
+  void look_at(const Configuration& configuration, double spread);
   void forget_linearizations();
   ModelTerm::Scene scene() const;
   void linearize_points(const Configuration& configuration, double spread);

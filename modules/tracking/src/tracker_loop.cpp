@@ -36,12 +36,13 @@ void Tracker::Loop::start(const Configuration& configuration) {
   is_kept_ = true;
   frames_searched_ = 0;
   rival_distance_ = 0.0;
-  result_.status = TrackingStatus::initializing;
+  status_ = TrackingStatus::initializing;
+  result_.status = status_;
   stop_searching();
 }
 
 bool Tracker::Loop::is_known() const {
-  return result_.status == TrackingStatus::tracking || result_.status == TrackingStatus::uncertain;
+  return status_ == TrackingStatus::tracking || status_ == TrackingStatus::uncertain;
 }
 
 /// Whether it is the last image again, once too often since the object was found in it to still
@@ -77,7 +78,8 @@ const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
   } else {
     search(frame);
   }
-  if (result_.status == TrackingStatus::tracking) stop_searching();
+  if (status_ == TrackingStatus::tracking) stop_searching();
+  report_size();
   result_.step_time = step_watch.elapsed();
   result_.latency_ms = result_.cloud_time.wall_ms + result_.step_time.wall_ms;
   return result_;
@@ -89,7 +91,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
       registration_.align(cloud_, prediction,
                           {.spread = predictor_.spread(),
                            .iterations = options_.registration.max_iterations,
-                           .is_predicted = result_.status == TrackingStatus::tracking});
+                           .is_predicted = status_ == TrackingStatus::tracking});
   const bool is_as_before = is_doubted_as_before(registered);
   if (is_as_before) ++frames_doubted_;
   const RegistrationResult& followed = is_as_before ? with_doubts_kept(prediction, registered)
@@ -98,17 +100,19 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
                                            : come_to_rest(prediction, registered);
   const RegistrationResult& found =
       rival_distance_ > 0.0 ? with_rival_sought(frame, followed) : followed;
-  const bool was_believed = result_.status == TrackingStatus::tracking;
+  const bool was_believed = status_ == TrackingStatus::tracking;
   report(found);
-  is_kept_ = result_.status == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
-  if (!was_believed && result_.status == TrackingStatus::tracking) {
+  if (is_known() && size_record_.is_due())
+    size_record_.add(registration_.measure_size(found.configuration));
+  is_kept_ = status_ == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
+  if (!was_believed && status_ == TrackingStatus::tracking) {
     predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
   } else {
     predictor_.update(frame.stamp, found.at_rest, found.observable,
                       registration_.moves().between(prediction, found.at_rest));
   }
   count_frames_in_sight(found);
-  if (result_.status == TrackingStatus::tracking) {
+  if (status_ == TrackingStatus::tracking) {
     guess_ = found.at_rest;
     frames_searched_ = 0;
   }
@@ -133,11 +137,6 @@ void Tracker::Loop::verify(RegistrationResult& found) {
   if (agrees(found, options_) || !agrees_but_for_parts(found, options_)) return;
   found.belief = belief_by_image(found.configuration);
   frames_doubted_ = 0;
-}
-
-double Tracker::Loop::belief_by_image(const Configuration& configuration) {
-  verifier_.look_at(cloud_, options_.registration.noise.sigma_inverse_depth(), executor_);
-  return belief(verifier_.evidence(configuration).total(), {});
 }
 
 /// One frame may mistake a stranger for the part that comes back; the second one tells.
@@ -239,76 +238,6 @@ void Tracker::Loop::carry_parts(const Configuration& prediction, RegistrationRes
   } else {
     keep_better(at_rest, options_, best);
   }
-}
-
-/// In view, and still not determined, because what is around it goes on in its surface.
-bool Tracker::Loop::is_flush(const RegistrationResult& found, int variable) const {
-  const int joint = model_.tree.variable_joint[static_cast<std::size_t>(variable)];
-  const auto body =
-      static_cast<std::size_t>(model_.tree.joints[static_cast<std::size_t>(joint)].child_body);
-  return !found.observable[static_cast<std::size_t>(6 + variable)] &&
-         body < found.flush_bodies.size() && found.flush_bodies[body] &&
-         found.body_agreement[body].explained >= options_.least_of_sought_body;
-}
-
-void Tracker::Loop::report(const RegistrationResult& registered) {
-  for (int v = 0; v < model_.tree.variables(); ++v) {
-    is_flush_[static_cast<std::size_t>(v)] = is_flush(registered, v);
-  }
-  result_.configuration = registered.configuration;
-  result_.covariance = registered.covariance;
-  result_.sigma = registered.sigma;
-  result_.observable = known_unknowns(registered, model_.tree, options_);
-  result_.residual_rms = registered.residual_rms;
-  result_.explained = registered.agreement.explained;
-  result_.contradicted = registered.agreement.contradicted;
-  result_.occluded = registered.agreement.occluded;
-  const TrackingStatus before = result_.status;
-  result_.status = judge(registered, options_);
-  belief_ = registered.belief;
-  doubted_.clear();
-  if (result_.status == TrackingStatus::tracking) {
-    doubted_ = contradicted_variables(registered, model_.tree, options_);
-    std::sort(doubted_.begin(), doubted_.end());
-  }
-  rival_distance_ = registered.rival_distance;
-  report_belief(registered, before);
-}
-
-/// Following tells nothing of what a search could not tell apart: then its belief stays. What was
-/// believed once, and is tracked since, is not believed less because more of it is hidden, only
-/// where the image speaks against it.
-void Tracker::Loop::report_belief(const RegistrationResult& registered, TrackingStatus before) {
-  if (result_.status == TrackingStatus::lost) {
-    result_.belief = 0.0;
-    result_.alternatives.clear();
-    return;
-  }
-  const bool is_doubted = registered.rival_distance > 0.0;
-  const bool is_due =
-      result_.status != before || ++frames_without_belief_ >= options_.frames_between_beliefs;
-  double asked = registered.belief;
-  if (!(asked > 0.0) && !is_doubted && is_due) asked = belief_by_image(registered.configuration);
-  if (asked > 0.0) {
-    const bool is_followed =
-        before == TrackingStatus::tracking && result_.status == TrackingStatus::tracking;
-    const bool is_against = asked < belief(0.0, {});
-    result_.belief = is_followed && !is_against ? std::max(asked, result_.belief) : asked;
-    frames_without_belief_ = 0;
-  }
-  result_.alternatives.clear();
-  if (is_doubted) {
-    result_.alternatives = background_ ? background_->alternatives() : acquisition_.alternatives();
-  }
-}
-
-void Tracker::Loop::report_nothing() {
-  result_.belief = 0.0;
-  result_.alternatives.clear();
-  result_.residual_rms = TrackingResult::kNothingFound;
-  result_.explained = TrackingResult::kNothingFound;
-  result_.contradicted = TrackingResult::kNothingFound;
-  result_.occluded = TrackingResult::kNothingFound;
 }
 
 }  // namespace lockbox

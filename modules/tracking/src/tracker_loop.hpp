@@ -13,6 +13,7 @@
 #include "lockbox/tracking/background_search.hpp"
 #include "lockbox/tracking/judgement.hpp"
 #include "lockbox/tracking/motion_predictor.hpp"
+#include "lockbox/tracking/size_record.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "lockbox/verification/verifier.hpp"
 
@@ -67,6 +68,7 @@ class Tracker::Loop {
   void report(const RegistrationResult& registered);
   void report_belief(const RegistrationResult& registered, TrackingStatus before);
   double belief_by_image(const Configuration& configuration);
+  void report_size();
   void report_nothing();
 
   const ArticulatedModel& model_;
@@ -77,6 +79,8 @@ class Tracker::Loop {
   Acquisition acquisition_;
   MotionPredictor predictor_;
   Verifier verifier_;
+  SizeRecord size_record_;
+  TrackingStatus status_ = TrackingStatus::initializing;  ///< by all but the apparent size
   std::optional<Configuration> guess_;
   /// The estimate was tracked, or given, and nothing has contradicted it since. Then it is followed
   /// even where the image does not determine it, and not sought elsewhere.

@@ -40,16 +40,16 @@ bool is_another_view(std::ptrdiff_t measured, std::ptrdiff_t before) {
 void Tracker::Loop::search(const DepthFrame& frame) {
   const SearchScope near_first = is_kept_ ? SearchScope::given_first : SearchScope::near_first;
   const auto found = sought(frame, options_.search_anywhere ? near_first : SearchScope::near);
-  const bool is_first = result_.status != TrackingStatus::lost && !guess_;
+  const bool is_first = status_ != TrackingStatus::lost && !guess_;
   // The first estimate must be believable.
   if (!found || (is_first && judge(*found, options_) != TrackingStatus::tracking)) {
     report_nothing();
     return;
   }
   report(*found);
-  is_kept_ = result_.status == TrackingStatus::tracking || (is_kept_ && agrees(*found, options_));
+  is_kept_ = status_ == TrackingStatus::tracking || (is_kept_ && agrees(*found, options_));
   if (is_known()) {
-    if (result_.status == TrackingStatus::tracking) {
+    if (status_ == TrackingStatus::tracking) {
       guess_ = found->at_rest;
       frames_searched_ = 0;
     }

@@ -37,6 +37,13 @@ struct Annealing {
   bool goes_on = false;
 };
 
+/// How large the object looks in one image, as a multiple of its model: across the optical axis, at
+/// the distance that is measured, and along it (its relief).
+struct SizeMeasurement {
+  Eigen::Vector2d value = Eigen::Vector2d::Ones();           ///< (across, along)
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< of it
+};
+
 struct RegistrationResult {
   Configuration configuration;  ///< the estimate
   /// Before the last step, in which outlines weigh more (docs/mathematics.md): where to begin the
@@ -81,6 +88,10 @@ class ArticulatedRegistration {
   /// The result is valid until the next call. A cloud without an image has no free-space term.
   const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
                                   const Annealing& annealing);
+
+  /// In the cloud of the last alignment, of a configuration that was found there. A cloud without
+  /// an image tells nothing. No later alignment depends on it.
+  SizeMeasurement measure_size(const Configuration& configuration);
 
   const RegistrationOptions& options() const;
   const CollisionTerm& collision() const;

@@ -36,6 +36,23 @@ struct Alternative {
 /// The word for a states file.
 std::string to_string(Alternative::Kind kind);
 
+/// How large the object looks, as a multiple of its model: across the optical axis, at the distance
+/// that is measured, and along it (its relief); docs/mathematics.md, "Does the size fit?". Until
+/// that was measured often enough the covariance is infinite.
+struct ApparentSize {
+  Eigen::Vector2d value = Eigen::Vector2d::Ones();  ///< (across, along)
+  Eigen::Matrix2d covariance =
+      std::numeric_limits<double>::infinity() * Eigen::Matrix2d::Identity();
+
+  /// Whether `across` is off, beyond doubt, by more than objects differ from their drawings and
+  /// cameras from their calibrations: 3 %. Such an object is `uncertain` at best.
+  bool is_implausible() const;
+  /// Whether that may be the scale of the model, or of the depths: no image tells these apart.
+  bool may_be_scale() const;
+  /// Whether it may be the focal length. Where there is too little relief to tell, both may be.
+  bool may_be_focal_length() const;
+};
+
 struct TrackingResult {
   static constexpr double kNothingFound = std::numeric_limits<double>::quiet_NaN();
 
@@ -57,6 +74,7 @@ struct TrackingResult {
   /// What the search could not tell from it, the most probable first, at most
   /// TrackerOptions::most_alternatives; empty where a search could, or none was made.
   std::vector<Alternative> alternatives;
+  ApparentSize size;   ///< over the last 30 frames in which the object was known
   int searches = 0;    ///< how often the object was sought in the whole frame, up to now
   Elapsed cloud_time;  ///< from depth to cloud
   Elapsed step_time;   ///< all else: prediction, registration, judgement, searches if need be

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <iosfwd>
+
+#include "lockbox/tracking/tracker.hpp"
+#include "run_description.hpp"
+
+namespace lockbox::app {
+
+/// Says on standard error, once, that the object's size does not fit, and what may be wrong.
+class SizeReport {
+ public:
+  /// quiet: says nothing.
+  explicit SizeReport(bool quiet) : is_said_(quiet) {}
+
+  /// After each frame.
+  void look_at(const TrackingResult& result);
+
+  /// How large the object looked over the run, if it was not the size of its model.
+  static void print_summary(std::ostream& out, const RunTotals& totals);
+
+ private:
+  bool is_said_;
+};
+
+}  // namespace lockbox::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How large the object looks, over some time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/tracking/tracker.hpp"
+
+namespace lockbox {
+
+/// The mean of the last measurements, by precision. While nothing moves they err alike, so that
+/// many of them are not taken for more exact than one.
+class SizeRecord {
+ public:
+  /// Once for each frame in which the object is known: whether to measure.
+  bool is_due();
+  void add(const SizeMeasurement& size);
+
+  /// Of infinite covariance until there are enough measurements.
+  ApparentSize mean() const;
+
+ private:
+  static constexpr std::size_t kKept = 6;
+
+  std::array<SizeMeasurement, kKept> kept_;  ///< in turns
+  std::size_t count_ = 0;                    ///< of all measurements
+  std::size_t frames_ = 0;
+};
+
+}  // namespace lockbox

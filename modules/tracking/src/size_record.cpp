@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/tracking/size_record.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace lockbox {
+namespace {
+
+constexpr std::size_t kPause = 5;   // frames from one measurement to the next; each takes a sixth
+                                    // of a frame's time
+constexpr std::size_t kEnough = 3;  // measurements, lest a single one is believed
+
+}  // namespace
+
+bool SizeRecord::is_due() {
+  return frames_++ % kPause == 0;
+}
+
+void SizeRecord::add(const SizeMeasurement& size) {
+  kept_[count_ % kKept] = size;
+  ++count_;
+}
+
+ApparentSize SizeRecord::mean() const {
+  ApparentSize result;
+  if (count_ < kEnough) return result;
+  const std::size_t kept = std::min(count_, kKept);
+  Eigen::Matrix2d precision = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < kept; ++i) {
+    const Eigen::Matrix2d own = kept_[i].covariance.inverse();
+    precision += own;
+    sum += own * kept_[i].value;
+  }
+  result.value = precision.ldlt().solve(sum);
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (std::size_t i = 0; i < kept; ++i) {
+    const Eigen::Vector2d off = kept_[i].value - result.value;
+    scatter += off * off.transpose();
+  }
+  const auto count = static_cast<double>(kept);
+  result.covariance = count * precision.inverse() + scatter / (count * (count - 1.0));
+  return result;
+}
+
+}  // namespace lockbox
