@@ -13,13 +13,14 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// How a rigid block is tracked that deviates like this, from where it is.
-struct Run {
+struct TrackedSize {
   ToolResult result;
   std::string states;
   std::string description;
 };
 
-Run tracked(const TemporaryFolder& folder, const std::string& name, const std::string& deviation) {
+TrackedSize tracked(const TemporaryFolder& folder, const std::string& name,
+                    const std::string& deviation) {
   write_text(folder / (name + ".yaml"), deviation);
   const ToolResult simulated =
       run_tool({"simulate", "--model", "rigid_block", "--trajectory", "auto", "--frames", "25",
@@ -41,7 +42,7 @@ double number_after(const std::string& text, const std::string& key) {
 
 TEST(Size, ThatFitsIsNoReasonToWarn) {
   const TemporaryFolder folder;
-  const Run run = tracked(folder, "exact", "object: {scale: 1.0}\n");
+  const TrackedSize run = tracked(folder, "exact", "object: {scale: 1.0}\n");
   EXPECT_THAT(run.result.errors, Not(HasSubstr("warning")));
   EXPECT_THAT(run.result.output, Not(HasSubstr("looks")));
   EXPECT_THAT(run.states, Not(HasSubstr("uncertain")));
@@ -50,7 +51,7 @@ TEST(Size, ThatFitsIsNoReasonToWarn) {
 
 TEST(Size, OfTheDepthsIsSaidWithSizeSignAndCauses) {
   const TemporaryFolder folder;
-  const Run run = tracked(folder, "deep", "depth: {scale: 1.05}\n");
+  const TrackedSize run = tracked(folder, "deep", "depth: {scale: 1.05}\n");
   EXPECT_THAT(run.result.errors, HasSubstr("% (+- "));
   EXPECT_THAT(run.result.errors, HasSubstr("larger than its model"));
   EXPECT_THAT(run.result.errors, HasSubstr("--mesh-scale"));
@@ -63,7 +64,7 @@ TEST(Size, OfTheDepthsIsSaidWithSizeSignAndCauses) {
 
 TEST(Size, OfTheFocalLengthIsToldFromIt) {
   const TemporaryFolder folder;
-  const Run run = tracked(folder, "wide", "camera: {focal_length: 1.06}\n");
+  const TrackedSize run = tracked(folder, "wide", "camera: {focal_length: 1.06}\n");
   EXPECT_THAT(run.result.errors, HasSubstr("larger than its model"));
   EXPECT_THAT(run.result.errors, HasSubstr("the focal length: times 1.0"));
   EXPECT_THAT(run.result.errors, Not(HasSubstr("--mesh-scale")));
@@ -71,7 +72,7 @@ TEST(Size, OfTheFocalLengthIsToldFromIt) {
 
 TEST(Size, OffByWhatCamerasAreIsTrackedAndSummedUp) {
   const TemporaryFolder folder;
-  const Run run = tracked(folder, "moderate", "object: {scale: 0.98}\n");
+  const TrackedSize run = tracked(folder, "moderate", "object: {scale: 0.98}\n");
   EXPECT_THAT(run.result.errors, Not(HasSubstr("warning")));
   EXPECT_THAT(run.result.output, HasSubstr("smaller than its model: scale of the model"));
   EXPECT_NEAR(number_after(run.description, "across"), 0.98, 0.005);
