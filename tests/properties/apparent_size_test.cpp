@@ -13,7 +13,7 @@
 namespace lockbox {
 namespace {
 
-const PinholeCamera kVgaCamera{640, 480, 575.8, 575.8, 319.5, 239.5};
+const PinholeCamera kCameraOfSize{640, 480, 575.8, 575.8, 319.5, 239.5};
 
 struct Look {
   std::string model;
@@ -41,8 +41,8 @@ class ApparentSizeProperty : public ::testing::TestWithParam<Look> {
     SensorDeviation deviation;
     deviation.camera.focal_length = look.focal;
     deviation.depth.scale = look.depth;
-    Simulator simulator(built, kVgaCamera, PlacedScene(scene, {state}), sensor_model("primesense"),
-                        61, Executor(), deviation);
+    Simulator simulator(built, kCameraOfSize, PlacedScene(scene, {state}),
+                        sensor_model("primesense"), 61, Executor(), deviation);
     DepthFrame frame;
     simulator.simulate(state, 0, frame);
     TiledCloud cloud;
