@@ -8,14 +8,21 @@
 namespace lockbox {
 namespace {
 
-constexpr std::size_t kPause = 5;   // frames from one measurement to the next; each takes a sixth
-                                    // of a frame's time
+/// Frames from one measurement to the next, which takes as long as a frame: few until it is known
+/// whether the size fits, then two seconds'.
+constexpr std::size_t kFirstPause = 5;
+constexpr std::size_t kPause = 60;
 constexpr std::size_t kEnough = 3;  // measurements, lest a single one is believed
 
 }  // namespace
 
 bool SizeRecord::is_due() {
-  return frames_++ % kPause == 0;
+  if (frames_to_next_ > 0) {
+    --frames_to_next_;
+    return false;
+  }
+  frames_to_next_ = (count_ + 1 < kEnough ? kFirstPause : kPause) - 1;
+  return true;
 }
 
 void SizeRecord::add(const SizeMeasurement& size) {

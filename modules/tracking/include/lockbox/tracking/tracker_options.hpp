@@ -72,9 +72,9 @@ struct TrackerOptions {
   /// contradicts the image is not known then, all else is; and what a search finds is kept even
   /// where it would drift off if gates were wider.
   double convincing_belief = 0.999;
-  /// A second; it takes half of a frame's time to ask the image. Doubled, belief lags twice as long
+  /// Two seconds; to ask the image takes as long as a frame. Doubled, belief lags twice as long
   /// behind what has become of the object while its status stays the same.
-  int frames_between_beliefs = 30;
+  int frames_between_beliefs = 60;
   std::size_t most_alternatives = 3;
   /// A joint that was sought over its whole range, while less than this share of what it moves is
   /// explained, is known only where so many pixels more (of JointMargins) speak for its position

@@ -26,7 +26,7 @@ class SizeRecord {
 
   std::array<SizeMeasurement, kKept> kept_;  ///< in turns
   std::size_t count_ = 0;                    ///< of all measurements
-  std::size_t frames_ = 0;
+  std::size_t frames_to_next_ = 0;
 };
 
 }  // namespace lockbox
