@@ -229,10 +229,10 @@ class TrackCommand : public Command {
         ->check(not_negative())
         ->check(whole_number());
     options
-        .add_option("--search-limit", tracker_.search_limit,
-                    "Seconds that a search of the whole frame may take from one frame, counted in "
-                    "work as on the README's machine: one that needs more goes on in the next "
-                    "frames")
+        .add_option(
+            "--search-limit", tracker_.search_limit,
+            "Seconds that a search of the whole frame may take from one frame, counted as 1.5 "
+            "for each of its rounds: one that needs more goes on in the next frames")
         ->check(positive())
         ->type_name("SECONDS");
     options.add_flag("--fixed-base", registration.fixed_base, "The base does not move");

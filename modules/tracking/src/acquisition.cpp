@@ -13,8 +13,9 @@
 namespace lockbox {
 namespace {
 
-/// Of a search. Doubled, a limit is half as many rounds.
-constexpr double kSecondsOfRound = 1.5;  // on the README's machine, where nothing is found
+/// Of a search, as a short one takes on the README's machine where nothing is found; the longest
+/// take four times as long. Doubled, a limit is half as many rounds.
+constexpr double kSecondsOfRound = 1.5;
 
 int rounds_a_frame(const TrackerOptions& options) {
   constexpr double kMost = 1000.0;  // more than there are

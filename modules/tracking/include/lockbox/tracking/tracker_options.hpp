@@ -26,9 +26,9 @@ struct TrackerOptions {
   double start_joint_spread = 0.005;
   int start_joint_iterations = 10;
   bool search_anywhere = true;  ///< where no guess helps, at the start and when lost
-  /// Seconds of a machine like that of the README that a search may take from one frame: one that
-  /// needs more goes on in later frames (docs/initialization.md). No clock decides it, so that a
-  /// recording gives the same each time. Not in the background, where no frame waits.
+  /// Seconds that a search may take from one frame, at 1.5 for each of its rounds and at least one
+  /// round: one that needs more goes on in later frames (docs/initialization.md). No clock decides
+  /// it, so that a recording gives the same each time. Not in the background, where no frame waits.
   double search_limit = std::numeric_limits<double>::infinity();
   /// Frames do not wait for searches, which then go on in a thread of their own: for live sources.
   /// What a recording gives depends on the clock with it, and not without.
