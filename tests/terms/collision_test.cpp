@@ -7,6 +7,7 @@
 #include <random>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/model/moved_bodies.hpp"
 #include "registration/mechanism.hpp"
 
 namespace lockbox {
@@ -61,6 +62,63 @@ TEST_F(CollisionTest, CostDoesNotDependOnWhatWasAskedBefore) {
   }
   EXPECT_GT(penetrated, 5);
   EXPECT_LT(penetrated, 55);
+}
+
+/// The rest of the cost does not change while nothing but that joint moves.
+TEST_F(CollisionTest, CostBetweenIsWhatAJointCanChange) {
+  CollisionTerm term(model, CollisionOptions{});
+  Configuration at = mechanism_start(model);
+  at.q[0] = 0.13;  // the block, on which the arm turns, reaches into the follower
+  at.q[1] = 0.0;
+  const auto costs = [&](int variable) {
+    BodyPoses poses;
+    forward_kinematics(model.tree, at, poses);
+    const double all = term.evaluate(model, poses, nullptr);
+    return std::pair(all, term.cost_between(model, poses, moved_bodies(model.tree, variable)));
+  };
+  const auto [all, by_turn] = costs(1);
+  const auto [all_again, by_slide] = costs(0);
+  EXPECT_GT(all, 0.0);
+  EXPECT_EQ(all_again, all) << "depends on what was asked before";
+  EXPECT_NEAR(by_slide, 0.0, 1e-9 * all) << "the slide moves both";
+  at.q[1] = 1.0;
+  const auto [all_turned, by_turn_turned] = costs(1);
+  EXPECT_NEAR(all_turned - all, by_turn_turned - by_turn, 1e-9 * all);
+}
+
+/// Links of a chain that bends reach into each other, as drawn, at nearly every angle: pushed
+/// apart, the chain would be pulled straight. Links farther apart still may not meet.
+TEST(CollisionPairTest, WhatAJointDrawsIntoEachOtherIsNoPair) {
+  const auto link = [](const std::string& name) {
+    return "<link name='" + name +
+           "'><visual><origin xyz='0.05 0 0'/><geometry><box size='0.1 0.03 0.03'/></geometry>"
+           "</visual></link>";
+  };
+  const auto joint = [](const std::string& parent, const std::string& child,
+                        const std::string& limits) {
+    return "<joint name='to_" + child + "' type='revolute'><parent link='" + parent +
+           "'/><child link='" + child + "'/><origin xyz='0.1 0 0'/><axis xyz='0 0 1'/><limit " +
+           limits + " effort='1' velocity='1'/></joint>";
+  };
+  const std::string bends = "lower='-0.8' upper='0.8'";
+  const ArticulatedModel chain = load_mechanism(
+      {link("a"), link("b"), link("c"), joint("a", "b", bends), joint("b", "c", bends)}, {});
+  std::vector<std::pair<int, int>> pairs;
+  const CollisionTerm term(chain, CollisionOptions{});
+  for (const CollisionPair& pair : term.pairs()) pairs.emplace_back(pair.a, pair.b);
+  EXPECT_EQ(pairs, (std::vector<std::pair<int, int>>{{0, 2}}));
+}
+
+/// The limits of a door may be generous: half of what they allow is within its frame.
+TEST(CollisionPairTest, ADoorWithoutLimitsStaysOutOfItsFrame) {
+  const ArticulatedModel door = load_mechanism(
+      {"<link name='frame'><visual><geometry><box size='0.3 0.2 0.4'/></geometry></visual></link>",
+       "<link name='leaf'><visual><origin xyz='-0.15 0.01 0'/><geometry><box size='0.3 0.02 0.4'/>"
+       "</geometry></visual></link>",
+       "<joint name='hinge' type='continuous'><parent link='frame'/><child link='leaf'/>"
+       "<origin xyz='0.15 0.1 0'/><axis xyz='0 0 1'/></joint>"},
+      {});
+  EXPECT_EQ(CollisionTerm(door, CollisionOptions{}).pairs().size(), 1U);
 }
 
 TEST_F(CollisionTest, ErosionThatWouldMakeABodyVanishIsRefusedByName) {

@@ -32,7 +32,7 @@ std::size_t body_count(std::initializer_list<Loop> loops) {
 int most_threads() {
   constexpr int kPerCore = 4;
   constexpr int kOnSmallMachines = 16;
-  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  static const auto cores = static_cast<int>(std::thread::hardware_concurrency());  // reads a file
   return std::max(kPerCore * cores, kOnSmallMachines);
 }
 

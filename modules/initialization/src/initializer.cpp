@@ -86,7 +86,7 @@ SoughtJoints Initializer::find_joints(const TiledCloud& cloud, const Configurati
   for (double& margin : found.margins) margin *= kFinePixels;
   scan_by_image(w.low_relief, cloud, sought, found.margins, w.options.stop_request,
                 found.configuration);
-  w.resolve_overlap(cloud, sought, found.configuration);
+  w.resolve_overlap(cloud, sought, found.margins, found.configuration);
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/model/variable_range.hpp"
 
 namespace lockbox {
@@ -30,18 +31,19 @@ std::vector<double> positions_nearest_first(const KinematicTree& tree, int varia
 OverlapFinder::OverlapFinder(const ArticulatedModel& model, const CollisionTerm& collision)
     : model_(model), collision_(collision) {}
 
-bool OverlapFinder::overlaps(const Configuration& configuration) {
-  return cost(configuration) > kOverlapping;
+bool OverlapFinder::overlaps(const Configuration& configuration, int variable) {
+  return cost(configuration, moved_bodies(model_.tree, variable)) > kOverlapping;
 }
 
 Configuration OverlapFinder::with_moved(const Configuration& configuration, int variable) {
+  const std::vector<std::uint8_t> moved = moved_bodies(model_.tree, variable);
   Configuration best = configuration;
   Configuration tried = configuration;
-  double least = kMuchLess * cost(configuration);
+  double least = kMuchLess * cost(configuration, moved);
   for (const double position :
        positions_nearest_first(model_.tree, variable, configuration.q[variable])) {
     tried.q[variable] = position;
-    const double cost_there = cost(tried);
+    const double cost_there = cost(tried, moved);
     if (cost_there >= least) continue;
     best = tried;
     least = cost_there;
@@ -50,9 +52,10 @@ Configuration OverlapFinder::with_moved(const Configuration& configuration, int 
   return best;
 }
 
-double OverlapFinder::cost(const Configuration& configuration) {
+double OverlapFinder::cost(const Configuration& configuration,
+                           const std::vector<std::uint8_t>& moved) {
   forward_kinematics(model_.tree, configuration, poses_);
-  return collision_.evaluate(model_, poses_, nullptr);
+  return collision_.cost_between(model_, poses_, moved);
 }
 
 }  // namespace lockbox

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "lockbox/terms/collision_term.hpp"
 
 namespace lockbox {
@@ -10,15 +13,16 @@ class OverlapFinder {
  public:
   OverlapFinder(const ArticulatedModel& model, const CollisionTerm& collision);
 
-  /// Whether parts overlap by more than contact and the noise of joints explain.
-  bool overlaps(const Configuration& configuration);
+  /// Whether what the variable moves overlaps with the rest by more than contact and the noise of
+  /// joints explain.
+  bool overlaps(const Configuration& configuration, int variable);
 
-  /// The configuration with that variable where in its range least overlaps, the nearest such
-  /// position; unchanged if no position is much better.
+  /// The configuration with that variable where in its range what it moves overlaps least with the
+  /// rest, the nearest such position; unchanged if no position is much better.
   Configuration with_moved(const Configuration& configuration, int variable);
 
  private:
-  double cost(const Configuration& configuration);
+  double cost(const Configuration& configuration, const std::vector<std::uint8_t>& moved);
 
   const ArticulatedModel& model_;
   CollisionTerm collision_;  ///< of its own: it remembers where bodies were

@@ -14,7 +14,7 @@ void Initializer::Workspace::assess(const TiledCloud& cloud,
   for (const Hypothesis& hypothesis : best_apart(hypotheses, ranked, levers)) {
     if (hypothesis.score <= 0.0) continue;
     Configuration configuration = hypothesis.configuration;
-    resolve_overlap(cloud, variables, configuration);
+    resolve_overlap(cloud, variables, {}, configuration);
     align_exactly(cloud, configuration);
     const auto& result = align_finely(cloud, configuration, {0.0, 0});
     Candidate candidate;

@@ -257,7 +257,7 @@ void Initializer::Workspace::settle(const TiledCloud& cloud, const CoarseView& f
       scan_joints(model.tree, levers, halves.front(), variables, kFineSlack, kScan, configuration);
   scan_by_image(low_relief, cloud, variables, candidate.margins, options.stop_request,
                 configuration);
-  resolve_overlap(cloud, variables, configuration);
+  resolve_overlap(cloud, variables, candidate.margins, configuration);
   align_exactly(cloud, configuration);
 }
 

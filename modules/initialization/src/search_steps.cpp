@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the stages of the search do with one hypothesis: register, draw, compare.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include "climb.hpp"
+#include "lockbox/model/moved_bodies.hpp"
 #include "search_workspace.hpp"
 
 namespace lockbox {
@@ -11,16 +16,40 @@ constexpr double kHardlyWorse = 0.01;  // of the visible surface
 const ClimbPlan kClimbFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
 const Annealing kExactly{.spread = 0.005, .iterations = 8};
 
+/// Whether all that the variable moves was sought, and none of it can be seen anywhere.
+bool is_out_of_sight(const KinematicTree& tree, int variable, const std::vector<int>& sought,
+                     const JointMargins& margins) {
+  if (margins.empty()) return false;
+  const std::vector<std::uint8_t> moved = moved_bodies(tree, variable);
+  return std::all_of(tree.joints.begin(), tree.joints.end(), [&](const Joint& joint) {
+    const int v = joint.variable;
+    return v < 0 || moved[static_cast<std::size_t>(joint.child_body)] == 0 ||
+           (std::isinf(margins[static_cast<std::size_t>(v)]) &&
+            std::find(sought.begin(), sought.end(), v) != sought.end());
+  });
+}
+
 }  // namespace
 
 void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud, const std::vector<int>& which,
+                                             const JointMargins& margins,
                                              Configuration& configuration) {
+  const auto explained = [&](const Configuration& with) {
+    return align_finely(cloud, with, {0.0, 0}).agreement.conviction();
+  };
+  std::optional<double> before;
   for (const int v : which) {
-    if (!overlap.overlaps(configuration)) return;
+    if (!overlap.overlaps(configuration, v)) continue;
     const Configuration moved = overlap.with_moved(configuration, v);
-    const double before = align_finely(cloud, configuration, {0.0, 0}).agreement.conviction();
-    const double after = align_finely(cloud, moved, {0.0, 0}).agreement.conviction();
-    if (after > before - kHardlyWorse) configuration = moved;
+    if (is_out_of_sight(model.tree, v, which, margins)) {
+      configuration = moved;
+      continue;
+    }
+    if (!before) before = explained(configuration);
+    const double after = explained(moved);
+    if (!(after > *before - kHardlyWorse)) continue;
+    configuration = moved;
+    before = after;
   }
 }
 

@@ -89,9 +89,9 @@ struct Initializer::Workspace {
   /// What was found made exact, all joints sought once more.
   void settle(const TiledCloud& cloud, const CoarseView& fine_view, Candidate& candidate);
   /// Parts within others would push away what is seen when it is registered: of these variables,
-  /// those about which the view says little yield.
+  /// those about which the view says little yield. margins: of scan_joints() for these, or none.
   void resolve_overlap(const TiledCloud& cloud, const std::vector<int>& which,
-                       Configuration& configuration);
+                       const JointMargins& margins, Configuration& configuration);
 
  private:
   std::vector<Hypothesis> proposed(const Round& round, const PlanarScene& scene,

@@ -56,7 +56,7 @@ void ViewScore::set_view(const CoarseView& view, bool is_known) {
   view_ = &view;
   is_known_ = is_known;
   if (!whole_.renderer || !(whole_.renderer->camera() == view.camera)) {
-    whole_.renderer = std::make_unique<DepthRenderer>(view.camera, Executor(1));
+    whole_.renderer = std::make_unique<DepthRenderer>(view.camera, alone_);
   }
 }
 
@@ -73,8 +73,9 @@ void ViewScore::draw(const Configuration& configuration, const std::vector<std::
   drawing.renderer->render(items_, drawing.image);
 }
 
-/// Makes moving_ and rest_ show just the part of the view in which the trials show what is moved.
-void ViewScore::frame_motion(std::span<const Configuration> trials,
+/// Makes moving_ and rest_ show just the part of the view in which the trials show what is moved;
+/// returns false if that is none.
+bool ViewScore::frame_motion(std::span<const Configuration> trials,
                              const std::vector<std::uint8_t>& moved) {
   const PinholeCamera& camera = view_->camera;
   Eigen::AlignedBox2d frame;
@@ -100,19 +101,20 @@ void ViewScore::frame_motion(std::span<const Configuration> trials,
   frame.min() -= Eigen::Vector2d::Ones();
   frame.max() += Eigen::Vector2d::Ones();
   frame = frame.intersection(image);
-  const bool visible = !frame.isEmpty();
-  const int left = visible ? static_cast<int>(frame.min().x()) : 0;
-  const int top = visible ? static_cast<int>(frame.min().y()) : 0;
+  if (frame.isEmpty()) return false;
+  const int left = static_cast<int>(frame.min().x());
+  const int top = static_cast<int>(frame.min().y());
   PinholeCamera part = camera;
-  part.width = visible ? static_cast<int>(frame.max().x()) - left + 1 : 1;
-  part.height = visible ? static_cast<int>(frame.max().y()) - top + 1 : 1;
+  part.width = static_cast<int>(frame.max().x()) - left + 1;
+  part.height = static_cast<int>(frame.max().y()) - top + 1;
   part.cx -= left;
   part.cy -= top;
   for (Drawing* drawing : {&moving_, &rest_}) {
-    drawing->renderer = std::make_unique<DepthRenderer>(part, Executor(1));
+    drawing->renderer = std::make_unique<DepthRenderer>(part, alone_);
     drawing->left = left;
     drawing->top = top;
   }
+  return true;
 }
 
 /// Whether what was measured stands before everything that the variable can move there. Such pixels
@@ -218,7 +220,7 @@ std::vector<double> ViewScore::scan(std::span<const Configuration> trials, int v
   for (std::size_t b = 0; b < moved.size(); ++b) {
     if (left_out[b] != 0) moved[b] = 0;
   }
-  frame_motion(trials, moved);
+  if (!frame_motion(trials, moved)) return std::vector<double>(trials.size(), 0.0);
   draw(trials.front(), others, rest_);
   const RenderedDepth& rest = rest_.image;
   rest_scores_.assign(rest.depth.size(), 0.0);

@@ -52,7 +52,7 @@ class ViewScore {
 
   void draw(const Configuration& configuration, const std::vector<std::uint8_t>& bodies,
             Drawing& drawing);
-  void frame_motion(std::span<const Configuration> trials, const std::vector<std::uint8_t>& moved);
+  bool frame_motion(std::span<const Configuration> trials, const std::vector<std::uint8_t>& moved);
   ViewEvidence count_pixels(double slack) const;
   double score_of_moved(double slack) const;
   bool speaks(std::size_t pixel) const;
@@ -63,6 +63,7 @@ class ViewScore {
   const KinematicTree& tree_;
   double noise_;
   StopRequest stop_request_;
+  Executor alone_{1};
   const CoarseView* view_ = nullptr;
   bool is_known_ = false;
   double nearest_reach_ = 0.0;  ///< least depth that what the variable moves can have, metres

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/kernels/point_to_field.hpp"
+#include "lockbox/model/variable_range.hpp"
 #include "lockbox/sdf/distance_rounding.hpp"
 #include "lockbox/sdf/rigid_motion.hpp"
 #include "penetration.hpp"
@@ -16,6 +18,47 @@ namespace lockbox {
 namespace {
 
 constexpr double kThicknessShare = 0.125;  // of the thinner body: the largest erosion
+/// Bodies that a joint joins, and that overlap in more than this share of its range, are drawn into
+/// each other (the links of an arm about their elbow): its limits say where they may be, not their
+/// surfaces. A door without limits is within its frame in half of them. At 0.3 it could go through
+/// it; at 1 a chain of boxes would be pulled straight.
+constexpr double kMostOfRange = 0.6;
+constexpr int kRangeSteps = 8;
+
+/// The joint that joins two bodies, none of which carries a third between them; or none.
+const Joint* joint_between(const KinematicTree& tree, int a, int b) {
+  const auto found = std::find_if(tree.joints.begin(), tree.joints.end(), [&](const Joint& joint) {
+    return std::minmax(joint.parent_body, joint.child_body) == std::minmax(a, b);
+  });
+  return found != tree.joints.end() && found->variable >= 0 ? &*found : nullptr;
+}
+
+/// How deep one of the bodies reaches into the other, metres. whole: the surfaces of bodies that
+/// have a field.
+double overlap(const ArticulatedModel& model, const std::vector<ErodedSurface>& whole,
+               const CollisionPair& pair, const BodyPoses& T_camera_body) {
+  const auto a = static_cast<std::size_t>(pair.a);
+  const auto b = static_cast<std::size_t>(pair.b);
+  const Eigen::Isometry3d T_b_a = T_camera_body[b].inverse() * T_camera_body[a];
+  return std::max(whole[a].deepest_in(*model.fields[b], T_b_a),
+                  whole[b].deepest_in(*model.fields[a], T_b_a.inverse()));
+}
+
+/// allowed: metres of overlap that cost nothing.
+bool is_drawn_into(const ArticulatedModel& model, const std::vector<ErodedSurface>& whole,
+                   const CollisionPair& pair, double allowed) {
+  const Joint* const joint = joint_between(model.tree, pair.a, pair.b);
+  if (joint == nullptr) return false;
+  Configuration configuration = rest_configuration(model.tree);
+  const auto positions = positions_in(variable_range(model.tree, joint->variable), kRangeSteps);
+  BodyPoses poses;
+  const auto overlapping = std::count_if(positions.begin(), positions.end(), [&](double position) {
+    configuration.q[joint->variable] = position;
+    forward_kinematics(model.tree, configuration, poses);
+    return overlap(model, whole, pair, poses) > allowed;
+  });
+  return static_cast<double>(overlapping) > kMostOfRange * static_cast<double>(positions.size());
+}
 
 /// The erosion that the model's file sets for a pair, by any of the links' names.
 std::optional<double> pair_erosion(const ArticulatedModel& model, const Body& a, const Body& b) {
@@ -63,7 +106,7 @@ CollisionTerm::CollisionTerm(const ArticulatedModel& model, const CollisionOptio
     samples[b] = collision_samples(model.tree.bodies[b].mesh);
     whole[b] = erode(*model.fields[b], samples[b], 0.0);
   });
-  find_pairs(model, whole);
+  find_pairs(model, whole, options.erosion);
   if (options.collision == CollisionMode::eroded) choose_erosions(model, options.erosion);
   const std::vector<Erosion> erosions = list_erosions();
   surfaces_.resize(erosions.size());
@@ -73,9 +116,9 @@ CollisionTerm::CollisionTerm(const ArticulatedModel& model, const CollisionOptio
   });
 }
 
-/// whole: the surfaces of bodies that have a field.
+/// whole: the surfaces of bodies that have a field. erosion: the usual one, metres.
 void CollisionTerm::find_pairs(const ArticulatedModel& model,
-                               const std::vector<ErodedSurface>& whole) {
+                               const std::vector<ErodedSurface>& whole, double erosion) {
   const auto bodies = static_cast<int>(model.fields.size());
   for (int a = 0; a < bodies; ++a) {
     for (int b = a + 1; b < bodies; ++b) {
@@ -86,14 +129,17 @@ void CollisionTerm::find_pairs(const ArticulatedModel& model,
   }
   BodyPoses rest;
   forward_kinematics(model.tree, rest_configuration(model.tree), rest);
+  std::vector<std::uint8_t> is_drawn(pairs_.size());
   executor_.for_each(pairs_.size(), [&](std::size_t i) {
-    const auto a = static_cast<std::size_t>(pairs_[i].a);
-    const auto b = static_cast<std::size_t>(pairs_[i].b);
-    const Eigen::Isometry3d T_b_a = rest[b].inverse() * rest[a];
-    const double overlap = std::max(whole[a].deepest_in(*model.fields[b], T_b_a),
-                                    whole[b].deepest_in(*model.fields[a], T_b_a.inverse()));
-    pairs_[i].rest_overlap = overlap < kDistanceRounding ? 0.0 : overlap;
+    const double at_rest = overlap(model, whole, pairs_[i], rest);
+    pairs_[i].rest_overlap = at_rest < kDistanceRounding ? 0.0 : at_rest;
+    is_drawn[i] = is_drawn_into(model, whole, pairs_[i], pairs_[i].rest_overlap + 2.0 * erosion);
   });
+  std::vector<CollisionPair> kept;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    if (is_drawn[i] == 0) kept.push_back(pairs_[i]);
+  }
+  pairs_ = std::move(kept);
 }
 
 void CollisionTerm::choose_erosions(const ArticulatedModel& model, double usual) {
@@ -211,6 +257,23 @@ double CollisionTerm::sum_up(const ArticulatedModel& model, const BodyPoses& T_c
     }
   }
   return cost;
+}
+
+double CollisionTerm::cost_between(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                                   const std::vector<std::uint8_t>& moved) {
+  evaluated_.clear();
+  halves_.resize(2 * pairs_.size());
+  between_.clear();
+  for (std::size_t i = 0; i < halves_.size(); ++i) {
+    const CollisionPair& pair = pairs_[i / 2];
+    if (moved[static_cast<std::size_t>(pair.a)] != moved[static_cast<std::size_t>(pair.b)]) {
+      between_.push_back(i);
+    }
+  }
+  executor_.for_each(between_.size(),
+                     [&](std::size_t k) { evaluate_part(model, T_camera_body, between_[k]); });
+  return std::accumulate(between_.begin(), between_.end(), 0.0,
+                         [this](double sum, std::size_t i) { return sum + halves_[i].cost; });
 }
 
 bool CollisionTerm::stands_at(const BodyPoses& T_camera_body) const {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@
 
 namespace lockbox {
 
-/// Two bodies that a joint can move against each other.
+/// Two bodies that joints can move against each other.
 struct CollisionPair {
   int a = 0;
   int b = 0;
@@ -48,7 +49,12 @@ class CollisionTerm {
   double evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                   NormalEquations* equations);
 
-  /// The same for who has a loop to share: how many parts there are, none where the term was
+  /// lambda times the cost of the pairs of which one body is marked and the other is not, by body:
+  /// what a joint that moves the marked ones can change.
+  double cost_between(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                      const std::vector<std::uint8_t>& moved);
+
+  /// evaluate() for who has a loop to share: how many parts there are, none where the term was
   /// evaluated last; each of them, by any thread; and what they sum up to.
   std::size_t begin(const BodyPoses& T_camera_body);
   void evaluate_part(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i);
@@ -69,7 +75,8 @@ class CollisionTerm {
     bool operator==(const Erosion&) const = default;
   };
 
-  void find_pairs(const ArticulatedModel& model, const std::vector<ErodedSurface>& whole);
+  void find_pairs(const ArticulatedModel& model, const std::vector<ErodedSurface>& whole,
+                  double erosion);
   void choose_erosions(const ArticulatedModel& model, double usual);
   std::vector<Erosion> list_erosions();
   bool stands_at(const BodyPoses& T_camera_body) const;
@@ -86,6 +93,7 @@ class CollisionTerm {
   std::vector<ErodedSurface> surfaces_;
   BodyPoses evaluated_;       ///< what the halves are of
   std::vector<Half> halves_;  ///< two a pair
+  std::vector<std::size_t> between_;
   BodyJacobian jacobian_;
 };
 
