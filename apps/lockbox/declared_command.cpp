@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "declared_command.hpp"
 
-#include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <utility>
 
 namespace lockbox::app {
 
 DeclaredCommand declare(const CommandEntry& entry) {
-  DeclaredCommand declared{entry.make(),
-                           std::make_unique<CLI::App>(entry.summary, "lockbox " + entry.name)};
-  CLI::App& options = *declared.options;
+  auto owned = std::make_unique<CLI::App>(entry.summary, "lockbox " + entry.name);
+  CLI::App& options = *owned;
+  const auto option_file = std::make_shared<OptionFile>(options);
+  options.config_formatter(option_file);
   options.footer("Example:\n  " + entry.example + "\n\n" + kStatusHelp);
   options.set_config("--config", "", "Read options from FILE: lines `name = value`")
       ->type_name("FILE");
   options.allow_config_extras(CLI::config_extras_mode::error);
   options.option_defaults()->always_capture_default();
+  DeclaredCommand declared{entry.make(), std::move(owned), option_file};
   declared.command->add_options(options);
   return declared;
 }

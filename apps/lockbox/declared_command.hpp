@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "option_file.hpp"
 
 namespace lockbox::app {
 
@@ -12,6 +13,7 @@ namespace lockbox::app {
 struct DeclaredCommand {
   std::unique_ptr<Command> command;
   std::unique_ptr<CLI::App> options;  ///< they write into the command's members
+  std::shared_ptr<const OptionFile> option_file;
 };
 
 DeclaredCommand declare(const CommandEntry& entry);

@@ -37,8 +37,10 @@ ExitStatus fail(ExitStatus status, const std::string& message) {
   return status;
 }
 
-/// Reads the options; returns nothing if the command shall run.
-std::optional<ExitStatus> parse(CLI::App& options, std::vector<std::string> arguments) {
+/// Reads the options; returns nothing if the command shall run. Throws InputError.
+std::optional<ExitStatus> parse(const DeclaredCommand& declared,
+                                std::vector<std::string> arguments) {
+  CLI::App& options = *declared.options;
   try {
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
     options.parse(std::move(arguments));
@@ -53,11 +55,12 @@ std::optional<ExitStatus> parse(CLI::App& options, std::vector<std::string> argu
         "--config " + file +
             (std::filesystem::exists(file) ? ": cannot be read" : ": there is no such file"));
   } catch (const CLI::ConfigError& error) {
-    return fail(ExitStatus::invalid_input, options.get_config_ptr()->as<std::string>() + ": " +
-                                               configuration_problem(options, error));
+    return fail(ExitStatus::invalid_input, declared.option_file->problem(error));
   } catch (const CLI::ParseError& error) {
-    return fail(ExitStatus::wrong_usage,
-                usage_problem(options, error) + "\nSee `" + options.get_name() + " --help`.");
+    const std::string problem = usage_problem(options, error);
+    const auto place = declared.option_file->place_of_option_in(problem);
+    if (place) return fail(ExitStatus::invalid_input, *place + ": " + problem);
+    return fail(ExitStatus::wrong_usage, problem + "\nSee `" + options.get_name() + " --help`.");
   }
 }
 
@@ -74,14 +77,16 @@ ExitStatus signal_status() {
 }
 
 ExitStatus run(const CommandEntry& entry, const std::vector<std::string>& arguments) {
-  const auto [command, options] = declare(entry);
-  if (const auto status = parse(*options, arguments)) return *status;
-  const EndAtSignal end_at_signal;
+  const DeclaredCommand declared = declare(entry);
   try {
-    const ExitStatus status = command->run();
+    if (const auto status = parse(declared, arguments)) return *status;
+    const EndAtSignal end_at_signal;
+    const ExitStatus status = declared.command->run();
     return interruption::requested() ? signal_status() : status;
   } catch (const InputError& error) {
-    return fail(ExitStatus::invalid_input, error.what());
+    const auto place = declared.option_file->place_of_value_in(error.what());
+    return fail(ExitStatus::invalid_input,
+                error.what() + (place ? " (given in " + *place + ")" : std::string()));
   } catch (const DeviceError& error) {
     return fail(ExitStatus::device_failed, error.what());
   } catch (const std::filesystem::filesystem_error& error) {

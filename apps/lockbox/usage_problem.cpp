@@ -67,15 +67,6 @@ std::string unexpected(const CLI::App& options, const std::string& argument) {
   return stray_value(options, argument);
 }
 
-/// Of the command, or of its subcommand that was chosen; null if there is none.
-const CLI::Option* option_called(const CLI::App& options, const std::string& name) {
-  const CLI::Option* option = options.get_option_no_throw(name);
-  for (const CLI::App* chosen : options.get_subcommands()) {
-    if (option == nullptr) option = chosen->get_option_no_throw(name);
-  }
-  return option;
-}
-
 /// `problem` is what CLI11 says: "--model: 1 required FILE missing", "--model: At Most 1 ...".
 std::string wrong_count(const CLI::App& options, const std::string& problem) {
   const std::string name = problem.substr(0, problem.find(':'));
@@ -111,6 +102,14 @@ std::string wrong_pair(const std::string& problem) {
 
 }  // namespace
 
+const CLI::Option* option_called(const CLI::App& options, const std::string& name) {
+  const CLI::Option* option = options.get_option_no_throw(name);
+  for (const CLI::App* chosen : options.get_subcommands()) {
+    if (option == nullptr) option = chosen->get_option_no_throw(name);
+  }
+  return option;
+}
+
 std::string usage_problem(const CLI::App& options, const CLI::ParseError& error) {
   constexpr bool kOfSubcommandsToo = true;
   const auto unused = options.remaining(kOfSubcommandsToo);
@@ -125,11 +124,12 @@ std::string usage_problem(const CLI::App& options, const CLI::ParseError& error)
   return unexpected(options, option != unused.end() ? *option : unused.front());
 }
 
-std::string configuration_problem(const CLI::App& options, const CLI::ConfigError& error) {
-  const std::string problem = error.what();
-  const std::string key = problem.substr(problem.rfind(' ') + 1);
+std::string key_problem(const CLI::App& options, const std::string& key) {
   if (key.ends_with("++") || key.ends_with("--") || key.starts_with('[')) {
     return "[sections] are not read; give the options of one command as lines `name = value`";
+  }
+  if (option_called(options, "--" + key) != nullptr) {
+    return "--" + key + " belongs on the command line";
   }
   return "there is no option " + in_quotes(key) +
          "; keys are the long names of this command's options, without dashes" +

@@ -10,7 +10,11 @@ namespace lockbox::app {
 /// first: that an option is missing mostly follows from it.
 std::string usage_problem(const CLI::App& options, const CLI::ParseError& error);
 
-/// The same for a file of options.
-std::string configuration_problem(const CLI::App& options, const CLI::ConfigError& error);
+/// What is wrong with a key of a file of options, as CLI11 names it in its error.
+std::string key_problem(const CLI::App& options, const std::string& key);
+
+/// The option of the command, or of its subcommand that was chosen, with this name, dashes
+/// included; null if there is none.
+const CLI::Option* option_called(const CLI::App& options, const std::string& name);
 
 }  // namespace lockbox::app

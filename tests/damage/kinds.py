@@ -52,6 +52,14 @@ frames: {rate: 20, repeated: 0.1, missing: 0.1}
 """
 
 
+OPTIONS = """threads = 2
+iterations = 4
+sensor = "stereo"
+collision = literal
+fixed-base = true
+"""
+
+
 @dataclasses.dataclass(frozen=True)
 class Kind:
     name: str
@@ -107,6 +115,8 @@ KINDS = [
     Kind("tum", mutation.text, ["run/base.tum"],
          [["evaluate", "--estimate", "{folder}/run/states.csv", "--reference", "{target}"]]),
     Kind("run", mutation.text, ["run/run.yaml"], [EVALUATE]),
+    Kind("config", mutation.text, ["options.ini"],
+         [_track("{folder}/images", "--config", "{target}")], TRACKED),
     Kind("cache", mutation.binary, ["one_field/lockbox/*.field"],
          [["inspect", "--model", "rigid_block"]], cache="one_field"),
 ]
@@ -183,6 +193,7 @@ def write_sound_files(folder):
     (folder / "door.urdf").write_text(DOOR)
     (folder / "door.yaml").write_text(DOOR_PARAMETERS)
     (folder / "deviation.yaml").write_text(DEVIATION)
+    (folder / "options.ini").write_text(OPTIONS)
     for file in ["scenes/room.yaml", "scenes/room_with_person.yaml", "sensors/stereo.yaml",
                  "sensors/time-of-flight-biased.yaml"]:
         shutil.copy(SHARE / file, folder)

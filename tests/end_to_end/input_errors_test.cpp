@@ -156,31 +156,6 @@ TEST(Model, AsLargeAsAHallKeepsWithinTheMemory) {
   EXPECT_THAT(result.errors, HasSubstr("15 m large"));
 }
 
-TEST(Configuration, WithUnknownKeysOrMissingIsRefused) {
-  const TemporaryFolder folder;
-  const auto file = (folder / "options.toml").string();
-  EXPECT_EQ(run_tool({"inspect", "--config", file}).status, 3);
-  write_text(file, "model = \"rigid_block\"\nmodle = \"x\"\n");
-  const auto result = run_tool({"inspect", "--config", file});
-  EXPECT_EQ(result.status, 3);
-  EXPECT_THAT(result.errors, HasSubstr(file));
-  EXPECT_THAT(result.errors, HasSubstr("there is no option 'modle'"));
-  EXPECT_THAT(result.errors, HasSubstr("did you mean model?"));
-  write_text(file, "[inspect]\nmodel = \"rigid_block\"\n");
-  EXPECT_THAT(run_tool({"inspect", "--config", file}).errors, HasSubstr("[sections] are not read"));
-  EXPECT_THAT(run_tool({"inspect", "--config", "no.toml"}).errors, HasSubstr("no such file"));
-}
-
-TEST(Configuration, GivesOptionsTheirValues) {
-  const TemporaryFolder folder;
-  const auto file = (folder / "options.toml").string();
-  const auto picture = folder / "picture.png";
-  write_text(file, "model = \"rigid_block\"\npicture = \"" + picture.string() + "\"\n");
-  const auto result = run_tool({"inspect", "--config", file});
-  EXPECT_EQ(result.status, 0) << result.errors;
-  EXPECT_TRUE(std::filesystem::exists(picture));
-}
-
 TEST(Recording, ThatIsTheSourceIsNotOverwritten) {
   const TemporaryFolder folder;
   simulate_block(folder);

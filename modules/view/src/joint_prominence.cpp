@@ -16,14 +16,33 @@ namespace {
 constexpr double kSurfaceSamples = 200.0;  // of each body's surface
 constexpr int kRangeSteps = 4;             // of a joint's range
 
-/// Of a point to the nearest body that stays, metres.
-double distance_to_resting(const ArticulatedModel& model, const std::vector<std::uint8_t>& moved,
-                           const std::vector<Eigen::Isometry3d>& poses, const Eigen::Vector3d& p) {
-  float least = std::numeric_limits<float>::infinity();
-  for (std::size_t b = 0; b < moved.size(); ++b) {
+/// A body that stays, as it is looked up.
+struct RestingBody {
+  const SignedDistanceField* field;
+  Eigen::Isometry3d T_body_base;
+};
+
+/// Those after the others in the tree come first: they are nearest to what a joint moves.
+std::vector<RestingBody> resting_bodies(const ArticulatedModel& model,
+                                        const std::vector<std::uint8_t>& moved,
+                                        const std::vector<Eigen::Isometry3d>& poses) {
+  std::vector<RestingBody> resting;
+  for (std::size_t b = moved.size(); b-- > 0;) {
     if (moved[b] != 0 || !model.fields[b]) continue;
-    const Eigen::Vector3f p_body = (poses[b].inverse() * p).cast<float>();
-    least = std::min(least, model.fields[b]->sample(p_body).distance);
+    resting.push_back({&*model.fields[b], poses[b].inverse()});
+  }
+  return resting;
+}
+
+/// Of a point to the nearest of these bodies, metres; some distance that is no larger than `enough`
+/// where that is none.
+double distance_to_resting(const std::vector<RestingBody>& resting, const Eigen::Vector3d& p,
+                           double enough) {
+  float least = std::numeric_limits<float>::infinity();
+  for (const RestingBody& body : resting) {
+    const Eigen::Vector3f p_body = (body.T_body_base * p).cast<float>();
+    least = std::min(least, body.field->sample(p_body).distance);
+    if (static_cast<double>(least) <= enough) break;
   }
   return static_cast<double>(least);
 }
@@ -38,17 +57,19 @@ std::vector<std::vector<SurfaceSample>> sample_bodies(const KinematicTree& tree)
   return samples;
 }
 
+/// The larger one of `farthest` and the distance in this configuration. In a chain the last bodies
+/// stand out most: from the end of the tree, most samples need a single look-up.
 double prominence_at(const ArticulatedModel& model, const std::vector<std::uint8_t>& moved,
                      const std::vector<std::vector<SurfaceSample>>& samples,
-                     const Configuration& configuration) {
+                     const Configuration& configuration, double farthest) {
   std::vector<Eigen::Isometry3d> poses;
   forward_kinematics(model.tree, configuration, poses);
-  double farthest = 0.0;
-  for (std::size_t b = 0; b < moved.size(); ++b) {
+  const std::vector<RestingBody> resting = resting_bodies(model, moved, poses);
+  for (std::size_t b = moved.size(); b-- > 0;) {
     if (moved[b] == 0) continue;
     for (const SurfaceSample& sample : samples[b]) {
-      farthest =
-          std::max(farthest, distance_to_resting(model, moved, poses, poses[b] * sample.position));
+      const Eigen::Vector3d p = poses[b] * sample.position;
+      farthest = std::max(farthest, distance_to_resting(resting, p, farthest));
     }
   }
   return farthest;
@@ -67,8 +88,7 @@ Eigen::VectorXd joint_prominences(const ArticulatedModel& model) {
     const std::vector<std::uint8_t> moved = moved_bodies(tree, v);
     for (const double position : positions_in(variable_range(tree, v), kRangeSteps)) {
       configuration.q[v] = position;
-      prominences[v] =
-          std::max(prominences[v], prominence_at(model, moved, samples, configuration));
+      prominences[v] = prominence_at(model, moved, samples, configuration, prominences[v]);
     }
     configuration.q[v] = rest[v];
   }
