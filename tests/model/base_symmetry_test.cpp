@@ -29,6 +29,26 @@ TEST(BaseSymmetries, OfALampAreThoseOfItsFoot) {
   EXPECT_GE(find_base_symmetries(model).size(), 24U);
 }
 
+TEST(RoundAxes, AreOneOfACanAndAllOfABallOrOfNothing) {
+  const TemporaryFolder folder;
+  const auto axes_of = [&](const std::string& visual) {
+    const std::string text = R"(<robot name="part"><link name="part">)" + visual +
+                             R"(</link><link name="knob"><visual><geometry>
+  <box size="0.02 0.02 0.02"/></geometry></visual></link><joint name="fix" type="prismatic">
+  <parent link="part"/><child link="knob"/><limit lower="0" upper="1" effort="1" velocity="1"/>
+</joint></robot>)";
+    return load_model(folder.write("part.urdf", text), {}).round_axes;
+  };
+  const std::string can =
+      R"(<visual><origin rpy="1.5707963267948966 0 0"/><geometry><cylinder radius="0.04" length="0.1"/></geometry></visual>)";
+  ASSERT_EQ(axes_of(can).size(), 1U);
+  EXPECT_NEAR(std::abs(axes_of(can).front().y()), 1.0, 1e-6);
+  EXPECT_TRUE(
+      axes_of(R"(<visual><geometry><box size="0.1 0.1 0.2"/></geometry></visual>)").empty());
+  EXPECT_GE(axes_of(R"(<visual><geometry><sphere radius="0.05"/></geometry></visual>)").size(), 3U);
+  EXPECT_EQ(axes_of("").size(), 3U);
+}
+
 /// A can with a handle, which is an eighth of its surface.
 TEST(BaseSymmetries, OfAMugAreThoseOfMostOfIt) {
   const TemporaryFolder folder;

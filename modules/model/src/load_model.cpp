@@ -8,6 +8,7 @@
 #include "lockbox/mesh/simplify.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/model/cache_folder.hpp"
+#include "lockbox/model/symmetry.hpp"
 #include "model_fields.hpp"
 #include "model_parameters.hpp"
 
@@ -67,6 +68,7 @@ ArticulatedModel load_model(const std::filesystem::path& file, const LoadOptions
     body.mesh = drawn_mesh(body.mesh, *model.fields[b]);
   }
   require_geometry(model);
+  model.round_axes = find_round_axes(model);
   return model;
 }
 

@@ -165,6 +165,28 @@ std::vector<Eigen::Isometry3d> find_base_symmetries(const ArticulatedModel& mode
   return symmetries_of(ModelSurface(model, rest_configuration(model.tree), 1), tolerance, share);
 }
 
+std::vector<Eigen::Vector3d> find_round_axes(const ArticulatedModel& model, double tolerance) {
+  if (!model.fields.front()) {
+    return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+  }
+  const ModelSurface surface(model, rest_configuration(model.tree), 1);
+  const Eigen::Vector3d centre = surface.centre();
+  std::vector<Eigen::Vector3d> round;
+  const Eigen::Matrix<double, 3, 6> axes = surface.axes();
+  for (const auto& axis : axes.colwise()) {
+    constexpr double kParallel = 0.999;  // cosine
+    const bool known = std::any_of(round.begin(), round.end(), [&](const Eigen::Vector3d& other) {
+      return std::abs(axis.dot(other)) > kParallel;
+    });
+    bool is_round = !known;
+    for (int turn = 1; turn < kTurns && is_round; ++turn) {
+      is_round = surface.is_kept_by(turned(centre, axis, turn), tolerance);
+    }
+    if (is_round) round.emplace_back(axis);
+  }
+  return round;
+}
+
 bool is_own_mirror_image(const ArticulatedModel& model, const Configuration& configuration,
                          double tolerance) {
   const ModelSurface surface(model, configuration, model.tree.bodies.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/registration/articulated_registration.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "descent.hpp"
@@ -11,6 +12,18 @@
 #include "size_meter.hpp"
 
 namespace lockbox {
+namespace {
+
+/// Of turns that change what is seen: not about the axes, of which two or more are those of a ball.
+double turning_sigma(const Eigen::Matrix3d& covariance,
+                     const std::vector<Eigen::Vector3d>& round_axes) {
+  if (round_axes.size() > 1) return 0.0;
+  Eigen::Matrix3d across = Eigen::Matrix3d::Identity();
+  for (const Eigen::Vector3d& axis : round_axes) across -= axis * axis.transpose();
+  return std::sqrt(std::max(0.0, (across * covariance * across).trace()));
+}
+
+}  // namespace
 
 /// The stages of an alignment, in the order in which align() calls them.
 struct ArticulatedRegistration::Stages {
@@ -114,6 +127,9 @@ void ArticulatedRegistration::Stages::report(const Descended& descended,
   result.sigma = covariance.sigma();
   result.sigma_of_noise = covariance.sigma_of_noise();
   result.observable = covariance.observable();
+  Eigen::Matrix3d turns = result.covariance.block<3, 3>(3, 3);
+  turns.diagonal() = result.sigma_of_noise.segment<3>(3).cwiseAbs2();
+  result.base_turning_sigma = turning_sigma(turns, model.round_axes);
   result.agreement = agreement.total();
   result.body_agreement = agreement.bodies();
   result.outline = agreement.outline();

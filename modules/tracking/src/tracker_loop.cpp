@@ -79,7 +79,7 @@ const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
     search(frame);
   }
   if (status_ == TrackingStatus::tracking) stop_searching();
-  report_size();
+  report_status();
   result_.step_time = step_watch.elapsed();
   result_.latency_ms = result_.cloud_time.wall_ms + result_.step_time.wall_ms;
   return result_;

@@ -68,7 +68,7 @@ class Tracker::Loop {
   void report(const RegistrationResult& registered);
   void report_belief(const RegistrationResult& registered, TrackingStatus before);
   double belief_by_image(const Configuration& configuration);
-  void report_size();
+  void report_status();
   void report_nothing();
 
   const ArticulatedModel& model_;
@@ -94,6 +94,7 @@ class Tracker::Loop {
   std::vector<int> sought_joints_;      ///< variables to be sought over their whole range
   JointMargins hidden_margins_;         ///< of those that were sought since they were hidden
   double rival_distance_ = 0.0;         ///< of what was last reported: until a search tells
+  double base_turning_sigma_ = 0.0;     ///< likewise
   RegistrationResult best_;             ///< of several tries at the same frame
   double belief_ = 0.0;                 ///< of what was last reported, where it was asked for
   std::vector<int> doubted_;            ///< variables whose parts contradicted that, in order

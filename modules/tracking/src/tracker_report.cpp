@@ -43,6 +43,7 @@ void Tracker::Loop::report(const RegistrationResult& registered) {
     std::sort(doubted_.begin(), doubted_.end());
   }
   rival_distance_ = registered.rival_distance;
+  base_turning_sigma_ = registered.base_turning_sigma;
   report_belief(registered, before);
 }
 
@@ -73,11 +74,14 @@ void Tracker::Loop::report_belief(const RegistrationResult& registered, Tracking
   }
 }
 
-/// What disagrees in size is followed as well as ever, but not to be trusted.
-void Tracker::Loop::report_size() {
+/// What disagrees in size, or is too small to tell how it is turned, is followed as well as ever,
+/// but not to be trusted.
+void Tracker::Loop::report_status() {
   result_.size = size_record_.mean();
-  const bool is_believed = status_ != TrackingStatus::tracking || !result_.size.is_implausible();
-  result_.status = is_believed ? status_ : TrackingStatus::uncertain;
+  const bool is_trusted =
+      base_turning_sigma_ <= options_.most_base_turning_sigma && !result_.size.is_implausible();
+  const bool is_tracking = status_ == TrackingStatus::tracking;
+  result_.status = is_tracking && !is_trusted ? TrackingStatus::uncertain : status_;
 }
 
 void Tracker::Loop::report_nothing() {

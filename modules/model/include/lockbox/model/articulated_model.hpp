@@ -46,6 +46,9 @@ struct ArticulatedModel {
   ModelParameters parameters;
   /// fields[b] belongs to tree.bodies[b]; empty for bodies without geometry.
   std::vector<std::optional<SignedDistanceField>> fields;
+  /// Unit axes in the base's frame about which the body of the base is round, as a bottle's is: its
+  /// surface does not tell how far it is turned about them. One, or those of a ball.
+  std::vector<Eigen::Vector3d> round_axes;
 };
 
 /// Reads the URDF (or a bare .obj/.stl/.ply: one body) with its meshes, without fields.

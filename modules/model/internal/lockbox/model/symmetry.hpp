@@ -21,6 +21,12 @@ std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model,
 std::vector<Eigen::Isometry3d> find_base_symmetries(const ArticulatedModel& model,
                                                     double share = 1.0, double tolerance = 0.0005);
 
+/// The axes, in the base's frame, about which the body of the base is round: turned about them by
+/// however much, its surface stays within the tolerance (metres). One for a bottle, several for a
+/// ball, and for a base of which nothing is seen.
+std::vector<Eigen::Vector3d> find_round_axes(const ArticulatedModel& model,
+                                             double tolerance = 0.0005);
+
 /// Whether the model, joints as in the configuration, looks the same in a mirror (within the
 /// tolerance, metres), however it is turned. Looked for among the mirrors normal to those axes,
 /// together with those turns.

@@ -53,6 +53,9 @@ struct RegistrationResult {
   Eigen::VectorXd sigma;           ///< standard deviations, square roots of its diagonal
   Eigen::VectorXd sigma_of_noise;  ///< the same, were the object exactly its model
   std::vector<bool> observable;    ///< by unknown: whether the data determines it
+  /// Radians, of the way the base is turned, were the object exactly its model; but for turns about
+  /// its round axes, after which it looks the same.
+  double base_turning_sigma = 0.0;
   Agreement agreement;
   std::vector<Agreement> body_agreement;  ///< by body
   OutlineAgreement outline;

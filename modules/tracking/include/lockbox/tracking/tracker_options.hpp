@@ -62,6 +62,9 @@ struct TrackerOptions {
   /// Metres, of the base's position as the frame tells it, what the object misfits included: the
   /// corner of a board in a wall fits. Half of what counts as right.
   double most_base_sigma = 0.01;
+  /// Radians, of the way the base is turned, by noise alone: a degree. Doubled, what is turned by
+  /// more than counts as right may be `tracking`; halved, more of what is small or far away is not.
+  double most_base_turning_sigma = 0.0175;
   /// Metres, of Candidate::rival_distance: something else may be right as well.
   double most_rival_distance = 0.005;
   /// Metres and radians: of a joint whose standard deviation is larger, three of which are 1 cm and
