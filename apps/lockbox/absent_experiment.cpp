@@ -5,13 +5,13 @@
 
 #include "absent_report.hpp"
 #include "absent_runs.hpp"
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
 #include "experiments.hpp"
-#include "interruption.hpp"
 #include "lockbox/evaluation/absent_room.hpp"
-#include "option_checks.hpp"
-#include "progress.hpp"
 #include "shard.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {

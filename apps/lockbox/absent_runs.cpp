@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "interruption.hpp"
+#include "command_line/interruption.hpp"
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/simulation/simulator.hpp"

@@ -11,14 +11,14 @@
 #include <numbers>
 #include <set>
 
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
 #include "experiments.hpp"
-#include "interruption.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "lockbox/evaluation/table.hpp"
 #include "lockbox/evaluation/unknowns.hpp"
-#include "option_checks.hpp"
-#include "progress.hpp"
 #include "shard.hpp"
 
 namespace lockbox::app {

@@ -3,21 +3,13 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "command.hpp"
+#include "command_line/command.hpp"
 
 namespace lockbox::app {
 
-struct CommandEntry {
-  std::string name;
-  std::string summary;
-  std::string example;
-  std::unique_ptr<Command> (*make)();
-};
-
-/// All subcommands, in the order in which help lists them.
-const std::vector<CommandEntry>& commands();
+/// The command of that name in the command list.
+std::unique_ptr<Command> make_command(const std::string& name);
 
 // One source each: <name>_command.cpp.
 std::unique_ptr<Command> make_track_command();

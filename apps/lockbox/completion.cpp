@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "declared_command.hpp"
-#include "option_checks.hpp"
+#include "command_line/declared_command.hpp"
+#include "command_line/option_checks.hpp"
+#include "commands.hpp"
 #include "option_text.hpp"
 
 namespace lockbox::app {
@@ -122,9 +123,9 @@ void write_bash_completion(std::ostream& out) {
          "# Completion of the command line of lockbox for bash, generated from its options.\n";
   Tables tables;
   std::vector<std::string> names;
-  for (const auto& entry : commands()) {
+  for (const auto& entry : command_list()) {
     names.push_back(entry.name);
-    const DeclaredCommand declared = declare(entry);
+    const DeclaredCommand declared = declare(entry, make_command(entry.name));
     tables.add("lockbox " + entry.name, *declared.options, names_of_subcommands(*declared.options));
   }
   tables.add_words("lockbox help", names);

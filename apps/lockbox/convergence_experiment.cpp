@@ -7,16 +7,16 @@
 #include <memory>
 #include <set>
 
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
 #include "convergence_runs.hpp"
 #include "experiments.hpp"
-#include "interruption.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/simulation/random_draws.hpp"
-#include "option_checks.hpp"
-#include "progress.hpp"
 #include "shard.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -8,11 +8,11 @@
 #include <iostream>
 #include <string>
 
+#include "command_line/option_checks.hpp"
 #include "experiments.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/table.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "option_checks.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -5,10 +5,11 @@
 #include <sstream>
 #include <string>
 
+#include "command_line/command_list.hpp"
+#include "command_line/whole_file.hpp"
 #include "commands.hpp"
 #include "completion.hpp"
 #include "manual_page.hpp"
-#include "whole_file.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -26,7 +27,7 @@ void write_text(const std::filesystem::path& file,
 void write_documents(const std::filesystem::path& share) {
   const auto pages = share / "man" / "man1";
   write_text(pages / "lockbox.1", write_overview_page);
-  for (const auto& entry : commands()) {
+  for (const auto& entry : command_list()) {
     write_text(pages / ("lockbox-" + entry.name + ".1"),
                [&](std::ostream& out) { write_manual_page(out, entry); });
   }

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "interruption.hpp"
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
 #include "lockbox/core/error.hpp"
-#include "option_checks.hpp"
-#include "progress.hpp"
 
 namespace lockbox::app {
 

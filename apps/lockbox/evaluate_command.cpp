@@ -4,6 +4,9 @@
 #include <iostream>
 #include <vector>
 
+#include "command_line/option_checks.hpp"
+#include "command_line/output_paths.hpp"
+#include "command_line/progress.hpp"
 #include "commands.hpp"
 #include "compared_files.hpp"
 #include "counted.hpp"
@@ -14,10 +17,7 @@
 #include "lockbox/evaluation/report.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "model_options.hpp"
-#include "option_checks.hpp"
-#include "output_paths.hpp"
 #include "plausible_states.hpp"
-#include "progress.hpp"
 
 namespace lockbox::app {
 namespace {

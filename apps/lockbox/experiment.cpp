@@ -7,10 +7,10 @@
 #include <sstream>
 #include <utility>
 
-#include "interruption.hpp"
+#include "command_line/interruption.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
 #include "lockbox/simulation/trajectory.hpp"
-#include "progress.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {

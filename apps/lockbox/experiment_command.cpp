@@ -2,13 +2,13 @@
 #include <iostream>
 #include <optional>
 
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/output_paths.hpp"
+#include "command_line/shipped_files.hpp"
 #include "commands.hpp"
 #include "experiments.hpp"
-#include "interruption.hpp"
 #include "lockbox/sensor/sensor_profile.hpp"
-#include "option_checks.hpp"
-#include "output_paths.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {

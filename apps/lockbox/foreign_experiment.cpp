@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Random furniture and puzzle boards that nobody tuned for, found without a guess.
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
 #include "drawn_objects_experiment.hpp"
 #include "experiments.hpp"
 #include "foreign_report.hpp"
-#include "interruption.hpp"
-#include "option_checks.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -4,12 +4,12 @@
 #include <map>
 #include <set>
 
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
 #include "experiments.hpp"
-#include "interruption.hpp"
 #include "lockbox/evaluation/global_experiment.hpp"
 #include "lockbox/evaluation/statistics.hpp"
-#include "option_checks.hpp"
-#include "progress.hpp"
 #include "shard.hpp"
 
 namespace lockbox::app {

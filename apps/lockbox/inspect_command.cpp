@@ -3,6 +3,8 @@
 #include <iomanip>
 #include <iostream>
 
+#include "command_line/option_checks.hpp"
+#include "command_line/output_paths.hpp"
 #include "commands.hpp"
 #include "contacts.hpp"
 #include "counted.hpp"
@@ -12,8 +14,6 @@
 #include "lockbox/visualization/model_painter.hpp"
 #include "lockbox/visualization/viewpoint.hpp"
 #include "model_options.hpp"
-#include "option_checks.hpp"
-#include "output_paths.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -6,16 +6,16 @@
 #include <iomanip>
 #include <iostream>
 
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
 #include "experiments.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/metrics.hpp"
 #include "lockbox/evaluation/table.hpp"
-#include "option_checks.hpp"
 #include "parameters.hpp"
 #include "possible_motion.hpp"
-#include "progress.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {

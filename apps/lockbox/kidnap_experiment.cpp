@@ -6,13 +6,13 @@
 #include <iomanip>
 #include <iostream>
 
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
 #include "experiments.hpp"
 #include "kidnap_runs.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "lockbox/evaluation/table.hpp"
-#include "option_checks.hpp"
-#include "progress.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -5,9 +5,9 @@
 #include <chrono>
 #include <thread>
 
+#include "command_line/shipped_files.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/simulation/random_draws.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -4,9 +4,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "command_line/output_paths.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/file_lock.hpp"
-#include "output_paths.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "declared_command.hpp"
-#include "option_checks.hpp"
+#include "command_line/declared_command.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/version.hpp"
+#include "commands.hpp"
 #include "option_text.hpp"
-#include "version.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -113,7 +114,7 @@ void write_exit_status(std::ostream& out, const std::string& footer) {
 
 void write_see_also(std::ostream& out, const std::string& page) {
   std::vector<std::string> pages = {"lockbox"};
-  for (const auto& entry : commands()) pages.push_back("lockbox-" + entry.name);
+  for (const auto& entry : command_list()) pages.push_back("lockbox-" + entry.name);
   std::erase(pages, page);
   out << ".SH SEE ALSO\n";
   for (const auto& other : pages) {
@@ -132,7 +133,7 @@ void write_overview_page(std::ostream& out) {
              "of its doors, drawers and sliders stands, with its uncertainty. The object is "
              "described by a URDF file with meshes")
       << ".SH COMMANDS\n";
-  for (const auto& entry : commands()) {
+  for (const auto& entry : command_list()) {
     out << ".TP\n.BR lockbox\\-" << escaped(entry.name) << " (1)\n" << paragraph(entry.summary);
   }
   out << ".SH FILES\n.TP\n.I share/lockbox/models\n"
@@ -143,7 +144,7 @@ void write_overview_page(std::ostream& out) {
 }
 
 void write_manual_page(std::ostream& out, const CommandEntry& entry) {
-  const DeclaredCommand declared = declare(entry);
+  const DeclaredCommand declared = declare(entry, make_command(entry.name));
   CLI::App& options = *declared.options;
   const auto subcommands = subcommands_of(options);
   const std::string page = "lockbox-" + entry.name;

@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "commands.hpp"
+#include "command_line/command_list.hpp"
 
 namespace lockbox::app {
 

@@ -8,19 +8,19 @@
 #include <optional>
 #include <set>
 
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
+#include "command_line/whole_file.hpp"
 #include "experiments.hpp"
-#include "interruption.hpp"
 #include "lockbox/evaluation/mismatch.hpp"
 #include "lockbox/evaluation/table.hpp"
 #include "lockbox/simulation/deviation_presets.hpp"
 #include "lockbox/simulation/scene_fit.hpp"
 #include "mismatch_report.hpp"
-#include "option_checks.hpp"
 #include "possible_motion.hpp"
-#include "progress.hpp"
 #include "shard.hpp"
-#include "shipped_files.hpp"
-#include "whole_file.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <iostream>
 
-#include "option_checks.hpp"
-#include "shipped_files.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/shipped_files.hpp"
 
 namespace lockbox::app {
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <iostream>
 
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
 #include "experiments.hpp"
 #include "lockbox/evaluation/table.hpp"
-#include "option_checks.hpp"
 #include "possible_motion.hpp"
-#include "progress.hpp"
-#include "shipped_files.hpp"
 #include "urdf_variant.hpp"
 
 namespace lockbox::app {

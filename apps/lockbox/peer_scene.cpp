@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "command_line/shipped_files.hpp"
 #include "experiment.hpp"
 #include "lockbox/core/units.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
 #include "experiments.hpp"
 #include "lockbox/core/error.hpp"
-#include "option_checks.hpp"
 #include "peer_figure.hpp"
 #include "peer_report.hpp"
 #include "peer_scene.hpp"
-#include "progress.hpp"
 
 namespace lockbox::app {
 namespace {

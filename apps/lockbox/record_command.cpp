@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
 
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/output_paths.hpp"
 #include "commands.hpp"
 #include "counted.hpp"
-#include "interruption.hpp"
 #include "lockbox/capture/oni_writer.hpp"
-#include "option_checks.hpp"
-#include "output_paths.hpp"
 #include "source_options.hpp"
 
 namespace lockbox::app {

@@ -7,13 +7,13 @@
 #include <iostream>
 #include <optional>
 
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
 #include "experiments.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/table.hpp"
-#include "option_checks.hpp"
-#include "progress.hpp"
-#include "shipped_files.hpp"
 
 namespace lockbox::app {
 namespace {

@@ -9,8 +9,8 @@
 #include <array>
 #include <cmath>
 
-#include "version.hpp"
-#include "whole_file.hpp"
+#include "command_line/version.hpp"
+#include "command_line/whole_file.hpp"
 
 namespace lockbox::app {
 namespace {

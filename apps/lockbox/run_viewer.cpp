@@ -5,7 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "interruption.hpp"
+#include "command_line/interruption.hpp"
 #include "lockbox/core/readable_text.hpp"
 #include "lockbox/visualization/joint_panel.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_writer.hpp"
+#include "command_line/output_paths.hpp"
 #include "lockbox/core/number_text.hpp"
-#include "output_paths.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "command_line/interruption.hpp"
 #include "drawn_objects_experiment.hpp"
 #include "experiments.hpp"
-#include "interruption.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/shapes_experiment.hpp"
 #include "lockbox/evaluation/statistics.hpp"

@@ -2,8 +2,12 @@
 #include <functional>
 #include <iostream>
 
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/output_paths.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
 #include "commands.hpp"
-#include "interruption.hpp"
 #include "lockbox/capture/camera_info.hpp"
 #include "lockbox/capture/depth_folder.hpp"
 #include "lockbox/capture/oni_writer.hpp"
@@ -16,13 +20,9 @@
 #include "lockbox/simulation/simulator.hpp"
 #include "locked_folder.hpp"
 #include "model_options.hpp"
-#include "option_checks.hpp"
-#include "output_paths.hpp"
 #include "plausible_states.hpp"
 #include "possible_motion.hpp"
-#include "progress.hpp"
 #include "run_origin.hpp"
-#include "shipped_files.hpp"
 #include "simulation_record.hpp"
 #include "simulation_states.hpp"
 #include "visibility_report.hpp"

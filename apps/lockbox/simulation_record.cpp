@@ -3,8 +3,8 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "version.hpp"
-#include "whole_file.hpp"
+#include "command_line/version.hpp"
+#include "command_line/whole_file.hpp"
 
 namespace lockbox::app {
 

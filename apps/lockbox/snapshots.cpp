@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "snapshots.hpp"
-#include "output_paths.hpp"
+#include "command_line/output_paths.hpp"
 
 #include <iomanip>
 #include <sstream>

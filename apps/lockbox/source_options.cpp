@@ -4,10 +4,10 @@
 #include <iostream>
 #include <utility>
 
-#include "interruption.hpp"
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
 #include "lockbox/capture/camera_info.hpp"
 #include "lockbox/capture/corrected_source.hpp"
-#include "option_checks.hpp"
 
 namespace lockbox::app {
 

@@ -4,10 +4,10 @@
 
 #include <optional>
 
+#include "command_line/option_checks.hpp"
+#include "command_line/progress.hpp"
+#include "command_line/shipped_files.hpp"
 #include "experiments.hpp"
-#include "option_checks.hpp"
-#include "progress.hpp"
-#include "shipped_files.hpp"
 #include "speed_runs.hpp"
 
 namespace lockbox::app {

@@ -5,20 +5,21 @@
 #include <map>
 #include <memory>
 
+#include "command_line/interruption.hpp"
+#include "command_line/nearest_name.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/output_paths.hpp"
+#include "command_line/progress.hpp"
 #include "commands.hpp"
 #include "estimated_sensor.hpp"
-#include "interruption.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
+#include "lockbox/publishing/publish_target.hpp"
 #include "lockbox/publishing/publisher.hpp"
 #include "locked_folder.hpp"
 #include "model_options.hpp"
-#include "nearest_name.hpp"
-#include "option_checks.hpp"
-#include "output_paths.hpp"
 #include "parameters.hpp"
 #include "plausible_states.hpp"
-#include "progress.hpp"
 #include "run_writer.hpp"
 #include "snapshots.hpp"
 #include "source_options.hpp"
@@ -43,6 +44,18 @@ Configuration first_state(const std::string& file, const KinematicTree& tree) {
   }
   require_plausible(file, tree, {states.states.front()});
   return states.states.front().configuration;
+}
+
+CLI::Validator publish_target_name() {
+  return {[](std::string& text) -> std::string {
+            try {
+              parse_publish_target(text);
+              return "";
+            } catch (const InputError& error) {
+              return error.what();
+            }
+          },
+          ""};
 }
 
 /// Throws InputError with the name that was meant.

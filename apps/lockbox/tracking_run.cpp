@@ -7,10 +7,10 @@
 #include <iostream>
 #include <utility>
 
+#include "command_line/interruption.hpp"
+#include "command_line/progress.hpp"
 #include "counted.hpp"
-#include "interruption.hpp"
 #include "lockbox/core/error.hpp"
-#include "progress.hpp"
 #include "published_output.hpp"
 #include "run_outputs.hpp"
 #include "search_report.hpp"

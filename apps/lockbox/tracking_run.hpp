@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "command.hpp"
+#include "command_line/command.hpp"
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/publishing/publisher.hpp"

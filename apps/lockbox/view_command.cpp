@@ -4,16 +4,16 @@
 #include <tuple>
 #include <utility>
 
+#include "command_line/interruption.hpp"
+#include "command_line/option_checks.hpp"
+#include "command_line/output_paths.hpp"
+#include "command_line/progress.hpp"
 #include "commands.hpp"
 #include "counted.hpp"
-#include "interruption.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/visualization/live_view.hpp"
 #include "model_options.hpp"
-#include "option_checks.hpp"
-#include "output_paths.hpp"
 #include "plausible_states.hpp"
-#include "progress.hpp"
 #include "run_viewer.hpp"
 #include "source_options.hpp"
 

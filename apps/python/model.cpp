@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "../lockbox/shipped_files.hpp"
+#include "../command_line/shipped_files.hpp"
 #include "bindings.hpp"
 #include "calls.hpp"
 #include "lockbox/core/error.hpp"

@@ -4,7 +4,8 @@
 #include <CLI/App.hpp>
 #include <memory>
 
-#include "commands.hpp"
+#include "command.hpp"
+#include "command_list.hpp"
 #include "option_file.hpp"
 
 namespace lockbox::app {
@@ -16,6 +17,7 @@ struct DeclaredCommand {
   std::shared_ptr<const OptionFile> option_file;
 };
 
-DeclaredCommand declare(const CommandEntry& entry);
+/// Declares the options of a command, and those that all commands have.
+DeclaredCommand declare(const CommandEntry& entry, std::unique_ptr<Command> command);
 
 }  // namespace lockbox::app

@@ -19,7 +19,6 @@ CLI::Validator table_name();                                      ///< ends in .
 CLI::Validator recording_name();  ///< ends in .oni, or no source would know it again
 CLI::Validator folder_name();     ///< neither that of a file of a known kind nor `-`
 CLI::Validator recording_or_folder_name();
-CLI::Validator publish_target_name();
 
 /// The names that values of the option must be one of; empty if it is no such option.
 std::vector<std::string> choices_of(CLI::Option& option);

@@ -11,7 +11,6 @@
 #include "lockbox/core/file_kind.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/parallel.hpp"
-#include "lockbox/publishing/publish_target.hpp"
 #include "nearest_name.hpp"
 
 namespace lockbox::app {
@@ -154,18 +153,6 @@ CLI::Validator recording_or_folder_name() {
   return {[](std::string& text) {
             return std::filesystem::path(text).extension() == ".oni" ? std::string()
                                                                      : problem_as_folder(text);
-          },
-          ""};
-}
-
-CLI::Validator publish_target_name() {
-  return {[](std::string& text) -> std::string {
-            try {
-              parse_publish_target(text);
-              return "";
-            } catch (const InputError& error) {
-              return error.what();
-            }
           },
           ""};
 }

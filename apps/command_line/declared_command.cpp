@@ -6,7 +6,7 @@
 
 namespace lockbox::app {
 
-DeclaredCommand declare(const CommandEntry& entry) {
+DeclaredCommand declare(const CommandEntry& entry, std::unique_ptr<Command> command) {
   auto owned = std::make_unique<CLI::App>(entry.summary, "lockbox " + entry.name);
   CLI::App& options = *owned;
   const auto option_file = std::make_shared<OptionFile>(options);
@@ -16,7 +16,7 @@ DeclaredCommand declare(const CommandEntry& entry) {
       ->type_name("FILE");
   options.allow_config_extras(CLI::config_extras_mode::error);
   options.option_defaults()->always_capture_default();
-  DeclaredCommand declared{entry.make(), std::move(owned), option_file};
+  DeclaredCommand declared{std::move(command), std::move(owned), option_file};
   declared.command->add_options(options);
   return declared;
 }
