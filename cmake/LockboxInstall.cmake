@@ -3,7 +3,7 @@
 # known to CMake and to pkg-config.
 include(CMakePackageConfigHelpers)
 
-install(DIRECTORY share/models share/scenes share/sensors
+install(DIRECTORY share/models share/peers share/scenes share/sensors
         DESTINATION ${CMAKE_INSTALL_DATADIR}/lockbox COMPONENT data)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lockbox)

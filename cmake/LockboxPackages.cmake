@@ -47,7 +47,7 @@ set(about_libraries "libraries that track articulated objects in depth images"
     "virtual depth camera and the recorder for OpenNI2, and the 3D viewer.")
 set(about_data "models, scenes and sensor profiles for lockbox"
     "Articulated objects as URDF files with meshes, scenes for simulated recordings,"
-    "and what is known of the noise of depth cameras.")
+    "what is known of the noise of depth cameras, and figures of another tracker.")
 set(about_development "headers of the libraries of lockbox"
     "For programs that track articulated objects, alone or in place of PCL's ICP."
     "CMake and pkg-config find the libraries.")

@@ -63,4 +63,12 @@ fs::path find_scene(const std::string& file_or_name) {
   return find(file_or_name, share_folder() / "scenes", file_or_name + ".yaml");
 }
 
+fs::path shipped_file(const std::string& name) {
+  const fs::path file = share_folder() / name;
+  if (!fs::is_regular_file(file)) {
+    throw InputError(file.string(), "this shipped file is missing; install lockbox completely");
+  }
+  return file;
+}
+
 }  // namespace lockbox::app

@@ -18,4 +18,7 @@ std::vector<std::string> shipped_scenes();
 /// The same for scenes: `room` stands for share/lockbox/scenes/room.yaml.
 std::filesystem::path find_scene(const std::string& file_or_name);
 
+/// A shipped file by its name below share/lockbox. Throws InputError if it is missing.
+std::filesystem::path shipped_file(const std::string& name);
+
 }  // namespace lockbox::app

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "called_program.hpp"
 #include "command_line/nearest_name.hpp"
 #include "command_line/program.hpp"
 #include "command_line/run_command.hpp"
 #include "command_line/version.hpp"
 #include "commands.hpp"
-#include "documents.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -38,17 +38,6 @@ ExitStatus refuse_command(const std::string& name) {
   return ExitStatus::wrong_usage;
 }
 
-/// For the build, which installs them: `lockbox --documents FOLDER`.
-ExitStatus write_documents_into(const std::vector<std::string>& folders) {
-  if (folders.size() != 1) return fail(ExitStatus::wrong_usage, "--documents needs one FOLDER");
-  try {
-    write_documents(folders.front());
-    return ExitStatus::done;
-  } catch (const std::exception& error) {
-    return fail(ExitStatus::invalid_input, folders.front() + ": " + error.what());
-  }
-}
-
 /// `lockbox track ...`; `lockbox help track` and `lockbox track help` mean `lockbox track --help`.
 ExitStatus dispatch(const std::vector<std::string>& arguments) {
   std::string name = arguments.empty() ? "" : arguments.front();
@@ -62,11 +51,11 @@ ExitStatus dispatch(const std::vector<std::string>& arguments) {
     name = options.front();
     options.front() = "--help";
   }
-  if (name == "--documents") return write_documents_into(options);
   if (name == "--version") {
     std::cout << "lockbox " << kVersion << '\n';
     return ExitStatus::done;
   }
+  if (name == "experiment") return become_program("lockbox-experiment", options);
   const CommandEntry* const entry = find_command(name);
   return entry != nullptr ? run_command(*entry, make_command(name), options) : refuse_command(name);
 }

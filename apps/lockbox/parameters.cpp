@@ -4,6 +4,8 @@
 #include <locale>
 #include <sstream>
 
+#include "lockbox/terms/collision_mode_name.hpp"
+
 namespace lockbox::app {
 namespace {
 
@@ -60,7 +62,7 @@ NamedValues registration_parameters(const RegistrationOptions& registration) {
       {"visible_odds", text(registration.visible_odds)},
       {"lambda_free", text(registration.lambda_free)},
       {"free_space_dead_zone", text(registration.free_space_dead_zone)},
-      {"collision", collision_mode_text(registration.collision)},
+      {"collision", mode_name(registration.collision)},
       {"lambda_collision", text(registration.lambda_collision)},
       {"collision_sigma", text(registration.collision_sigma)},
       {"erosion", text(registration.erosion)},
@@ -71,18 +73,6 @@ NamedValues registration_parameters(const RegistrationOptions& registration) {
 }
 
 }  // namespace
-
-std::string collision_mode_text(CollisionMode mode) {
-  switch (mode) {
-    case CollisionMode::off:
-      return "off";
-    case CollisionMode::literal:
-      return "literal";
-    case CollisionMode::eroded:
-      return "eroded";
-  }
-  return "";
-}
 
 NamedValues options_in_force(const CLI::App& options) {
   NamedValues values;

@@ -11,9 +11,6 @@ namespace lockbox::app {
 /// The options of a command as they are in force, defaults included, by their long names.
 NamedValues options_in_force(const CLI::App& options);
 
-/// The word of `--collision`.
-std::string collision_mode_text(CollisionMode mode);
-
 /// Every parameter of the tracker.
 NamedValues parameters_in_force(const TrackerOptions& options);
 

@@ -22,14 +22,6 @@ using testing::UnorderedElementsAre;
 const std::vector<std::string> kCommands = {"track",      "simulate", "record", "evaluate",
                                             "experiment", "inspect",  "view",   "devices"};
 
-/// The documents, written once for all tests.
-const std::filesystem::path& documents() {
-  static const TemporaryFolder folder;
-  static const ToolResult written = run_tool({"--documents", folder.path()});
-  EXPECT_EQ(written.status, 0) << written.errors;
-  return folder.path();
-}
-
 /// Runs it in bash; fails the test that expects success.
 ToolResult run_shell(const std::string& script) {
   const TemporaryFolder folder;
@@ -38,6 +30,14 @@ ToolResult run_shell(const std::string& script) {
                               " 2>" + (folder / "errors").string();
   const int status = std::system(command.c_str());
   return {status, read_text(folder / "output"), read_text(folder / "errors")};
+}
+
+/// The documents, written once for all tests.
+const std::filesystem::path& documents() {
+  static const TemporaryFolder folder;
+  static const ToolResult written = run_shell(LOCKBOX_DOCUMENTS " " + folder.path().string());
+  EXPECT_EQ(written.status, 0) << written.errors;
+  return folder.path();
 }
 
 /// As a reader sees it, on lines that are long enough to leave options whole.
@@ -158,9 +158,18 @@ TEST(Completion, KnowsTheOptionsOfExperiments) {
   EXPECT_THAT(proposed({"experiment", "global", "--seq"}), IsEmpty());
 }
 
+TEST(Completion, IsTheSameForTheProgramOfExperiments) {
+  const auto file = documents() / "bash-completion/completions/lockbox-experiment";
+  const auto result = run_shell("source " + file.string() +
+                                "\nCOMP_WORDS=(/usr/bin/lockbox-experiment peers --seq)\n"
+                                "COMP_CWORD=2\n_lockbox; printf '%s\\n' \"${COMPREPLY[@]}\"\n"
+                                "complete -p lockbox-experiment\n");
+  EXPECT_EQ(result.output, "--sequence\ncomplete -F _lockbox lockbox-experiment\n");
+}
+
 TEST(Documents, NeedAFolder) {
-  EXPECT_EQ(run_tool({"--documents"}).status, 2);
-  EXPECT_EQ(run_tool({"--documents", "/dev/null/x"}).status, 3);
+  EXPECT_EQ(WEXITSTATUS(run_shell(LOCKBOX_DOCUMENTS).status), 2);
+  EXPECT_EQ(WEXITSTATUS(run_shell(LOCKBOX_DOCUMENTS " /dev/null/x").status), 3);
 }
 
 }  // namespace

@@ -142,5 +142,32 @@ TEST(Experiment, WithoutANameIsRefused) {
   EXPECT_EQ(result.status, 2);
 }
 
+/// Of the tool and of the program that it calls.
+TEST(Experiment, SaysTheSameWhereverItIsCalled) {
+  const std::vector<std::vector<std::string>> calls = {
+      {"--help"}, {"help"}, {"peers", "--help"}, {"pears"}, {}};
+  for (const auto& call : calls) {
+    auto arguments = call;
+    const ToolResult own = Tool(arguments, {}, {}, LOCKBOX_EXPERIMENT).wait();
+    arguments.insert(arguments.begin(), "experiment");
+    const ToolResult called = run_tool(arguments);
+    EXPECT_EQ(called.status, own.status);
+    EXPECT_EQ(called.output, own.output);
+    EXPECT_EQ(called.errors, own.errors);
+  }
+}
+
+TEST(Experiment, IsOneProcessWithTheToolThatCallsIt) {
+  const TemporaryFolder folder;
+  const std::string output = folder / "out";
+  Tool tool({"experiment", "kidnap", "--model", "rigid_block", "--output", output});
+  while (!std::filesystem::exists(output)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_EQ(tool.program().filename(), "lockbox-experiment");
+  tool.send_signal(SIGTERM);
+  EXPECT_EQ(tool.wait().status, 128 + SIGTERM);
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -28,7 +28,7 @@ TEST(Peers, ComparesWithTheFiguresOfTheOtherTracker) {
   EXPECT_EQ(rows[6].at("tracker"), "lockbox fast");
   const auto trials = read_rows(folder / "out/peers_board_door_block_capture.csv");
   ASSERT_EQ(trials.size(), 10U);  // five kinds, with and without search
-  EXPECT_THAT(summary, HasSubstr("M3T best"));
+  EXPECT_THAT(summary, HasSubstr("M3T best       0.29 / 2.10 / 2.50    0.05 / - / 0.30  "));
   EXPECT_THAT(summary, HasSubstr("door 20 degrees"));
 }
 

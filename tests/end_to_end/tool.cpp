@@ -26,8 +26,8 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }  // namespace
 
 Tool::Tool(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
-           const std::filesystem::path& output) {
-  std::vector<std::string> command = {LOCKBOX_TOOL};
+           const std::filesystem::path& output, const std::string& program) {
+  std::vector<std::string> command = {program};
   command.insert(command.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = {std::string("XDG_CACHE_HOME=") + LOCKBOX_CACHE};
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -49,11 +49,11 @@ Tool::Tool(const std::vector<std::string>& arguments, const std::vector<std::str
   for (const int signal : {SIGHUP, SIGINT, SIGPIPE, SIGTERM}) sigaddset(&signals, signal);
   posix_spawnattr_setsigdefault(&own_group, &signals);
   posix_spawnattr_setflags(&own_group, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-  const int failure = posix_spawn(&process_, LOCKBOX_TOOL, &files, &own_group,
+  const int failure = posix_spawn(&process_, program.c_str(), &files, &own_group,
                                   pointers(command).data(), pointers(variables).data());
   posix_spawnattr_destroy(&own_group);
   posix_spawn_file_actions_destroy(&files);
-  if (failure != 0) throw std::runtime_error("cannot start " LOCKBOX_TOOL);
+  if (failure != 0) throw std::runtime_error("cannot start " + program);
 }
 
 void Tool::wait_for_handler(int signal) const {
@@ -70,6 +70,10 @@ void Tool::wait_for_handler(int signal) const {
 
 void Tool::send_signal(int signal) const {
   kill(-process_, signal);
+}
+
+std::filesystem::path Tool::program() const {
+  return std::filesystem::read_symlink("/proc/" + std::to_string(process_) + "/exe");
 }
 
 ToolResult Tool::wait() {

@@ -17,14 +17,15 @@ struct ToolResult {
   std::string errors;
 };
 
-/// The lockbox tool, started with these arguments; standard input is empty.
+/// The lockbox tool, or another program, started with these arguments; standard input is empty.
 class Tool {
  public:
   /// environment: additional "NAME=value" entries. output: what standard output goes into; a file
   /// of its own if empty.
   explicit Tool(const std::vector<std::string>& arguments,
                 const std::vector<std::string>& environment = {},
-                const std::filesystem::path& output = {});
+                const std::filesystem::path& output = {},
+                const std::string& program = LOCKBOX_TOOL);
 
   /// Waits, at most some seconds, until the signal does what the tool wants it to: while that is
   /// being loaded the system would end it.
@@ -32,6 +33,9 @@ class Tool {
 
   /// To the tool and what it has started, as a terminal does.
   void send_signal(int signal) const;
+
+  /// The program that runs in its process by now.
+  std::filesystem::path program() const;
 
   ToolResult wait();
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "published_figures.hpp"
+
+#include <limits>
+
+#include "lockbox/core/yaml_map.hpp"
+
+namespace lockbox::app {
+namespace {
+
+constexpr double kNotRecorded = std::numeric_limits<double>::quiet_NaN();
+
+std::string word(const YamlMap& map, const char* key) {
+  map.require(key);
+  std::string value;
+  map.read(key, value);
+  return value;
+}
+
+double number(const YamlMap& map, const char* key) {
+  double value = kNotRecorded;
+  map.read(key, value);
+  return value;
+}
+
+ErrorSpread read_spread(const std::string& file, const YamlMap& row, const char* key) {
+  row.require(key);
+  const YamlMap map(file, row.node(key), {"median", "percentile_95", "maximum"});
+  return {number(map, "median"), number(map, "percentile_95"), number(map, "maximum")};
+}
+
+AccuracyRow read_accuracy(const std::string& file, const YAML::Node& node) {
+  const YamlMap row(file, node,
+                    {"sequence", "tracker", "base_mm", "base_degrees", "door_degrees", "slide_mm"});
+  return {word(row, "sequence"),
+          word(row, "tracker"),
+          read_spread(file, row, "base_mm"),
+          read_spread(file, row, "base_degrees"),
+          read_spread(file, row, "door_degrees"),
+          read_spread(file, row, "slide_mm")};
+}
+
+TimeRow read_times(const std::string& file, const YAML::Node& node) {
+  const YamlMap row(file, node, {"tracker", "median_ms", "percentile_95_ms", "cpu_median_ms"});
+  return {word(row, "tracker"), number(row, "median_ms"), number(row, "percentile_95_ms"),
+          number(row, "cpu_median_ms")};
+}
+
+CaptureRow read_capture(const std::string& file, const YAML::Node& node) {
+  const YamlMap row(file, node, {"kind", "fast", "best"});
+  return {word(row, "kind"), word(row, "fast"), word(row, "best")};
+}
+
+FastMotionRow read_fast_motion(const std::string& file, const YAML::Node& node) {
+  const YamlMap row(file, node, {"every", "fast", "best"});
+  row.require("every");
+  return {static_cast<int>(number(row, "every")), word(row, "fast"), word(row, "best")};
+}
+
+}  // namespace
+
+PublishedFigures read_published_figures(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  const YamlMap map(
+      name, load_yaml(file, "YAML"),
+      {"tracker", "source", "measured", "settings", "accuracy", "times", "capture", "fast_motion"});
+  PublishedFigures figures;
+  for (const auto& row : map.items("accuracy"))
+    figures.accuracy.push_back(read_accuracy(name, row));
+  for (const auto& row : map.items("times")) figures.times.push_back(read_times(name, row));
+  for (const auto& row : map.items("capture")) figures.capture.push_back(read_capture(name, row));
+  for (const auto& row : map.items("fast_motion")) {
+    figures.fast_motion.push_back(read_fast_motion(name, row));
+  }
+  return figures;
+}
+
+}  // namespace lockbox::app
