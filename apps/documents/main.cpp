@@ -2,9 +2,11 @@
 // Writes manual pages and the completion of the command line, for the build, which installs them:
 //   lockbox_documents FOLDER
 // The folder is laid out as `share` of an installation is: `man/man1/*.1`,
-// `bash-completion/completions/lockbox`.
+// `bash-completion/completions/lockbox`. And docs/parameters.md, to standard output:
+//   lockbox_documents --parameters FOLDER_OF_SOURCES
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <sstream>
 
 #include "command_line/command_list.hpp"
@@ -12,6 +14,7 @@
 #include "command_line/whole_file.hpp"
 #include "completion.hpp"
 #include "manual_page.hpp"
+#include "parameters_page.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -39,14 +42,17 @@ void write_documents(const fs::path& share) {
   fs::create_symlink("lockbox", completions / "lockbox-experiment");
 }
 
-ExitStatus run(const std::vector<std::string>& folders) {
-  if (folders.size() != 1) return fail(ExitStatus::wrong_usage, "lockbox_documents needs a FOLDER");
-  try {
-    write_documents(folders.front());
-    return ExitStatus::done;
-  } catch (const std::exception& error) {
-    return fail(ExitStatus::invalid_input, folders.front() + ": " + error.what());
+ExitStatus run(const std::vector<std::string>& arguments) try {
+  if (arguments.size() == 2 && arguments.front() == "--parameters") {
+    write_parameters_page(std::cout, arguments.back());
+  } else if (arguments.size() == 1 && !arguments.front().starts_with("-")) {
+    write_documents(arguments.front());
+  } else {
+    return fail(ExitStatus::wrong_usage, "usage: lockbox_documents [--parameters] FOLDER");
   }
+  return ExitStatus::done;
+} catch (const std::exception& error) {
+  return fail(ExitStatus::invalid_input, error.what());
 }
 
 }  // namespace

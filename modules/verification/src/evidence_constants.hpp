@@ -5,63 +5,72 @@
 
 namespace lockbox::evidence {
 
-/// Columns of the view that is looked at. Of a 640-column image a cell is then 2.7 pixels: as wide
-/// as the errors of neighbouring pixels are alike (SensorNoise::correlation_pixels), so that cells
-/// err by themselves. Doubled, they no longer do, and noise makes contours.
+/// The width of the view that is looked at. Unit: columns. Source: of a 640-column image a cell is
+/// then 2.7 pixels, as wide as the errors of neighbouring pixels are alike
+/// (SensorNoise::correlation_pixels), so that cells err by themselves. Doubled, cells no longer err
+/// by themselves, and noise makes contours.
 inline constexpr int kColumns = 240;
 
-/// Metres by which a built object differs from its drawing, along the ray and across it: woodwork
+/// What a built object differs by from its drawing along the ray. Unit: metres. Source: woodwork
 /// and printed parts. Doubled, parts that stand out by less than 24 mm no longer tell.
 inline constexpr double kModelTolerance = 0.004;
+/// The same across the ray. Unit: metres. Source: woodwork and printed parts. Doubled, parts that
+/// stand out by less than 24 mm no longer tell.
 inline constexpr double kOutlineTolerance = 0.005;
-/// Pixels of a 640-column image by which an outline is off for the camera's sake: its calibration,
-/// and what a sensor's window smears. Doubled, handles of two pixels no longer tell.
+/// What an outline is off by for the camera's sake, of a 640-column image. Unit: pixels. Source:
+/// its calibration, and what a sensor's window smears. Doubled, handles of two pixels no longer
+/// tell.
 inline constexpr double kOutlinePixels = 1.0;
 
-/// Nats of a straight contour that was foretold: where it lies and how it is turned, each to three
-/// cells of 240, and what begins there. Doubled, boxes pass for the model with half its edges.
+/// What a straight contour that was foretold tells. Unit: nats. Source: where it lies and how it is
+/// turned, each to three cells of 240, and what begins there. Doubled, boxes pass for the model
+/// with half its edges.
 inline constexpr double kLine = 10.0;
-/// Cells along a contour that make a line of it: fewer may be noise. Doubled, edges of 6 cm at 2 m
-/// tell half as much.
+/// So many along a contour make a line of it. Unit: cells. Source: fewer may be noise. Doubled,
+/// edges of 6 cm at 2 m tell half as much.
 inline constexpr double kLeastLine = 4.0;
-/// Contours of which one foretells the others: those of a box come in pairs, and more. Doubled, it
-/// takes twice as many to be as sure.
+/// Contours of which one foretells the others. Unit: contours. Source: those of a box come in
+/// pairs, and more. Doubled, it takes twice as many to be as sure.
 inline constexpr double kAlike = 2.5;
-/// The share of contours of the model at which the scene goes on as if there were none: something
-/// in flush contact with it. Doubled, such a line costs 0.7 nats less.
+/// The share of contours of the model at which the scene goes on as if there were none. Source:
+/// something in flush contact with it. Doubled, such a line costs 0.7 nats less.
 inline constexpr double kFlush = 0.02;
-/// The share of a contour's height at which the model bends, too: tolerances of both sides add to
-/// it, or take it away. Doubled, steps of the object that are a little higher than the model's, but
-/// not high enough there, speak against it.
+/// The share of a contour's height at which the model bends, too. Source: tolerances of both sides
+/// add to it, or take it away. Doubled, steps of the object that are a little higher than the
+/// model's, but not high enough there, speak against it.
 inline constexpr double kFaint = 0.5;
-/// The share of contours on the object's faces that its model lacks. Doubled, such a line costs 0.7
-/// nats less.
+/// The share of contours on the object's faces that its model lacks. Source: not recorded. Doubled,
+/// such a line costs 0.7 nats less.
 inline constexpr double kUnmodelled = 0.02;
 
-/// The share of cells beyond which a surface ends: contours in rooms, of which a cell of the view
-/// sees about one in thirty. Doubled, what is seen through a model costs 0.7 nats less where there
-/// is one.
+/// The share of cells beyond which a surface ends. Source: contours in rooms, of which a cell of
+/// the view sees about one in thirty. Doubled, what is seen through a model costs 0.7 nats less
+/// where there is one.
 inline constexpr double kContours = 0.03;
 /// The share of an object's visible cells that are measured wrong, or of which the object lacks
-/// what they show. Doubled, a window of cells that is seen through costs 0.7 nats less.
+/// what they show. Source: not recorded. Doubled, a window of cells that is seen through costs 0.7
+/// nats less.
 inline constexpr double kOutliers = 0.01;
-/// Cells of an image in which a sensor errs alike: of the square of the window that it compares, 11
-/// pixels of 640 across. Doubled, what is seen through the model costs half as much.
+/// Cells of an image in which a sensor errs alike. Unit: cells. Source: the square of the window
+/// that it compares, 11 pixels of 640 across. Doubled, what is seen through the model costs half as
+/// much.
 inline constexpr double kWindow = 16.0;
-/// Cells of a face that are off together, because the face is: 21 pixels of 640 across. Doubled, a
-/// face that is off by more than twice its tolerance costs half as much.
+/// Cells of a face that are off together, because the face is. Unit: cells. Source: 21 pixels of
+/// 640 across. Doubled, a face that is off by more than twice its tolerance costs half as much.
 inline constexpr double kFace = 64.0;
-/// Nats for each pair of neighbouring cells at which an occluder begins: what hides is connected,
-/// and as likely large as small. Doubled, an arm costs a visible object twice as much.
+/// What each pair of neighbouring cells costs at which an occluder begins. Unit: nats. Source: what
+/// hides is connected, and as likely large as small. Doubled, an arm costs a visible object twice
+/// as much.
 inline constexpr double kOccluderEdge = 0.09;
 
-/// Inverse depths that a sensor measures, 1/metre: from 0.35 m on.
+/// Inverse depths that a sensor measures. Unit: 1 / metre. Source: from 0.35 m on.
 inline constexpr double kInverseRange = 2.5;
-/// Standard deviations within which a cell agrees with what is foretold.
+/// Within it a cell agrees with what is foretold. Unit: standard deviations. Source: not recorded.
 inline constexpr double kAgree = 3.0;
 
-/// Places in a room of 4 m to 2 cm, and ways to be turned to 2 degrees: 8 million times 3 million,
-/// in nats. Doubled in number, 0.7 nats more.
+/// Places in a room and ways to be turned that can be told apart, the logarithm of their number.
+/// Unit: nats. Source: 4 m to 2 cm, and turns to 2 degrees: 8 million times 3 million. Doubled in
+/// number, 0.7 nats more.
 inline constexpr double kPlaces = 31.0;
 
 }  // namespace lockbox::evidence

@@ -4,17 +4,21 @@
 
 namespace lockbox {
 
-/// Standard deviations of a pixel, see kernels::PointNoise.
-/// The defaults are those of a PrimeSense-class sensor (75 mm baseline, 1/8 pixel disparity steps),
-/// as in share/sensors/primesense.yaml.
+/// Standard deviations of a pixel, see kernels::PointNoise. Source: share/sensors/primesense.yaml,
+/// a PrimeSense-class sensor (75 mm baseline, 1/8 pixel disparity steps).
 struct SensorNoise {
-  double depth_floor = 0.0003;      ///< metres
-  double depth_linear = 0.0;        ///< metres a metre
-  double depth_quadratic = 0.0021;  ///< 1 / metre
+  /// The standard deviation along the ray, at any depth. Unit: metres.
+  double depth_floor = 0.0003;
+  /// What it grows by with the depth. Unit: metres a metre.
+  double depth_linear = 0.0;
+  /// What it grows by with the square of the depth. Unit: 1 / metre.
+  double depth_quadratic = 0.0021;
+  /// The standard deviation across the ray. Unit: pixels.
   double lateral_pixels = 0.5;
   /// Of the standard deviation along the ray, what each pixel errs by itself. The rest it shares
   /// with its neighbours, correlated by exp(-r^2 / (2 correlation_pixels^2)).
   double own_share = 0.45;
+  /// How far these errors are alike. Unit: pixels.
   double correlation_pixels = 3.0;
 
   /// Along the ray at depth z, and across it with focal length fx: metres.

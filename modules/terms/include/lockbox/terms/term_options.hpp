@@ -7,18 +7,27 @@ namespace lockbox {
 
 /// What the terms that compare the model with the image are weighed by (docs/mathematics.md).
 struct TermOptions : ViewOptions {
-  double visible_odds = 20.0;  ///< of the body predicted in a pixel against others as near
-  double lambda_free = 3.0;    ///< the weight of free space; 0: it is not looked at
+  /// The odds of the body that is predicted in a pixel against others as near. Source: a block that
+  /// slides on a board, whose points held it back without (docs/mathematics.md).
+  double visible_odds = 20.0;
+  /// The weight of free space. 0: it is not looked at. Source: not recorded.
+  double lambda_free = 3.0;
 };
 
 enum class CollisionMode { off, literal, eroded };
 
 /// What bodies that penetrate each other are weighed by.
 struct CollisionOptions {
+  /// Whether penetration costs, and of which surfaces. Source: docs/experiments.md, `intersection`.
   CollisionMode collision = CollisionMode::eroded;
+  /// The weight of penetration against the data terms, whose pixels count by noise_correlation.
+  /// Source: not recorded.
   double lambda_collision = 1000.0;
-  double collision_sigma = 1e-4;  ///< metres, whitens the penetration depth
-  double erosion = 0.0015;        ///< metres, unless the model or a pair says otherwise
+  /// What penetration is divided by. Unit: metres. Source: not recorded.
+  double collision_sigma = 1e-4;
+  /// By so much bodies shrink before they can collide, unless the model or a pair says otherwise.
+  /// Unit: metres. Source: not recorded.
+  double erosion = 0.0015;
 };
 
 }  // namespace lockbox

@@ -15,77 +15,121 @@ struct SensorProfile;
 struct TrackerOptions {
   RegistrationOptions registration;
   CloudOptions cloud;
-  int threads = 0;  ///< 0: all cores
+  /// Threads of the tracker. 0: all cores. Unit: threads. Source: the user's, `--threads`.
+  int threads = 0;
 
-  /// Around a guess: first as it is, within a narrow gate; then the base alone, from where its
-  /// surfaces are start_spread off (metres), and the joints after it. Wide gates would turn and
-  /// slide parts onto each other.
-  double start_margin = 0.2;  ///< points farther from the expected object are left out, metres
+  // Around a guess: first as it is, within a narrow gate; then the base alone, from where its
+  // surfaces are start_spread off, and the joints after it. Wide gates would turn and slide parts
+  // onto each other.
+
+  /// Points farther from the expected object are left out while the base is found: table and walls.
+  /// Unit: metres. Source: not recorded.
+  double start_margin = 0.2;
+  /// How far off the base's surfaces may be at first. Unit: metres. Source: not recorded.
   double start_spread = 0.04;
+  /// Iterations in which the base comes to rest from there. Unit: iterations. Source: not recorded.
   int start_iterations = 30;
+  /// How far off joints may be where they are registered after the base: gates of several
+  /// centimetres turn a disk onto its neighbours. Unit: metres. Source: not recorded.
   double start_joint_spread = 0.005;
+  /// Iterations in which they come to rest from there. Unit: iterations. Source: not recorded.
   int start_joint_iterations = 10;
-  bool search_anywhere = true;  ///< where no guess helps, at the start and when lost
-  /// Seconds that a search may take from one frame, at 1.5 for each of its rounds and at least one
+  /// The whole frame is searched where no guess helps, at the start and when lost. Source: the tool
+  /// is meant to need no guess.
+  bool search_anywhere = true;
+  /// What a search may take from one frame, at 1.5 seconds for each of its rounds and at least one
   /// round: one that needs more goes on in later frames (docs/initialization.md). No clock decides
   /// it, so that a recording gives the same each time. Not in the background, where no frame waits.
+  /// Unit: seconds. Source: the user's, `--search-limit`, which is 1.5 unless told.
   double search_limit = std::numeric_limits<double>::infinity();
   /// Frames do not wait for searches, which then go on in a thread of their own: for live sources.
-  /// What a recording gives depends on the clock with it, and not without.
+  /// What a recording gives depends on the clock with it, and not without. Source: whether the
+  /// source is live.
   bool background_search = false;
   /// Where the first search finds nothing and the frame does not tell why, other readings of it are
-  /// tried (search_failure.hpp), which takes some seconds. Not in the background.
+  /// tried (search_failure.hpp), which takes some seconds. Not in the background. Source: whether
+  /// the user is told, no `--quiet`.
   bool try_other_readings = false;
-  /// Among them depths in another unit: only where nobody has said which one it is.
+  /// Among them depths in another unit: only where nobody has said which one it is. Source: whether
+  /// the source says it.
   bool try_other_units = true;
   /// Ends searches, which may take a minute: process() then throws Stopped within some tenths of a
   /// second. Frames that need no search are not stopped.
   StopRequest stop_request = nullptr;
 
-  /// The iterations of a frame are few because predictions are good. After one that was not,
-  /// surfaces still move by more than noise moves them: then so many more follow, in as many
-  /// rounds, until the last one of a round moves them by less than that (metres).
+  // The iterations of a frame are few because predictions are good. After one that was not, more
+  // follow in rounds.
+
+  /// Surfaces that the last iteration of a round moves by less are at rest. Unit: metres. Source:
+  /// more than noise moves them by.
   double resting_move = 0.001;
+  /// Iterations of each further round. Unit: iterations. Source: steps of 3 cm in a board's plane,
+  /// of which three iterations did not reach the end.
   int further_iterations = 6;
+  /// Further rounds, at most. Unit: rounds. Source: the same.
   int most_rounds = 8;
 
-  /// `tracking` needs at least these shares of the visible surface: explained of all of it, and of
-  /// the part that is explained or contradicted; of each body, too, for or against which at least
-  /// so many pixels speak. Right bodies reach 0.93.
+  // What `tracking` needs.
+
+  /// The share of the visible surface that is explained. Below half of it the object is `lost`.
+  /// Source: not recorded.
   double least_explained = 0.15;
+  /// The explained share of what is explained or contradicted. Source: a cabinet a quarter turn off
+  /// reaches 0.89, right bodies 0.93.
   double least_agreement = 0.9;
+  /// The same of each body, for or against which at least least_body_pixels speak. Source: not
+  /// recorded.
   double least_body_agreement = 0.75;
+  /// So many must speak for or against a body before it is judged by itself. Unit: pixels. Source:
+  /// not recorded.
   double least_body_pixels = 80.0;
-  double most_patches_behind = 0.03;  ///< of what speaks for or against a body: patches behind it
-  double most_continued = 0.85;  ///< of the outline: there the scene goes on as the model's surface
-  double most_last_move = 0.003;  ///< metres: surfaces that still move are not where they belong
-  /// Metres, of the base's position as the frame tells it, what the object misfits included: the
-  /// corner of a board in a wall fits. Half of what counts as right.
+  /// Of what speaks for or against a body, the share of patches behind it. Source: none of 585 and
+  /// 200 frames of fast motion and of steps was trusted wrongly with it.
+  double most_patches_behind = 0.03;
+  /// The share of the outline at which the scene goes on as the model's surface. Source: not
+  /// recorded.
+  double most_continued = 0.85;
+  /// Surfaces that the last iteration moves farther are not where they belong. Unit: metres.
+  /// Source: steps of 3 cm in a board's plane, of which 65 of 100 frames were trusted wrongly
+  /// without.
+  double most_last_move = 0.003;
+  /// The standard deviation of the base's position as the frame tells it, what the object misfits
+  /// included: the corner of a board in a wall fits. Unit: metres. Source: half of what counts as
+  /// right (docs/experiments.md).
   double most_base_sigma = 0.01;
-  /// Radians, of the way the base is turned, by noise alone: a degree. Doubled, what is turned by
-  /// more than counts as right may be `tracking`; halved, more of what is small or far away is not.
+  /// The standard deviation of the way the base is turned, by noise alone. Unit: radians. Source: a
+  /// degree, half of what counts as right. Doubled, what is turned by more than counts as right may
+  /// be `tracking`; halved, more of what is small or far away is not.
   double most_base_turning_sigma = 0.0175;
-  /// Metres, of Candidate::rival_distance: something else may be right as well.
+  /// Of Candidate::rival_distance: beyond it something else may be right as well. Unit: metres.
+  /// Source: docs/verification.md; what is a metre away and one in 40,000 makes so much.
   double most_rival_distance = 0.005;
-  /// Metres and radians: of a joint whose standard deviation is larger, three of which are 1 cm and
-  /// 5 degrees, the position is not reported as known.
+  /// A joint that slides and whose standard deviation is larger is not reported as known. Unit:
+  /// metres. Source: a third of the 1 cm that counts as right (docs/experiments.md).
   double most_sliding_sigma = 0.0033;
+  /// The same of a joint that turns. Unit: radians. Source: a third of the 5 degrees that count as
+  /// right.
   double most_turning_sigma = 0.029;
-  /// What is believed more than that is the object (lockbox/verification/belief.hpp): a part that
-  /// contradicts the image is not known then, all else is; and what a search finds is kept even
-  /// where it would drift off if gates were wider.
+  /// What is believed more is the object (lockbox/verification/belief.hpp): a part that contradicts
+  /// the image is not known then, all else is; and what a search finds is kept even where it would
+  /// drift off if gates were wider. Source: not recorded.
   double convincing_belief = 0.999;
-  /// Two seconds; to ask the image takes as long as a frame. Doubled, belief lags twice as long
-  /// behind what has become of the object while its status stays the same.
+  /// To ask the image takes as long as a frame. Doubled, belief lags twice as long behind what has
+  /// become of the object while its status stays the same. Unit: frames. Source: asked seldom
+  /// enough that one frame in twenty is not slower; two seconds.
   int frames_between_beliefs = 60;
+  /// Alternatives that are reported. Unit: answers. Source: not recorded.
   std::size_t most_alternatives = 3;
   /// A joint that was sought over its whole range, while less than this share of what it moves is
-  /// explained, is known only where so many pixels more (of JointMargins) speak for its position
-  /// than for any other. Of five wrong joints in 1000 random scenes four were such, and one in
-  /// ninety of the right ones.
+  /// explained, is known only by least_margin_of_hidden. Source: of five wrong joints in 1000
+  /// random scenes four were such, and one in ninety of the right ones.
   double least_of_sought_body = 0.5;
+  /// By so many more (of JointMargins) must the image speak for its position than for any other.
+  /// Unit: pixels. Source: the same scenes.
   double least_margin_of_hidden = 25.0;
-  double lost_agreement = 0.60;  ///< below it, or below half of least_explained: `lost`
+  /// The explained share of what is explained or contradicted, below which the object is `lost`.
+  /// Source: not recorded.
+  double lost_agreement = 0.60;
 };
 
 /// The noise, its correlation and the range of depths are the sensor's from now on.
