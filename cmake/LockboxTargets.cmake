@@ -27,6 +27,12 @@ if(LOCKBOX_SANITIZE)
   # with another function.
   add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
+if(LOCKBOX_BUILD_FUZZERS)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "LOCKBOX_BUILD_FUZZERS needs Clang: cmake --preset fuzz")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link)  # what inputs reach, all of the library counts
+endif()
 math(EXPR LOCKBOX_TEST_TIMEOUT "300 * ${LOCKBOX_SLOWDOWN}")  # seconds
 
 # The build folder is laid out as an installation is (LockboxHardening.cmake). Programs and libraries

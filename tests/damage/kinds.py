@@ -135,8 +135,8 @@ def _faces():
     return vertices, faces
 
 
-def write_meshes(folder):
-    vertices, faces = _faces()
+def write_meshes(folder, vertices, faces):
+    """Text and binary .stl and .ply files."""
     corners = [[vertices[index] for index in face] for face in faces]
     (folder / "text.stl").write_text("solid block\n" + "".join(
         "facet normal 0 0 0\nouter loop\n" +
@@ -154,7 +154,6 @@ def write_meshes(folder):
         header.format("binary_little_endian").encode() +
         b"".join(struct.pack("<3f", *vertex) for vertex in vertices) +
         b"".join(struct.pack("<B3i", 3, *face) for face in faces))
-    shutil.copy(SHARE / "models/rigid_block/meshes/block.obj", folder)
 
 
 def clouds(stride):
@@ -197,7 +196,8 @@ def write_sound_files(folder):
     for file in ["scenes/room.yaml", "scenes/room_with_person.yaml", "sensors/stereo.yaml",
                  "sensors/time-of-flight-biased.yaml"]:
         shutil.copy(SHARE / file, folder)
-    write_meshes(folder)
+    shutil.copy(SHARE / "models/rigid_block/meshes/block.obj", folder)
+    write_meshes(folder, *_faces())
     _write_clouds(folder / "clouds")
     simulated = ["simulate", "--model", "rigid_block", "--trajectory", "auto", "--frames", 3,
                  "--camera-info", folder / "camera.yaml", "--quiet", "--output"]

@@ -92,7 +92,7 @@ def _change_blocks(blocks, random):
     return blocks
 
 
-def _oni_records(data):
+def oni_records(data):
     """The records of a sound recording, header, fields and payload (docs/file-formats.md)."""
     records, begin = [], ONI_HEADER
     while begin < len(data):
@@ -121,7 +121,7 @@ def recording(data, random):
     if way == "header":
         return binary(data[:ONI_HEADER], random) + data[ONI_HEADER:]
     change = (lambda b, r: _change_one(b, r, 28)) if way == "record" else _change_blocks
-    return data[:ONI_HEADER] + b"".join(change(_oni_records(data), random))
+    return data[:ONI_HEADER] + b"".join(change(oni_records(data), random))
 
 
 def _png_chunks(data):

@@ -6,6 +6,7 @@
 
 #include "image_limits.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
@@ -14,7 +15,7 @@ namespace {
 constexpr std::uintmax_t kMaximumCalibrationBytes = 1U << 20U;  // a calibration has some hundreds
 
 std::string text_of(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) {
+  if (!is_file(file)) {
     throw InputError(file.string(),
                      "no such file; a camera calibration (ROS camera_info.yaml) is needed");
   }

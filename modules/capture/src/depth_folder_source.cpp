@@ -5,6 +5,7 @@
 #include "depth_plausibility.hpp"
 #include "lockbox/capture/depth_folder.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "png16.hpp"
 #include "rectification.hpp"
@@ -21,7 +22,7 @@ CameraCalibration calibration_of(const std::filesystem::path& folder,
     return *given;
   }
   const std::filesystem::path beside = folder / "camera_info.yaml";
-  if (!std::filesystem::exists(beside)) {
+  if (!is_there(beside)) {
     throw InputError(
         folder.string(),
         "the camera is unknown: put a camera_info.yaml (ROS camera calibration) beside "

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "natural_order.hpp"
 #include "stamps_in_seconds.hpp"
@@ -29,7 +30,7 @@ std::optional<DepthIndexEntry> parse_entry(std::string_view text,
 
 std::vector<DepthIndexEntry> read_entries(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in || !std::filesystem::is_regular_file(file)) {
+  if (!in || !is_file(file)) {
     throw InputError(file.string(), "no such file, or it cannot be read");
   }
   if (std::filesystem::file_size(file) > kMaximumIndexBytes) {

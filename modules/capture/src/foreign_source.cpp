@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/file_kind.hpp"
 
 namespace lockbox {
@@ -71,7 +72,7 @@ constexpr std::array kKinds{
 }  // namespace
 
 std::optional<std::string> foreign_file(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) {
+  if (!is_file(file)) {
     return std::nullopt;
   }
   if (first_bytes(file).starts_with("NI10")) {
@@ -87,7 +88,7 @@ std::optional<std::string> foreign_file(const std::filesystem::path& file) {
 std::string foreign_folder(const std::filesystem::path& folder) {
   std::string text =
       "this folder holds neither a depth.txt (a depth image sequence) nor .pcd files";
-  if (std::filesystem::exists(folder / "metadata.yaml")) {
+  if (is_there(folder / "metadata.yaml")) {
     return text + "; it looks like a ROS 2 bag: " + kBagAdvice;
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -103,7 +104,7 @@ std::string foreign_folder(const std::filesystem::path& folder) {
     if (extension == ".ply") {
       return text + ", but PLY files (" + name + "); convert organized clouds with pcl_ply2pcd";
     }
-    if (entry.is_directory() && std::filesystem::exists(entry.path() / "depth.txt")) {
+    if (entry.is_directory() && is_there(entry.path() / "depth.txt")) {
       return text + "; the folder " + name + " in it does: give that one";
     }
   }

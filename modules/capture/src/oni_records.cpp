@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "lockbox/core/existing_path.hpp"
+
 namespace lockbox {
 namespace {
 
@@ -49,13 +51,13 @@ bool is_zero_from(const OniFile& file, std::uint64_t offset) {
 }
 
 std::uint64_t checked_size(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) {
+  if (!is_there(path)) {
     throw InputError(path.string(), "no such file");
   }
-  if (std::filesystem::is_directory(path)) {
+  if (is_folder(path)) {
     throw InputError(path.string(), "is a folder, not an .oni recording");
   }
-  if (!std::filesystem::is_regular_file(path)) {
+  if (!is_file(path)) {
     throw InputError(path.string(), "is not a regular file; an .oni recording must be one");
   }
   const std::uint64_t size = std::filesystem::file_size(path);

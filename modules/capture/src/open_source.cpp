@@ -8,6 +8,7 @@
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/pcd_folder.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "pcd_files.hpp"
 #include "realtime_source.hpp"
 #include "steady_stamps.hpp"
@@ -27,7 +28,7 @@ void warn_of_unused_scale(const SourceOptions& options) {
 
 std::unique_ptr<FrameSource> open_folder(const std::filesystem::path& folder,
                                          const SourceOptions& options) {
-  if (std::filesystem::exists(folder / "depth.txt")) {
+  if (is_there(folder / "depth.txt")) {
     return std::make_unique<DepthFolderSource>(folder, options);
   }
   if (!pcd_files(folder).empty()) {
@@ -39,7 +40,7 @@ std::unique_ptr<FrameSource> open_folder(const std::filesystem::path& folder,
 std::unique_ptr<FrameSource> open_recording(const std::string& source,
                                             const SourceOptions& options) {
   const std::filesystem::path path(source);
-  if (std::filesystem::is_directory(path)) {
+  if (is_folder(path)) {
     return open_folder(path, options);
   }
   if (const std::optional<std::string> kind = foreign_file(path)) {
@@ -52,7 +53,7 @@ std::unique_ptr<FrameSource> open_recording(const std::string& source,
 }  // namespace
 
 void require_source(const std::string& source) {
-  if (source.starts_with(kLive) || std::filesystem::exists(source)) return;
+  if (source.starts_with(kLive) || is_there(source)) return;
   throw InputError(source,
                    "no such file or folder; a source is openni2:, openni2:<uri>, an .oni file, a "
                    "folder with depth.txt, or a folder of .pcd files");

@@ -11,6 +11,7 @@
 
 #include "image_limits.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
@@ -40,7 +41,7 @@ class HeaderReader {
  public:
   explicit HeaderReader(const std::filesystem::path& file) : name_(file.string()) {
     std::ifstream in(file, std::ios::binary);
-    if (!in || !std::filesystem::is_regular_file(file)) {
+    if (!in || !is_file(file)) {
       throw InputError(name_, "no such file, or it cannot be read");
     }
     std::string text(kMaximumHeaderBytes, '\0');

@@ -10,6 +10,7 @@
 
 #include "image_limits.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 
 namespace lockbox {
 namespace {
@@ -120,8 +121,7 @@ std::vector<png_bytep> rows_of(std::uint16_t* pixels, std::size_t width, std::si
 }  // namespace
 
 void read_png16(const std::filesystem::path& file, Image16& image) {
-  const File stream(std::filesystem::is_regular_file(file) ? std::fopen(file.c_str(), "rb")
-                                                           : nullptr);
+  const File stream(is_file(file) ? std::fopen(file.c_str(), "rb") : nullptr);
   if (!stream) {
     throw InputError(file.string(), "no such image, or it cannot be read");
   }

@@ -8,13 +8,14 @@
 #include <set>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
 
 namespace lockbox {
 
 YAML::Node load_yaml(const std::filesystem::path& file, const std::string& kind) {
   std::ifstream stream(file);
-  if (std::filesystem::is_directory(file) || !stream) {
+  if (is_folder(file) || !stream) {
     throw InputError(file.string(), "is not a " + kind + " file that can be read");
   }
   const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -6,6 +6,7 @@
 
 #include "lockbox/core/component.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/sensor/sensor_profile.hpp"
 
 namespace lockbox {
@@ -28,7 +29,7 @@ bool is_name(const std::string& text) {
 
 std::optional<fs::path> shipped_profile(const std::string& name) {
   const fs::path file = profiles_folder() / (name + kExtension);
-  return is_name(name) && fs::is_regular_file(file) ? std::optional(file) : std::nullopt;
+  return is_name(name) && is_file(file) ? std::optional(file) : std::nullopt;
 }
 
 std::vector<std::string> shipped_sensor_names() {
@@ -52,7 +53,7 @@ std::string sensor_names() {
 }
 
 SensorProfile find_sensor_profile(const std::string& name_or_file) {
-  if (fs::is_regular_file(name_or_file)) return read_sensor_profile(name_or_file);
+  if (is_file(name_or_file)) return read_sensor_profile(name_or_file);
   if (const auto shipped = shipped_profile(name_or_file)) return read_sensor_profile(*shipped);
   throw InputError("sensor '" + name_or_file + "'",
                    "there is no such profile; choose " + sensor_names() +
