@@ -11,8 +11,10 @@ namespace lockbox {
 namespace {
 
 using testing::AllOf;
+using testing::Gt;
 using testing::HasSubstr;
-using testing::Not;
+using testing::Lt;
+using testing::Ne;
 
 class SensorOption : public BlockRuns {
  protected:
@@ -42,13 +44,20 @@ TEST_F(SensorOption, PrimesenseIsWhatIsAssumedUnasked) {
             rows_without_latency(path("unasked/states.csv")));
 }
 
+/// Faces of the block are a dozen pixels wide here. Their edges pass for noise, too, but no longer
+/// for as much as there may be.
 TEST_F(SensorOption, AutoFindsTheNoiseOutAndTracksEveryFrame) {
   const auto run = run_tool(following("auto", {"--sensor", "auto"}));
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_THAT(run.errors, HasSubstr("sensor: noise "));
   EXPECT_EQ(read_lines(path("auto/states.csv")).size(), kFrames + 1);
-  EXPECT_THAT(read_text(path("auto/run.yaml")),
-              AllOf(HasSubstr("sensor: auto"), Not(HasSubstr("noise_depth_quadratic: 0.0021\n"))));
+  const std::string description = read_text(path("auto/run.yaml"));
+  EXPECT_THAT(description, HasSubstr("sensor: auto"));
+  const std::string name = "noise_depth_quadratic: ";
+  const std::size_t place = description.find(name);
+  ASSERT_NE(place, std::string::npos);
+  const double quadratic = std::stod(description.substr(place + name.size()));
+  EXPECT_THAT(quadratic, AllOf(Gt(0.001), Lt(0.015), Ne(0.0021))) << "simulated with 0.0021";
 }
 
 TEST_F(SensorOption, DepthsAreCorrected) {

@@ -13,12 +13,13 @@ namespace lockbox {
 namespace {
 
 constexpr std::array<int, 5> kLags{1, 2, 4, 8, 16};  // pixels
-constexpr int kRowsApart = 3;                        // neighbouring rows err alike
-constexpr double kNearest = 0.2;                     // metres, of the first of the bins
-constexpr double kBinGrowth = 1.25;                  // of the depth from bin to bin
-constexpr std::size_t kBins = 16;                    // to 7 m
-constexpr std::size_t kEnough = 300;                 // differences, for a bin to tell
-constexpr double kVariances = 6.0;                   // 1 + 4 + 1
+constexpr int kShortLags = 2;     // at which errors are too much alike to tell how large they are
+constexpr int kRowsApart = 3;     // neighbouring rows err alike
+constexpr double kNearest = 0.2;  // metres, of the first of the bins
+constexpr double kBinGrowth = 1.25;   // of the depth from bin to bin
+constexpr std::size_t kBins = 16;     // to 7 m
+constexpr std::size_t kEnough = 300;  // differences, for a bin to tell
+constexpr double kVariances = 6.0;    // 1 + 4 + 1
 // What is plausible, metres and 1/metre: an image without planes must not make gates of metres.
 constexpr double kLeastFloor = 1e-4;
 constexpr double kMostFloor = 0.01;
@@ -83,6 +84,7 @@ double core_deviation(std::vector<double>& sizes) {
 }
 
 /// floor + quadratic z^2 through the deviations of the bins, relative errors weighted by numbers.
+/// False where that is more than sensors err: then it is the shape of what is seen.
 bool fit_growth(const std::vector<Difference>& differences, SensorNoise& noise) {
   std::array<std::vector<double>, kBins> sizes;
   std::array<double, kBins> depths{};
@@ -113,6 +115,7 @@ bool fit_growth(const std::vector<Difference>& differences, SensorNoise& noise) 
   floor = std::clamp(floor, kLeastFloor, kMostFloor);
   double quadratic = (r2 - s12 * floor) / s22;
   if (quadratic < kLeastQuadratic) floor = std::clamp(r1 / s11, kLeastFloor, kMostFloor);
+  if (quadratic > kMostQuadratic || r1 / s11 > kMostFloor) return false;
   noise.depth_floor = floor;
   noise.depth_linear = 0.0;
   noise.depth_quadratic = std::clamp(quadratic, kLeastQuadratic, kMostQuadratic);
@@ -151,7 +154,9 @@ void fit_correlation(const std::array<double, kLags.size()>& ratios, SensorNoise
 
 std::optional<SensorNoise> estimate_noise(const DepthFrame& frame) {
   SensorNoise noise;
-  if (!fit_growth(differences(frame, kLags.back()), noise)) return std::nullopt;
+  // Of small things few faces are as wide as two of the longest lags.
+  const auto tells = [&](int lag) { return fit_growth(differences(frame, lag), noise); };
+  if (std::none_of(kLags.rbegin(), kLags.rend() - kShortLags, tells)) return std::nullopt;
   std::array<double, kLags.size()> ratios{};
   for (std::size_t k = 0; k < kLags.size(); ++k) {
     const std::vector<Difference> found = differences(frame, kLags[k]);
