@@ -4,7 +4,18 @@
 #include <CLI/Formatter.hpp>
 #include <utility>
 
+#include "lockbox/core/text_file.hpp"
+
 namespace lockbox::app {
+namespace {
+
+/// Before CLI11 reads it, which reads pipes and devices for ever. Throws InputError.
+std::string readable_text(const std::string& file) {
+  read_text_file(file, kMostWrittenBytes);
+  return {};
+}
+
+}  // namespace
 
 DeclaredCommand declare(const CommandEntry& entry, std::unique_ptr<Command> command) {
   auto owned = std::make_unique<CLI::App>(entry.summary, "lockbox " + entry.name);
@@ -13,6 +24,7 @@ DeclaredCommand declare(const CommandEntry& entry, std::unique_ptr<Command> comm
   options.config_formatter(option_file);
   options.footer("Example:\n  " + entry.example + "\n\n" + kStatusHelp);
   options.set_config("--config", "", "Read options from FILE: lines `name = value`")
+      ->check(readable_text)
       ->type_name("FILE");
   options.allow_config_extras(CLI::config_extras_mode::error);
   options.option_defaults()->always_capture_default();

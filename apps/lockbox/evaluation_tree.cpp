@@ -3,12 +3,12 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <utility>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/text_file.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -38,11 +38,11 @@ double mesh_scale_of_run(const fs::path& run) {
 /// The columns after the pose, up to `status`.
 std::vector<std::string> joint_columns(const fs::path& states_file) {
   constexpr std::size_t kPoseColumns = 8;
-  std::ifstream file(states_file);
-  std::string header;
   if (std::filesystem::is_directory(states_file)) {
     throw InputError(states_file.string(), "is a folder; give the states.csv, or the truth, in it");
   }
+  std::istringstream file(read_text_file(states_file));
+  std::string header;
   if (!std::getline(file, header)) {
     throw InputError(states_file.string(), "cannot be read, or is empty");
   }

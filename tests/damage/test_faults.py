@@ -100,3 +100,60 @@ def test_few_file_descriptors_suffice_or_are_told(count, block, tmp_path):
 def test_too_little_memory_is_told(megabytes, block, tmp_path):
     result = track(block, block, tmp_path / "run", limits=f"-v {1024 * megabytes}")
     assert result.returncode == 0 or (result.returncode in (3, 127) and result.stderr), result
+
+
+SPECIAL_FILES = [
+    ("simulate", "--scene"), ("simulate", "--deviation"), ("simulate", "--sensor"),
+    ("simulate", "--camera-info"), ("simulate", "--trajectory"), ("track", "--config"),
+    ("track", "--initial-state"), ("track", "--camera-info"), ("track", "--sensor"),
+    ("track", "--model"), ("track", "--source"), ("evaluate", "--estimate"),
+    ("evaluate", "--reference"),
+]
+
+
+def _with(command, option, file, block, folder):
+    """A command that would succeed but for that file."""
+    arguments = {
+        "simulate": {"--model": "rigid_block", "--trajectory": "auto", "--frames": 1},
+        "track": {"--model": "rigid_block", "--source": block,
+                  "--initial-state": block / "groundtruth.csv"},
+        "evaluate": {"--estimate": block / "groundtruth.csv",
+                     "--reference": block / "groundtruth.csv"},
+    }[command] | {option: file}
+    if command != "evaluate":
+        arguments["--output"] = folder / "output"
+    return [command, *(word for pair in arguments.items() for word in pair)]
+
+
+@pytest.mark.parametrize("command, option", SPECIAL_FILES)
+def test_what_may_never_end_is_not_read(command, option, block, tmp_path):
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    for file in [pipe, "/dev/zero"]:
+        result = lockbox(*_with(command, option, file, block, tmp_path))
+        assert result.returncode == 3, result.stderr
+        assert str(file) in result.stderr
+
+
+@pytest.mark.parametrize("name", ["depth.txt", "camera_info.yaml", "0.pcd"])
+def test_a_folder_may_hold_pipes(name, block, tmp_path):
+    source = tmp_path / "source"
+    if name.endswith(".pcd"):
+        source.mkdir()
+    else:
+        shutil.copytree(block, source)
+        (source / name).unlink()
+    os.mkfifo(source / name)
+    result = track(source, block, tmp_path / "run")
+    assert result.returncode == 3, result.stderr
+    assert name in result.stderr
+
+
+@pytest.mark.parametrize("option", ["--scene", "--deviation", "--sensor"])
+def test_a_text_that_nobody_wrote_is_not_parsed(option, block, tmp_path):
+    huge = tmp_path / "huge.yaml"
+    with open(huge, "wb") as file:
+        file.truncate(10**9)
+    result = lockbox(*_with("simulate", option, huge, block, tmp_path), limits="-v 4000000")
+    assert result.returncode == 3, result.stderr
+    assert "huge.yaml: larger than 4 MB" in result.stderr

@@ -29,8 +29,9 @@ std::optional<DepthIndexEntry> parse_entry(std::string_view text,
 }
 
 std::vector<DepthIndexEntry> read_entries(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in || !is_file(file)) {
+  std::ifstream in;
+  if (is_file(file)) in.open(file);  // to open a pipe would wait for who writes into it
+  if (!in.is_open()) {
     throw InputError(file.string(), "no such file, or it cannot be read");
   }
   if (std::filesystem::file_size(file) > kMaximumIndexBytes) {

@@ -40,8 +40,9 @@ std::string key_of(std::string word) {
 class HeaderReader {
  public:
   explicit HeaderReader(const std::filesystem::path& file) : name_(file.string()) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in || !is_file(file)) {
+    std::ifstream in;
+    if (is_file(file)) in.open(file, std::ios::binary);  // a pipe would wait for who writes into it
+    if (!in.is_open()) {
       throw InputError(name_, "no such file, or it cannot be read");
     }
     std::string text(kMaximumHeaderBytes, '\0');

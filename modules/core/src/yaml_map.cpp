@@ -3,22 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/core/text_file.hpp"
 
 namespace lockbox {
 
 YAML::Node load_yaml(const std::filesystem::path& file, const std::string& kind) {
-  std::ifstream stream(file);
-  if (is_folder(file) || !stream) {
+  if (!is_file(file)) {
     throw InputError(file.string(), "is not a " + kind + " file that can be read");
   }
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string text = read_text_file(file, kMostWrittenBytes);
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {

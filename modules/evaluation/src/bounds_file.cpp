@@ -2,12 +2,13 @@
 #include "lockbox/evaluation/bounds_file.hpp"
 
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/core/text_file.hpp"
 #include "lockbox/evaluation/unknowns.hpp"
 #include "output_file.hpp"
 
@@ -60,8 +61,7 @@ void write_bounds(const std::filesystem::path& file, const KinematicTree& tree,
 }
 
 std::vector<FrameBound> read_bounds(const std::filesystem::path& file, const KinematicTree& tree) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string(), "cannot be opened for reading");
+  std::istringstream in(read_text_file(file));
   std::string text;
   std::getline(in, text);
   const std::string expected = header(tree);

@@ -2,10 +2,12 @@
 #include <array>
 #include <fstream>
 #include <locale>
+#include <sstream>
 
 #include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/core/text_file.hpp"
 #include "lockbox/evaluation/global_experiment.hpp"
 
 namespace lockbox {
@@ -68,8 +70,7 @@ GlobalResult parse_row(const std::string& file, int line, std::string_view text)
 }  // namespace
 
 std::vector<GlobalResult> read_global_results(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string(), "cannot be opened for reading");
+  std::istringstream in(read_text_file(file));
   std::string text;
   std::getline(in, text);
   if (trimmed(text) != kHeader) {

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cassert>
 #include <fstream>
+#include <sstream>
 
 #include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/core/text_file.hpp"
 
 namespace lockbox {
 namespace {
@@ -55,8 +57,7 @@ double Table::number(const Row& row, const std::string& column) const {
 }
 
 Table read_table(const std::filesystem::path& file, const std::vector<std::string>& columns) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string(), "cannot be opened for reading");
+  std::istringstream in(read_text_file(file));
   std::string text;
   std::getline(in, text);
   if (trimmed(text) != header(columns)) {

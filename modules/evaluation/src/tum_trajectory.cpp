@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/core/text_file.hpp"
 
 namespace lockbox {
 namespace {
@@ -54,7 +55,8 @@ bool is_rotation(const Pose& pose) {
 }  // namespace
 
 bool is_tum_trajectory(const std::filesystem::path& file) {
-  std::ifstream in(file);
+  if (!is_file(file)) return false;
+  std::istringstream in(read_text_file(file));
   std::string line;
   while (std::getline(in, line)) {
     if (!is_comment(line)) return parse_pose(line).has_value();
@@ -63,8 +65,7 @@ bool is_tum_trajectory(const std::filesystem::path& file) {
 }
 
 StatesFile read_tum_trajectory(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string(), "cannot be opened for reading");
+  std::istringstream in(read_text_file(file));
   StatesFile result;
   std::string text;
   for (int line = 1; std::getline(in, text); ++line) {

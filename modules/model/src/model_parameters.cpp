@@ -8,9 +8,9 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/readable_text.hpp"
+#include "lockbox/core/text_file.hpp"
 #include "model_keys.hpp"
 #include "quaternion_tolerance.hpp"
-#include "text_file.hpp"
 #include "yaml_node.hpp"
 
 namespace lockbox {

@@ -9,10 +9,10 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/readable_text.hpp"
+#include "lockbox/core/text_file.hpp"
 #include "lockbox/model/states_file.hpp"
 #include "quaternion_tolerance.hpp"
 #include "states_columns.hpp"
-#include "text_file.hpp"
 
 namespace lockbox {
 namespace {

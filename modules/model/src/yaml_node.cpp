@@ -6,7 +6,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
-#include "text_file.hpp"
+#include "lockbox/core/text_file.hpp"
 
 namespace lockbox {
 

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text_file.hpp"
+#include "lockbox/core/text_file.hpp"
 
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <system_error>
 
 #include "lockbox/core/error.hpp"
 
 namespace lockbox {
-namespace {
 
-constexpr std::uintmax_t kMostTextBytes = 512'000'000;  // eighteen hours of states, at 30 Hz
-
-}  // namespace
-
-std::string read_text_file(const std::filesystem::path& file) {
+std::string read_text_file(const std::filesystem::path& file, std::uintmax_t most_bytes) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) throw InputError(file.string(), "no such file");
@@ -26,8 +22,9 @@ std::string read_text_file(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(status)) {
     throw InputError(file.string(), "not a regular file");
   }
-  if (std::filesystem::file_size(file, error) > kMostTextBytes) {
-    throw InputError(file.string(), "larger than 512 MB, too large for what is read here");
+  if (std::filesystem::file_size(file, error) > most_bytes) {
+    throw InputError(file.string(), "larger than " + std::to_string(most_bytes / 1'000'000) +
+                                        " MB, too large for what is read here");
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
