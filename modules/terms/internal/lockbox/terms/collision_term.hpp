@@ -75,9 +75,6 @@ class CollisionTerm {
     bool operator==(const Erosion&) const = default;
   };
 
-  void find_pairs(const ArticulatedModel& model, const std::vector<ErodedSurface>& whole,
-                  double erosion);
-  void choose_erosions(const ArticulatedModel& model, double usual);
   std::vector<Erosion> list_erosions();
   bool stands_at(const BodyPoses& T_camera_body) const;
   void compare(const ArticulatedModel& model, const ErodedSurface& surface, int other,
