@@ -2,6 +2,7 @@
 #include "collision_pairs.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include "lockbox/core/error.hpp"
@@ -12,12 +13,8 @@ namespace lockbox {
 namespace {
 
 constexpr double kThicknessShare = 0.125;  // of the thinner body: the largest erosion
-/// Bodies that a joint joins, and that overlap in more than this share of its range, are drawn into
-/// each other (the links of an arm about their elbow): its limits say where they may be, not their
-/// surfaces. A door without limits is within its frame in half of them. At 0.3 it could go through
-/// it; at 1 a chain of boxes would be pulled straight.
-constexpr double kMostOfRange = 0.6;
-constexpr int kRangeSteps = 8;
+constexpr double kRounding = 0.01;         // radians: 3.14 and 6.28 stand for half and whole turns
+constexpr int kRangeSteps = 8;  // of a joint: halved, what overlaps at few angles may be missed
 
 /// The joint that joins two bodies, none of which carries a third between them; or none.
 const Joint* joint_between(const KinematicTree& tree, int a, int b) {
@@ -38,20 +35,26 @@ double overlap(const ArticulatedModel& model, const std::vector<ErodedSurface>& 
                   whole[b].deepest_in(*model.fields[a], T_b_a.inverse()));
 }
 
+/// Bodies that a joint joins, and that overlap somewhere between its limits, are drawn into each
+/// other (the links of an arm about their elbow): its limits say where they may be, not their
+/// surfaces. A joint that may go all the way round has none: only its frame holds a door then.
 /// allowed: metres of overlap that cost nothing.
 bool is_drawn_into(const ArticulatedModel& model, const std::vector<ErodedSurface>& whole,
                    const CollisionPair& pair, double allowed) {
   const Joint* const joint = joint_between(model.tree, pair.a, pair.b);
   if (joint == nullptr) return false;
+  const VariableRange range = variable_range(model.tree, joint->variable);
+  const bool goes_round =
+      joint->type != JointType::prismatic && range.extent() >= 2.0 * std::numbers::pi - kRounding;
+  if (goes_round) return false;
+  const auto positions = positions_in(range, kRangeSteps);
   Configuration configuration = rest_configuration(model.tree);
-  const auto positions = positions_in(variable_range(model.tree, joint->variable), kRangeSteps);
   BodyPoses poses;
-  const auto overlapping = std::count_if(positions.begin(), positions.end(), [&](double position) {
+  return std::any_of(positions.begin(), positions.end(), [&](double position) {
     configuration.q[joint->variable] = position;
     forward_kinematics(model.tree, configuration, poses);
     return overlap(model, whole, pair, poses) > allowed;
   });
-  return static_cast<double>(overlapping) > kMostOfRange * static_cast<double>(positions.size());
 }
 
 /// The erosion that the model's file sets for a pair, by any of the links' names.
