@@ -35,18 +35,16 @@ double overlap(const ArticulatedModel& model, const std::vector<ErodedSurface>& 
                   whole[b].deepest_in(*model.fields[a], T_b_a.inverse()));
 }
 
-/// Bodies that a joint joins, and that overlap somewhere between its limits, are drawn into each
+/// Bodies that turn about a joint, and overlap somewhere between its limits, are drawn into each
 /// other (the links of an arm about their elbow): its limits say where they may be, not their
 /// surfaces. A joint that may go all the way round has none: only its frame holds a door then.
 /// allowed: metres of overlap that cost nothing.
 bool is_drawn_into(const ArticulatedModel& model, const std::vector<ErodedSurface>& whole,
                    const CollisionPair& pair, double allowed) {
   const Joint* const joint = joint_between(model.tree, pair.a, pair.b);
-  if (joint == nullptr) return false;
+  if (joint == nullptr || joint->type == JointType::prismatic) return false;  // may meet a stop
   const VariableRange range = variable_range(model.tree, joint->variable);
-  const bool goes_round =
-      joint->type != JointType::prismatic && range.extent() >= 2.0 * std::numbers::pi - kRounding;
-  if (goes_round) return false;
+  if (range.extent() >= 2.0 * std::numbers::pi - kRounding) return false;
   const auto positions = positions_in(range, kRangeSteps);
   Configuration configuration = rest_configuration(model.tree);
   BodyPoses poses;
