@@ -8,7 +8,7 @@
 #include "initialization/seen_model.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/mesh/primitives.hpp"
-#include "lockbox/simulation/model_bounds.hpp"
+#include "lockbox/model/model_bounds.hpp"
 #include "lockbox/simulation/placed_scene.hpp"
 
 namespace lockbox {

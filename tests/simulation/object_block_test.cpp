@@ -8,7 +8,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/articulated_model.hpp"
-#include "lockbox/simulation/model_bounds.hpp"
+#include "lockbox/model/model_bounds.hpp"
 #include "temporary_folder.hpp"
 
 namespace lockbox {

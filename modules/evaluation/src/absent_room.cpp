@@ -11,8 +11,8 @@
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/random_scene.hpp"
 #include "lockbox/mesh/primitives.hpp"
+#include "lockbox/model/model_bounds.hpp"
 #include "lockbox/simulation/deviating_model.hpp"
-#include "lockbox/simulation/model_bounds.hpp"
 #include "lockbox/simulation/random_draws.hpp"
 
 namespace lockbox {

@@ -12,8 +12,8 @@
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/configuration.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/model_bounds.hpp"
 #include "lockbox/rendering/body_item.hpp"
-#include "lockbox/simulation/model_bounds.hpp"
 #include "lockbox/simulation/trajectory.hpp"
 #include "scene_meshes.hpp"
 

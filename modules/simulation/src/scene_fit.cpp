@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "lockbox/simulation/model_bounds.hpp"
+#include "lockbox/model/model_bounds.hpp"
 
 namespace lockbox {
 namespace {

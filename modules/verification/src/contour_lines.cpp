@@ -36,7 +36,7 @@ void add_ends(const SceneCells& scene, std::span<const float> cells, double shar
   const auto ratio = static_cast<float>(sight.ratio());
   const float of_noise = square(share * evidence::kAgree * scene.noise()) *
                          static_cast<float>(1.0 + sight.variances());
-  const float of_tolerance = square(share * evidence::kAgree * evidence::kModelTolerance);
+  const float of_tolerance = square(share * evidence::kAgree * scene.tolerance());
   const Eigen::Vector2f way = sight.way();
   float* const count = ends.count.data();
   float* const sum_u = ends.u.data();

@@ -11,9 +11,17 @@ namespace lockbox::evidence {
 /// by themselves, and noise makes contours.
 inline constexpr int kColumns = 240;
 
-/// What a built object differs by from its drawing along the ray. Unit: metres. Source: woodwork
-/// and printed parts. Doubled, parts that stand out by less than 24 mm no longer tell.
-inline constexpr double kModelTolerance = 0.004;
+/// What a built object differs by from its drawing along the ray. Unit: of the diagonal of the box
+/// around it. Source: an object that is 1 % off its model, halved because it is off to both sides
+/// of its middle. Doubled, parts of a small object that stand out by a sixteenth of it no longer
+/// tell.
+inline constexpr double kModelTolerance = 0.005;
+/// The same of a large one, at most. Unit: metres. Source: woodwork. Doubled, parts that stand out
+/// by less than 24 mm no longer tell.
+inline constexpr double kMostModelTolerance = 0.004;
+/// The same of a small one, at least. Unit: metres. Source: what the means of 7 x 7 pixels of a
+/// RealSense D4xx err by at half a metre. Doubled, 9 mm are needed for a part of a cup to tell.
+inline constexpr double kLeastModelTolerance = 0.0015;
 /// The same across the ray. Unit: metres. Source: woodwork and printed parts. Doubled, parts that
 /// stand out by less than 24 mm no longer tell.
 inline constexpr double kOutlineTolerance = 0.005;

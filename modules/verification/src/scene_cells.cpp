@@ -41,15 +41,15 @@ double normal_density(double distance, double deviation) {
   return std::exp(-0.5 * z * z) / (deviation * std::sqrt(2.0 * std::numbers::pi));
 }
 
-SceneCells::SceneCells(const CoarseView& view, double sensor_noise)
-    : camera_(view.camera), cells_(view.depth.size()) {
+SceneCells::SceneCells(const CoarseView& view, double sensor_noise, double tolerance)
+    : camera_(view.camera), cells_(view.depth.size()), tolerance_(tolerance) {
   std::transform(view.depth.begin(), view.depth.end(), cells_.begin(),
                  [](float z) { return z > 0.0F ? 1.0F / z : 0.0F; });
   noise_ = std::max(noise_of(cells_, width(), height()), kLeastOfProfile * sensor_noise);
 }
 
 double SceneCells::deviation(double inverse_depth) const {
-  return std::hypot(noise_, evidence::kModelTolerance * inverse_depth * inverse_depth);
+  return std::hypot(noise_, tolerance_ * inverse_depth * inverse_depth);
 }
 
 double SceneCells::deviation(double inverse_depth, const Sight& sight) const {

@@ -49,7 +49,8 @@ class SceneCells {
  public:
   /// sensor_noise: as the sensor's profile has it, standard deviation of a pixel's 1/depth,
   /// 1/metre. What the frame itself shows counts, but for an image without any noise.
-  SceneCells(const CoarseView& view, double sensor_noise);
+  /// tolerance: what a model differs by from its object along the ray, standard deviation, metres.
+  SceneCells(const CoarseView& view, double sensor_noise, double tolerance);
 
   const PinholeCamera& camera() const { return camera_; }
   int width() const { return camera_.width; }
@@ -68,6 +69,7 @@ class SceneCells {
 
   /// The standard deviation of a cell's noise, 1/metre.
   double noise() const { return noise_; }
+  double tolerance() const { return tolerance_; }
   /// Of what a model shows there: the cell's noise and the model's tolerance.
   double deviation(double inverse_depth) const;
   /// The same of what is foretold from two other cells.
@@ -81,6 +83,7 @@ class SceneCells {
   PinholeCamera camera_;
   std::vector<float> cells_;
   double noise_;
+  double tolerance_;
 };
 
 /// Of a normal distribution, at so far from its mean.

@@ -11,8 +11,10 @@
 #include "contour_lines.hpp"
 #include "evidence_constants.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/model_bounds.hpp"
 #include "lockbox/rendering/body_item.hpp"
 #include "scene_cells.hpp"
+#include "sensor_window.hpp"
 
 namespace lockbox {
 namespace {
@@ -34,6 +36,13 @@ struct Around {
 
 /// Cells at a contour, to each side, that it tells by: those within the reach of a sight.
 constexpr double kBand = 5.0;
+
+/// What its object differs by along the ray, standard deviation, metres.
+double model_tolerance(const KinematicTree& tree) {
+  return std::clamp(
+      evidence::kModelTolerance * model_bounds(tree, rest_configuration(tree)).diagonal().norm(),
+      evidence::kLeastModelTolerance, evidence::kMostModelTolerance);
+}
 
 /// Of a line of so many cells: less than a stretch of it may be noise.
 double worth(int cells) {
@@ -68,7 +77,7 @@ double of_misfit(double misfit) {
 }  // namespace
 
 struct Verifier::Workspace {
-  explicit Workspace(const KinematicTree& of) : tree(of) {}
+  explicit Workspace(const KinematicTree& of) : tree(of), tolerance(model_tolerance(of)) {}
 
   void draw(const Configuration& configuration);
   Evidence sum_up();
@@ -84,6 +93,7 @@ struct Verifier::Workspace {
   double of_occluder(int u, int v) const;
 
   const KinematicTree& tree;
+  const double tolerance;  ///< of the model, metres
   Executor executor{1};
   std::optional<SceneCells> scene;
   std::unique_ptr<DepthRenderer> renderer;
@@ -92,6 +102,8 @@ struct Verifier::Workspace {
   ContourLines scene_lines;
   ContourLines model_lines;
   ContourLines faint_lines;  ///< of the model, those that are hardly ones, too
+  SensorWindow window;
+  ContourLines blurred_lines;  ///< of the model, those that a sensor's window leaves
   std::vector<Eigen::Isometry3d> poses;
   std::vector<RenderItem> items;
   std::vector<Seen> seen;
@@ -106,7 +118,7 @@ Verifier& Verifier::operator=(Verifier&&) noexcept = default;
 void Verifier::look_at(const TiledCloud& cloud, double sensor_noise, const Executor& executor) {
   Workspace& w = *workspace_;
   w.executor = executor;
-  w.scene.emplace(CoarseView(cloud, evidence::kColumns, executor), sensor_noise);
+  w.scene.emplace(CoarseView(cloud, evidence::kColumns, executor), sensor_noise, w.tolerance);
   if (!w.renderer || !(w.renderer->camera() == w.scene->camera())) {
     w.renderer = std::make_unique<DepthRenderer>(w.scene->camera(), executor);
   }
@@ -131,6 +143,7 @@ void Verifier::Workspace::draw(const Configuration& configuration) {
   model_lines.find(*scene, cells, 1.0, executor);
   model_lines.join_lines(*scene);
   faint_lines.find(*scene, cells, evidence::kFaint, executor);
+  blurred_lines.find(*scene, window.smear(cells, scene->width(), executor), 1.0, executor);
 }
 
 Evidence Verifier::Workspace::sum_up() {
@@ -246,7 +259,8 @@ void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
     }
   }
   if (!of_model.isZero() && is_in_sight(u, v, of_model) &&
-      !scene_lines.passes(*scene, u, v, reach, of_model)) {
+      !scene_lines.passes(*scene, u, v, reach, of_model) &&
+      blurred_lines.passes(*scene, u, v, reach, of_model)) {
     const int length = model_lines.cells_of_line(cell);
     sum.evidence.contradicted +=
         std::log(evidence::kFlush) / evidence::kLine * worth(length) / length;

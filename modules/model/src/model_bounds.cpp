@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/simulation/model_bounds.hpp"
+#include "lockbox/model/model_bounds.hpp"
 
 #include <vector>
 

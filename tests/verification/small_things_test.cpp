@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What tells of small things close to a camera, and what a sensor cannot show of them.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "initialization/seen_model.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/sensor/sensor_model.hpp"
+#include "lockbox/sensor/sensor_noise.hpp"
+#include "lockbox/simulation/simulator.hpp"
+#include "lockbox/verification/belief.hpp"
+#include "lockbox/verification/verifier.hpp"
+#include "temporary_folder.hpp"
+
+namespace lockbox {
+namespace {
+
+struct Box {
+  Eigen::Vector3d size;
+  Eigen::Vector3d middle;
+};
+
+KinematicTree made_of(const std::vector<Box>& boxes) {
+  const TemporaryFolder folder;
+  std::ofstream urdf(folder / "thing.urdf");
+  urdf << "<robot name=\"thing\"><link name=\"thing\">";
+  for (const auto& [size, middle] : boxes) {
+    urdf << "<visual><origin xyz=\"" << middle.transpose() << "\"/><geometry><box size=\""
+         << size.transpose() << "\"/></geometry></visual>";
+  }
+  urdf << "</link></robot>";
+  urdf.close();
+  return load_kinematic_tree(folder / "thing.urdf");
+}
+
+/// Faces the camera half a metre away, turned about its normal.
+Configuration facing(const KinematicTree& tree, double turn) {
+  Configuration configuration = rest_configuration(tree);
+  configuration.T_camera_base =
+      Eigen::Translation3d(0.0, 0.0, 0.5) *
+      Eigen::AngleAxisd(M_PI + 0.3, Eigen::Vector3d(1.0, 0.5, 0.0).normalized()) *
+      Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ());
+  return configuration;
+}
+
+/// Looks at a thing before a wall.
+Verifier looking_at(const KinematicTree& thing, const KinematicTree& with) {
+  State state;
+  state.configuration = facing(thing, 0.0);
+  DepthFrame frame;
+  const SensorModel sensor = sensor_model("primesense");
+  Simulator(thing, sensor.camera, {wall_behind(0.3), {state}}, sensor, 3, Executor())
+      .simulate(state, 0, frame);
+  TiledCloud cloud;
+  cloud.assign(frame, {}, Executor());
+  Verifier verifier(with);
+  verifier.look_at(cloud, SensorNoise{}.sigma_inverse_depth(), Executor());
+  return verifier;
+}
+
+/// A plate of 15 x 10 cm, half of which stands out.
+TEST(SmallThings, ATwentiethOfTheirSizeTellsHowTheyAreTurned) {
+  const KinematicTree step =
+      made_of({{{0.15, 0.10, 0.03}, {0, 0, 0}}, {{0.075, 0.10, 0.007}, {0.0375, 0, 0.0185}}});
+  Verifier verifier = looking_at(step, step);
+  const double right = verifier.evidence(facing(step, 0.0)).total();
+  EXPECT_GT(right, least_evidence());
+  EXPECT_LT(verifier.evidence(facing(step, M_PI)).total(), right - 10.0) << right;
+}
+
+/// Slats of 15 mm and what is between them.
+KinematicTree slats(double gap) {
+  std::vector<Box> boxes;
+  for (double x = -0.1; x < 0.1; x += 0.015 + gap) {
+    boxes.push_back({{0.015, 0.15, 0.02}, {x + 0.0075, 0, 0}});
+  }
+  return made_of(boxes);
+}
+
+/// Of 7 pixels.
+TEST(SmallThings, GapsThatASensorMayFillSpeakAgainstNothing) {
+  const KinematicTree filled = made_of({{{0.2, 0.15, 0.02}, {0, 0, 0}}});
+  const KinematicTree narrow = slats(0.006);
+  const Evidence evidence = looking_at(filled, narrow).evidence(facing(narrow, 0.0));
+  EXPECT_GT(evidence.contradicted, -5.0);
+  EXPECT_GT(evidence.total(), 10.0);
+}
+
+/// Of 40 pixels.
+TEST(SmallThings, GapsThatItCannotFillDo) {
+  const KinematicTree filled = made_of({{{0.2, 0.15, 0.02}, {0, 0, 0}}});
+  const KinematicTree wide = slats(0.035);
+  const Evidence evidence = looking_at(filled, wide).evidence(facing(wide, 0.0));
+  EXPECT_LT(evidence.contradicted, -15.0);
+}
+
+}  // namespace
+}  // namespace lockbox
