@@ -6,6 +6,7 @@
 #include "climb.hpp"
 #include "joint_scan.hpp"
 #include "levers.hpp"
+#include "lockbox/model/drawn_mesh.hpp"
 #include "lockbox/model/symmetry.hpp"
 #include "lockbox/model/variable_range.hpp"
 #include "model_sides.hpp"
@@ -30,6 +31,20 @@ constexpr int kRounds = 2;  // gates begin anew where the first round has come
 /// Fine steps, with what real objects differ from their models by.
 const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 
+/// Triangles of a body that are drawn in no time.
+constexpr std::size_t kFewTriangles = 200;
+/// What they may be off by, metres: half a pixel of the finer view at 1 m.
+constexpr double kMostOff = 0.0017;
+
+KinematicTree seen_from_afar(const ArticulatedModel& model) {
+  KinematicTree tree = model.tree;
+  for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
+    TriangleMesh& mesh = tree.bodies[b].mesh;
+    if (model.fields[b]) mesh = drawn_mesh(mesh, *model.fields[b], kFewTriangles, kMostOff);
+  }
+  return tree;
+}
+
 const Annealing kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
 
 }  // namespace
@@ -37,6 +52,7 @@ const Annealing kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
 Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
                                   const InitializerOptions& given, const Executor& workers)
     : model(articulated_model),
+      from_afar(seen_from_afar(articulated_model)),
       options(given),
       executor(workers),
       is_flat(flat_share(model.tree) > kMostlyFlat),
@@ -59,8 +75,8 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
   coarse_options.collision = CollisionMode::off;
   coarse_options.sight_low_relief = false;  // coarse pixels err otherwise
   for (int worker = 0; worker < executor.threads(); ++worker) {
-    scores.emplace_back(model.tree, view_noise(), options.stop_request);
-    halves.emplace_back(model.tree, fine_view_noise(), options.stop_request);
+    scores.emplace_back(from_afar, view_noise(), options.stop_request);
+    halves.emplace_back(from_afar, fine_view_noise(), options.stop_request);
     coarse.emplace_back(model, coarse_options, Executor(1));
     parts.emplace_back();
   }

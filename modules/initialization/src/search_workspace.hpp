@@ -50,6 +50,7 @@ struct Round {
 /// The memory of the search, and its stages in their order.
 struct Initializer::Workspace {
   const ArticulatedModel& model;
+  KinematicTree from_afar;  ///< the model in fewer triangles, for views of few pixels
   InitializerOptions options;
   Executor executor;
   std::optional<std::vector<ModelRelief>> reliefs;  ///< made when first matched
