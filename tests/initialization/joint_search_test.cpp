@@ -50,6 +50,11 @@ TEST(JointChains, AreSoughtInATimeThatGrowsWithTheirLength) {
   EXPECT_LT(drawings(9), 8 * drawings(5));
 }
 
+/// Of the last ten alone several positions are followed.
+TEST(JointChains, TakeHardlyLongerWhereTheyAreLong) {
+  EXPECT_LT(2 * drawings(25), 3 * drawings(13));
+}
+
 class JointSearch : public ::testing::Test {
  protected:
   double position(const Configuration& configuration, const std::string& joint) const {

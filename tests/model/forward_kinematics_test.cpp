@@ -8,6 +8,7 @@
 
 #include "chains.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/model/variable_range.hpp"
 
 namespace lockbox {
@@ -103,6 +104,20 @@ TEST_P(ChainsOfThree, RelativeJacobiansAgreeWithNumericalDifferentiation) {
   for (std::size_t a = 0; a < chain.bodies.size(); ++a) {
     for (std::size_t b = 0; b < chain.bodies.size(); ++b) {
       expect_exact_relative_jacobian(chain, configuration, a, b);
+    }
+  }
+}
+
+TEST_P(ChainsOfThree, WhatAVariableMovesIsWhereAllOfItWouldBe) {
+  const KinematicTree chain = tree();
+  Configuration configuration = random_configuration(chain, generator_);
+  std::vector<Eigen::Isometry3d> T_camera_body = poses(chain, configuration);
+  for (int variable = 0; variable < chain.variables(); ++variable) {
+    configuration.q[variable] += random_vector(generator_).x();
+    forward_kinematics_of(chain, configuration, moved_bodies(chain, variable), T_camera_body);
+    const auto all = poses(chain, configuration);
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      EXPECT_EQ(T_camera_body[b].matrix(), all[b].matrix()) << "variable " << variable;
     }
   }
 }

@@ -17,6 +17,9 @@ constexpr std::size_t kMostPeaks = 3;  // of what carries others
 /// Joints in a row, each on the one before, of which several positions are tried. Beyond, in long
 /// chains, the best one is taken: each more triples the time.
 constexpr int kMostNested = 2;
+/// Nor is more than one tried of a joint that carries more than so many others: all of these are
+/// sought at each.
+constexpr std::size_t kMostCarried = 10;
 constexpr double kLeastGain = 1.0;        // pixels: worth moving for
 constexpr double kHardlyStandsOut = 4.0;  // standard deviations of a depth
 constexpr double kDoubt = 5.0;      // pixels: that two positions may differ by without telling
@@ -80,7 +83,9 @@ class JointScan {
         slack_(slack),
         steps_(steps),
         levers_(levers.variables),
-        nothing_(tree.bodies.size(), 0) {}
+        nothing_(tree.bodies.size(), 0) {
+    for (int v = 0; v < tree.variables(); ++v) moved_.push_back(moved_bodies(tree, v));
+  }
 
   /// Sets the margins of those that are listed.
   void scan_each(const std::vector<int>& variables, Configuration& configuration,
@@ -97,10 +102,10 @@ class JointScan {
  private:
   /// Those of the list that move some of what this one moves, and nothing else.
   std::vector<int> carried_by(int variable) const {
-    const auto moved = moved_bodies(tree_, variable);
+    const auto& moved = moved_[static_cast<std::size_t>(variable)];
     std::vector<int> carried;
     for (const int other : variables_) {
-      const auto own = moved_bodies(tree_, other);
+      const auto& own = moved_[static_cast<std::size_t>(other)];
       const bool is_part = own != moved && std::equal(own.begin(), own.end(), moved.begin(),
                                                       [](auto a, auto b) { return a <= b; });
       if (is_part) carried.push_back(other);
@@ -132,7 +137,7 @@ class JointScan {
         scores_at(positions.values, variable, left_out, configuration);
     margins[static_cast<std::size_t>(variable)] = margin_of(positions, scores);
     std::vector<std::size_t> peaks = best_peaks(positions, scores);
-    const bool follows_all = nested_ < kMostNested;
+    const bool follows_all = nested_ < kMostNested && carried.size() <= kMostCarried;
     if (!follows_all) peaks.resize(std::min<std::size_t>(1, peaks.size()));
     std::vector<Configuration> trials{configuration};
     if (follows_all || peaks.empty()) trials.push_back(configuration);
@@ -142,11 +147,11 @@ class JointScan {
       look_closer(positions.step, variable, left_out, 0.0, trial);
     }
     std::vector<std::vector<double>> margins_there(trials.size(), margins);
-    ++nested_;
+    nested_ += follows_all ? 1 : 0;
     for (std::size_t i = 1; i < trials.size(); ++i) {
       scan_each(carried, trials[i], margins_there[i]);
     }
-    --nested_;
+    nested_ -= follows_all ? 1 : 0;
     const std::vector<double> totals = score_.scan(trials, variable, nothing_, slack_);
     const auto best =
         static_cast<std::size_t>(std::max_element(totals.begin(), totals.end()) - totals.begin());
@@ -157,7 +162,7 @@ class JointScan {
   std::vector<std::uint8_t> moved_by(const std::vector<int>& variables) const {
     std::vector<std::uint8_t> all = nothing_;
     for (const int variable : variables) {
-      const auto moved = moved_bodies(tree_, variable);
+      const auto& moved = moved_[static_cast<std::size_t>(variable)];
       std::transform(moved.begin(), moved.end(), all.begin(), all.begin(),
                      [](auto a, auto b) { return std::max(a, b); });
     }
@@ -213,7 +218,8 @@ class JointScan {
   double slack_;
   ScanSteps steps_;
   const Eigen::VectorXd& levers_;
-  std::vector<std::uint8_t> nothing_;  ///< left out, by body
+  std::vector<std::vector<std::uint8_t>> moved_;  ///< by variable and body
+  std::vector<std::uint8_t> nothing_;             ///< left out, by body
   std::vector<Configuration> trials_;
   int nested_ = 0;  ///< joints under way that carry the one that is scanned
 };

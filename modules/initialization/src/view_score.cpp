@@ -62,8 +62,13 @@ void ViewScore::set_view(const CoarseView& view, bool is_known) {
 
 void ViewScore::draw(const Configuration& configuration, const std::vector<std::uint8_t>& bodies,
                      Drawing& drawing) {
-  stop_if(stop_request_);
   forward_kinematics(tree_, configuration, poses_);
+  draw_bodies(bodies, drawing);
+}
+
+/// Where poses_ has them.
+void ViewScore::draw_bodies(const std::vector<std::uint8_t>& bodies, Drawing& drawing) {
+  stop_if(stop_request_);
   items_.clear();
   for (std::size_t b = 0; b < poses_.size(); ++b) {
     if (bodies[b] != 0) {
@@ -74,7 +79,7 @@ void ViewScore::draw(const Configuration& configuration, const std::vector<std::
 }
 
 /// Makes moving_ and rest_ show just the part of the view in which the trials show what is moved;
-/// returns false if that is none.
+/// returns false if that is none. Leaves the poses of the last trial.
 bool ViewScore::frame_motion(std::span<const Configuration> trials,
                              const std::vector<std::uint8_t>& moved) {
   const PinholeCamera& camera = view_->camera;
@@ -82,8 +87,9 @@ bool ViewScore::frame_motion(std::span<const Configuration> trials,
   nearest_reach_ = std::numeric_limits<double>::infinity();
   const Eigen::AlignedBox2d image(Eigen::Vector2d(0.0, 0.0),
                                   Eigen::Vector2d(camera.width - 1, camera.height - 1));
+  forward_kinematics(tree_, trials.front(), poses_);
   for (const Configuration& trial : trials) {
-    forward_kinematics(tree_, trial, poses_);
+    forward_kinematics_of(tree_, trial, moved, poses_);
     for (std::size_t b = 0; b < moved.size(); ++b) {
       if (moved[b] == 0 || boxes_[b].isEmpty()) continue;
       for (int corner = 0; corner < 8; ++corner) {
@@ -221,7 +227,7 @@ std::vector<double> ViewScore::scan(std::span<const Configuration> trials, int v
     if (left_out[b] != 0) moved[b] = 0;
   }
   if (!frame_motion(trials, moved)) return std::vector<double>(trials.size(), 0.0);
-  draw(trials.front(), others, rest_);
+  draw_bodies(others, rest_);
   const RenderedDepth& rest = rest_.image;
   rest_scores_.assign(rest.depth.size(), 0.0);
   for (int v = rest.drawn.top; v < rest.drawn.bottom(); ++v) {
@@ -233,7 +239,8 @@ std::vector<double> ViewScore::scan(std::span<const Configuration> trials, int v
   std::vector<double> scores;
   scores.reserve(trials.size());
   for (const Configuration& trial : trials) {
-    draw(trial, moved, moving_);
+    forward_kinematics_of(tree_, trial, moved, poses_);
+    draw_bodies(moved, moving_);
     scores.push_back(score_of_moved(slack));
   }
   return scores;

@@ -37,7 +37,8 @@ class ViewScore {
   double fit(const Configuration& configuration, double slack);
 
   /// The scores of the whole model, up to a constant, for configurations that differ in nothing but
-  /// what one joint variable moves. left_out: bodies that are not drawn, by body.
+  /// what one joint variable moves. left_out: bodies that are not drawn, by body; with each of
+  /// them all that it carries.
   std::vector<double> scan(std::span<const Configuration> trials, int variable,
                            const std::vector<std::uint8_t>& left_out, double slack);
 
@@ -52,6 +53,7 @@ class ViewScore {
 
   void draw(const Configuration& configuration, const std::vector<std::uint8_t>& bodies,
             Drawing& drawing);
+  void draw_bodies(const std::vector<std::uint8_t>& bodies, Drawing& drawing);
   bool frame_motion(std::span<const Configuration> trials, const std::vector<std::uint8_t>& moved);
   ViewEvidence count_pixels(double slack) const;
   double score_of_moved(double slack) const;
@@ -69,7 +71,7 @@ class ViewScore {
   double nearest_reach_ = 0.0;  ///< least depth that what the variable moves can have, metres
   std::vector<std::vector<SurfaceSample>> samples_;  ///< by body
   std::vector<Eigen::AlignedBox3d> boxes_;           ///< by body
-  std::vector<Eigen::Isometry3d> poses_;
+  BodyPoses poses_;
   std::vector<RenderItem> items_;
   Drawing whole_;
   Drawing moving_;

@@ -30,16 +30,25 @@ Twist variable_twist(const Joint& joint) {
   return twist;
 }
 
+void place_child(const Joint& joint, const Configuration& configuration, BodyPoses& T_camera_body) {
+  const double position = joint.multiplier * configuration.q[joint.variable] + joint.offset;
+  T_camera_body[index(joint.child_body)] = T_camera_body[index(joint.parent_body)] *
+                                           joint.T_parent_joint * joint_motion(joint, position);
+}
+
 }  // namespace
 
 void forward_kinematics(const KinematicTree& tree, const Configuration& configuration,
                         std::vector<Eigen::Isometry3d>& T_camera_body) {
   T_camera_body.resize(tree.bodies.size());
   T_camera_body[0] = configuration.T_camera_base;
+  for (const Joint& joint : tree.joints) place_child(joint, configuration, T_camera_body);
+}
+
+void forward_kinematics_of(const KinematicTree& tree, const Configuration& configuration,
+                           std::span<const std::uint8_t> bodies, BodyPoses& T_camera_body) {
   for (const Joint& joint : tree.joints) {
-    const double position = joint.multiplier * configuration.q[joint.variable] + joint.offset;
-    T_camera_body[index(joint.child_body)] = T_camera_body[index(joint.parent_body)] *
-                                             joint.T_parent_joint * joint_motion(joint, position);
+    if (bodies[index(joint.child_body)] != 0) place_child(joint, configuration, T_camera_body);
   }
 }
 

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lockbox/core/lie.hpp"
@@ -20,6 +22,11 @@ using BodyJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 /// T_camera_body[b] for every body b of the tree. The vector is resized once and then reused.
 void forward_kinematics(const KinematicTree& tree, const Configuration& configuration,
                         BodyPoses& T_camera_body);
+
+/// The same, but only of those marked by body, each of whose parents is marked, too, or has its
+/// pose already. The base keeps its own.
+void forward_kinematics_of(const KinematicTree& tree, const Configuration& configuration,
+                           std::span<const std::uint8_t> bodies, BodyPoses& T_camera_body);
 
 /// jacobians[b]: 6 x (6 + variables). Needs the poses that forward_kinematics gave.
 void body_jacobians(const KinematicTree& tree, const BodyPoses& T_camera_body,
