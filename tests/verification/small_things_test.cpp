@@ -96,5 +96,42 @@ TEST(SmallThings, GapsThatItCannotFillDo) {
   EXPECT_LT(evidence.contradicted, -15.0);
 }
 
+/// A box, and a bar beside it that slides to the right, of which a fifth stands out from behind a
+/// screen.
+TEST(SmallThings, ABodyOfWhichMostIsHiddenTellsNothing) {
+  const TemporaryFolder folder;
+  const KinematicTree thing = load_kinematic_tree(folder.write("thing.urdf", R"(
+    <robot name="thing">
+      <link name="box"><visual><geometry><box size="0.1 0.1 0.1"/></geometry></visual></link>
+      <link name="bar"><visual><geometry><box size="0.1 0.04 0.04"/></geometry></visual></link>
+      <joint name="slide" type="prismatic"><parent link="box"/><child link="bar"/>
+        <origin xyz="0.14 0 0"/><axis xyz="1 0 0"/>
+        <limit lower="0" upper="0.2" effort="1" velocity="1"/></joint>
+    </robot>)"));
+  State state;
+  state.configuration = rest_configuration(thing);
+  state.configuration.T_camera_base =
+      Eigen::Translation3d(-0.1, 0.0, 0.6) * Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX());
+  Scene scene = wall_behind(-0.4);  // its z axis points away from the camera
+  SceneBox screen;
+  screen.size << 0.5, 0.3, 0.01;
+  screen.pose.translation() << 0.278, 0.0, 0.5;
+  scene.boxes.push_back(screen);
+  DepthFrame frame;
+  const SensorModel sensor = sensor_model("primesense");
+  Simulator(thing, sensor.camera, {scene, {state}}, sensor, 3, Executor())
+      .simulate(state, 0, frame);
+  TiledCloud cloud;
+  cloud.assign(frame, {}, Executor());
+  Verifier verifier(thing);
+  verifier.look_at(cloud, SensorNoise{}.sigma_inverse_depth(), Executor());
+  const Evidence shown = verifier.evidence(state.configuration);
+  Configuration hidden = state.configuration;
+  hidden.q[0] = 0.15;
+  const Evidence without = verifier.evidence(hidden);
+  EXPECT_GT(shown.total(), least_evidence());
+  EXPECT_NEAR(shown.matched, without.matched, 2.0);
+}
+
 }  // namespace
 }  // namespace lockbox

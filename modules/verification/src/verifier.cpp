@@ -82,6 +82,7 @@ struct Verifier::Workspace {
   void draw(const Configuration& configuration);
   Evidence sum_up();
   void judge_row(int v);
+  void tell_hidden_bodies();
   double chance_of_a_line() const;
   void compare_row(int v);
   double shown(int u, int v) const { return static_cast<double>(cells[image.index(u, v)]); }
@@ -107,7 +108,10 @@ struct Verifier::Workspace {
   std::vector<Eigen::Isometry3d> poses;
   std::vector<RenderItem> items;
   std::vector<Seen> seen;
-  std::vector<Sums> sums;  ///< by row
+  std::vector<int> explained_cells;   ///< by body
+  std::vector<int> hidden_cells;      ///< by body
+  std::vector<std::uint8_t> is_mute;  ///< by body: what shows of it may be anything
+  std::vector<Sums> sums;             ///< by row
 };
 
 Verifier::Verifier(const KinematicTree& tree) : workspace_(std::make_unique<Workspace>(tree)) {}
@@ -155,6 +159,7 @@ Evidence Verifier::Workspace::sum_up() {
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) judge_row(drawn.top + static_cast<int>(i));
   });
+  tell_hidden_bodies();
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) compare_row(drawn.top + static_cast<int>(i));
   });
@@ -170,6 +175,26 @@ void Verifier::Workspace::judge_row(int v) {
     if (!(shown(u, v) > 0.0) || !(scene->at(u, v) > 0.0)) continue;
     ++sum.cells;
     seen[image.index(u, v)] = judge(u, v, sum);
+  }
+}
+
+/// The base is what is sought, however little of it is seen.
+void Verifier::Workspace::tell_hidden_bodies() {
+  explained_cells.assign(tree.bodies.size(), 0);
+  hidden_cells.assign(tree.bodies.size(), 0);
+  const ImageWindow& drawn = image.drawn;
+  for (int v = drawn.top; v < drawn.bottom(); ++v) {
+    for (int u = drawn.left; u < drawn.right(); ++u) {
+      const std::size_t cell = image.index(u, v);
+      if (seen[cell] == Seen::nothing) continue;
+      const auto body = static_cast<std::size_t>(image.id[cell]);
+      explained_cells[body] += seen[cell] == Seen::explained ? 1 : 0;
+      hidden_cells[body] += seen[cell] == Seen::occluder ? 1 : 0;
+    }
+  }
+  is_mute.assign(tree.bodies.size(), 0);
+  for (std::size_t b = 1; b < is_mute.size(); ++b) {
+    is_mute[b] = hidden_cells[b] > explained_cells[b] ? 1 : 0;
   }
 }
 
@@ -245,6 +270,7 @@ bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direc
 void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
   const std::size_t cell = image.index(u, v);
   if (seen[cell] != Seen::explained) return;
+  if (is_mute[static_cast<std::size_t>(image.id[cell])] != 0) return;
   const Eigen::Vector2f& of_scene = scene_lines.direction(cell);
   const Eigen::Vector2f& of_model = model_lines.direction(cell);
   const int reach = outline_reach(shown(u, v));
