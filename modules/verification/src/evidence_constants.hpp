@@ -71,6 +71,11 @@ inline constexpr double kFace = 64.0;
 /// as much.
 inline constexpr double kOccluderEdge = 0.09;
 
+/// The share of a body's cells that has to be seen for it to tell anything, but for the base's.
+/// Unit: none. Source: of four cells one, or what shows is an edge more than a surface. Doubled,
+/// drawers that are half hidden no longer tell.
+inline constexpr double kLeastSeen = 0.25;
+
 /// Inverse depths that a sensor measures. Unit: 1 / metre. Source: from 0.35 m on.
 inline constexpr double kInverseRange = 2.5;
 /// Within it a cell agrees with what is foretold. Unit: standard deviations. Source: not recorded.

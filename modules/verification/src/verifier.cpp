@@ -194,7 +194,8 @@ void Verifier::Workspace::tell_hidden_bodies() {
   }
   is_mute.assign(tree.bodies.size(), 0);
   for (std::size_t b = 1; b < is_mute.size(); ++b) {
-    is_mute[b] = hidden_cells[b] > explained_cells[b] ? 1 : 0;
+    const double all = explained_cells[b] + hidden_cells[b];
+    is_mute[b] = explained_cells[b] < evidence::kLeastSeen * all ? 1 : 0;
   }
 }
 
