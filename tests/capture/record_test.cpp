@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Recording: from a live device (the real OpenNI2 runtime with the virtual device driver), and from
+// another recording.
+#include <gmock/gmock.h>
+
+#include <future>
+#include <thread>
+
+#include "lockbox/capture/oni_player.hpp"
+#include "lockbox/capture/oni_writer.hpp"
+#include "lockbox/core/error.hpp"
+#include "synthetic_camera.hpp"
+#include "temporary_folder.hpp"
+
+namespace lockbox {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+TEST(Record, ALiveDeviceIsRecordedBitForBit) {
+  const TemporaryFolder folder;
+  const SyntheticCamera camera(5ms);
+  const auto deadline = std::chrono::steady_clock::now() + LOCKBOX_SLOWDOWN * 300ms;
+  const std::size_t count =
+      record("openni2:" + camera.uri(), folder / "a.oni",
+             {[deadline] { return std::chrono::steady_clock::now() > deadline; }});
+  EXPECT_GT(count, 5U);
+  OniPlayer player(folder / "a.oni");
+  DepthFrame frame;
+  ASSERT_TRUE(player.next(frame));
+  // The recording's stamps begin at 0: find out which frame was the first.
+  std::uint64_t first = 0;
+  while (first < 1000 && synthetic_frame(first).depth != frame.depth) {
+    ++first;
+  }
+  ASSERT_LT(first, 1000U);
+  while (player.next(frame)) {
+    EXPECT_EQ(frame.depth, synthetic_frame(first + number_of(frame)).depth) << frame.index;
+  }
+}
+
+TEST(Record, UnpluggingEndsTheRecording) {
+  const TemporaryFolder folder;
+  SyntheticCamera camera(2ms);
+  auto unplug = std::async(std::launch::async, [&camera] {
+    std::this_thread::sleep_for(LOCKBOX_SLOWDOWN * 200ms);
+    camera.unplug();
+  });
+  EXPECT_GT(record("openni2:" + camera.uri(), folder / "a.oni", {[] { return false; }}), 5U);
+}
+
+TEST(Record, ARecordingIsRecordedAgainBitForBit) {
+  const TemporaryFolder folder;
+  OniWriter writer(folder / "a.oni", small_camera(), 30);
+  for (std::uint64_t number = 0; number < 5; ++number) {
+    writer.write(synthetic_frame(number));
+  }
+  writer.finish();
+  const auto never = [] { return false; };
+  EXPECT_EQ(record((folder / "a.oni").string(), folder / "b.oni", {never}), 5U);
+  OniPlayer player(folder / "b.oni");
+  DepthFrame frame;
+  for (std::uint64_t number = 0; number < 5; ++number) {
+    ASSERT_TRUE(player.next(frame));
+    EXPECT_EQ(frame.depth, synthetic_frame(number).depth);
+    EXPECT_EQ(number_of(frame), number);
+    EXPECT_EQ(frame.camera, small_camera());
+  }
+  EXPECT_EQ(record((folder / "a.oni").string(), folder / "c.oni", {[] { return true; }}), 1U);
+}
+
+TEST(Record, EndsAfterSecondsOfTheRecordingHoweverFastItIsRead) {
+  const TemporaryFolder folder;
+  OniWriter writer(folder / "a.oni", small_camera(), 30);
+  for (std::uint64_t number = 0; number < 9; ++number) {
+    writer.write(synthetic_frame(number));
+  }
+  writer.finish();
+  const double step = synthetic_frame(1).stamp - synthetic_frame(0).stamp;
+  const RecordingEnd end{[] { return false; }, 3.5 * step};
+  EXPECT_EQ(record((folder / "a.oni").string(), folder / "b.oni", end), 4U);
+}
+
+TEST(Record, ADeviceIsRecordedForSecondsOfTheClock) {
+  const TemporaryFolder folder;
+  const SyntheticCamera camera(5ms);
+  const RecordingEnd end{[] { return false; }, LOCKBOX_SLOWDOWN * 0.3};
+  EXPECT_GT(record("openni2:" + camera.uri(), folder / "a.oni", end), 5U);
+}
+
+TEST(Record, WrongSourcesAreRefused) {
+  const TemporaryFolder folder;
+  const auto never = [] { return false; };
+  EXPECT_THROW(record("a.oni", folder / "b.oni", {never}), InputError);
+  EXPECT_THAT([&] { record("openni2:no/such@device", folder / "b.oni", {never}); },
+              ThrowsMessage<DeviceError>(HasSubstr("no such OpenNI2 device")));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+}  // namespace
+}  // namespace lockbox
