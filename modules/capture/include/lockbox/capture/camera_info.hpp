@@ -11,8 +11,9 @@
 
 namespace lockbox {
 
+/// What a camera calibration file says.
 struct CameraCalibration {
-  PinholeCamera camera;
+  PinholeCamera camera;  ///< the ideal pinhole, without the distortion
   /// Coefficients of `plumb_bob` (k1 k2 p1 p2 k3) or `rational_polynomial` (k1 k2 p1 p2 k3 k4 k5
   /// k6); all zero, or empty, means none. Or those of `equidistant` (k1 k2 k3 k4), see below.
   std::vector<double> distortion;
@@ -21,6 +22,7 @@ struct CameraCalibration {
   /// k4 a^8) focal lengths from the principal point: straight lines bend whatever the coefficients.
   bool is_equidistant = false;
 
+  /// Whether any coefficient is not zero.
   bool has_distortion() const;
 };
 

@@ -27,6 +27,7 @@ class FrameGrabber : public pcl::Grabber {
   /// Organized, in metres, in the camera's optical frame; NaN where nothing was measured. The
   /// header holds the stamp in microseconds and the frame's index.
   using CloudCallback = void(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr&);
+  /// The frame as its source delivered it, before the cloud is made of it.
   using FrameCallback = void(const std::shared_ptr<const DepthFrame>&);
   /// Called once when the source ends by itself; the text is empty, or what went wrong.
   using EndCallback = void(const std::string& error);
@@ -48,7 +49,9 @@ class FrameGrabber : public pcl::Grabber {
   /// source itself; else it may take as long as the source waits for a frame.
   void stop() override;
 
+  /// Whether the thread that pulls frames is there.
   bool isRunning() const override { return running_; }
+  /// The name that PCL asks of every grabber.
   std::string getName() const override { return "lockbox::FrameGrabber"; }
 
   /// Measured over the last frames by their stamps; 0 before the second frame.

@@ -41,11 +41,14 @@ class FrameSource {
   /// user. Else the usual one was assumed.
   virtual bool is_unit_stated() const { return true; }
 
+  /// What was mended or left out in the frames delivered so far.
   virtual SourceFaults faults() const { return {}; }
 
+  /// For people: what the source is, and which settings are in force.
   virtual std::string description() const = 0;
 };
 
+/// How a source is opened and played. What does not concern its kind is not used.
 struct SourceOptions {
   std::optional<PinholeCamera> camera;               ///< overrides the source's own intrinsics
   std::optional<std::filesystem::path> camera_info;  ///< ROS camera calibration YAML

@@ -25,8 +25,10 @@ class PcdFolderSource : public FrameSource {
 
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override;
+  /// What was mended or left out so far.
   SourceFaults faults() const override;
   bool is_unit_stated() const override;
+  /// The folder, and the scale in force.
   std::string description() const override;
 
  private:

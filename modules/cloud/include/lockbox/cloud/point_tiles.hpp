@@ -16,24 +16,29 @@ inline constexpr std::size_t kTilePoints = std::size_t{kTileSize} * kTileSize;
 /// One tile: its valid points are [first, first + count) of the arrays, padded with points outside
 /// everything up to a multiple of kernels::kLanes.
 struct Tile {
-  std::size_t first = 0;
-  std::size_t count = 0;
-  std::size_t padded = 0;
+  std::size_t first = 0;       ///< index of the first point
+  std::size_t count = 0;       ///< valid points
+  std::size_t padded = 0;      ///< points with the padding
   Eigen::AlignedBox3f bounds;  ///< of the valid points, camera frame
   double weight = 1.0;         ///< pixels that each of its points stands for
   double scatter = 0.0;  ///< variance of pixels around the points that are their means, whitened
 };
 
+/// The points of a cloud, tile by tile. Who fills it derives from it.
 class PointTiles {
  public:
+  /// The tiles, whose points do not overlap.
   const std::vector<Tile>& tiles() const { return tiles_; }
   const std::vector<float>& x() const { return x_; }  ///< metres, camera frame, as are y() and z()
+  /// Metres, camera frame.
   const std::vector<float>& y() const { return y_; }
+  /// Metres, camera frame.
   const std::vector<float>& z() const { return z_; }
   /// Image index (v * width + u) of each point.
   const std::vector<std::uint32_t>& pixel() const { return pixel_; }
   /// How many pixels each point is the mean of.
   const std::vector<float>& pooled() const { return pooled_; }
+  /// How many points all tiles have together, without the padding.
   std::size_t valid_points() const;
 
  protected:
@@ -46,12 +51,12 @@ class PointTiles {
   /// Padding alone.
   void pad(Tile& tile);
 
-  std::vector<Tile> tiles_;
-  std::vector<float> x_;
-  std::vector<float> y_;
-  std::vector<float> z_;
-  std::vector<std::uint32_t> pixel_;
-  std::vector<float> pooled_;
+  std::vector<Tile> tiles_;           ///< of the points below
+  std::vector<float> x_;              ///< metres, camera frame
+  std::vector<float> y_;              ///< metres, camera frame
+  std::vector<float> z_;              ///< metres, camera frame
+  std::vector<std::uint32_t> pixel_;  ///< image index of each point
+  std::vector<float> pooled_;         ///< pixels that each point is the mean of
 };
 
 }  // namespace lockbox

@@ -42,6 +42,7 @@ class TiledCloud {
   /// Throws InputError if the mask has another size than the image.
   void keep(const std::vector<std::uint8_t>& mask);
 
+  /// Of the image that the cloud was made of.
   const PinholeCamera& camera() const { return camera_; }
   /// Filtered depth image in metres, 0 where nothing is known; width * height.
   const std::vector<float>& depth() const { return depth_; }

@@ -9,13 +9,14 @@
 
 namespace lockbox {
 
+/// One depth image with its camera, unit and time.
 struct DepthFrame {
-  PinholeCamera camera;
+  PinholeCamera camera;  ///< intrinsics, and the size of the image
   /// Depth along the optical axis, row by row, width * height values; 0 means "no measurement".
   std::vector<std::uint16_t> depth;
-  float metres_per_unit = 0.001F;
-  double stamp = 0.0;       ///< seconds
-  std::uint64_t index = 0;  ///< number of the frame in its source, from 0
+  float metres_per_unit = 0.001F;  ///< the unit of the depths
+  double stamp = 0.0;              ///< seconds
+  std::uint64_t index = 0;         ///< number of the frame in its source, from 0
 
   /// Depth of pixel (u, v) in metres; 0 where nothing was measured.
   float metres(int u, int v) const {

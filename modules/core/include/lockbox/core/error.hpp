@@ -9,10 +9,12 @@
 namespace lockbox {
 
 /// An input (file, folder, model, option value) is missing or invalid.
-/// what() reads "<where>: <what is wrong>", where <where> is a file, with ":<line>" if known.
+/// what() reads "WHERE: what is wrong", where WHERE is a file, with ":LINE" behind it if known.
 class InputError : public std::runtime_error {
  public:
+  /// Where: the file, folder, option or the like.
   InputError(const std::string& where, const std::string& problem);
+  /// Line: counted from 1.
   InputError(const std::string& file, int line, const std::string& problem);
 };
 

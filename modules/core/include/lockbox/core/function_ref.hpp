@@ -9,6 +9,7 @@
 
 namespace lockbox {
 
+/// See below; the signature is that of a function: Result(Arguments...).
 template <typename Signature>
 class FunctionRef;
 
@@ -16,6 +17,7 @@ class FunctionRef;
 template <typename Result, typename... Arguments>
 class FunctionRef<Result(Arguments...)> {
  public:
+  /// Borrows the callable; it is not copied.
   template <typename Callable>
   requires(!std::is_same_v<std::remove_cvref_t<Callable>, FunctionRef>) FunctionRef(
       Callable&& callable)  // NOLINT(google-explicit-constructor): lambdas are passed as they are
@@ -25,6 +27,7 @@ class FunctionRef<Result(Arguments...)> {
               std::forward<Arguments>(arguments)...);
         }) {}
 
+  /// Calls it.
   Result operator()(Arguments... arguments) const {
     return call_(callable_, std::forward<Arguments>(arguments)...);
   }

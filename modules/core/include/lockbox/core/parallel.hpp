@@ -17,9 +17,10 @@ enum class Priority { normal, low };
 
 /// A parallel loop: calls body(i) once for each i in [0, count). The body is only borrowed.
 struct Loop {
-  static constexpr auto kNothing = [](std::size_t) {};
+  static constexpr auto kNothing = [](std::size_t) {};  ///< the body of a loop that does nothing
 
-  std::size_t count = 0;
+  std::size_t count = 0;  ///< how often the body is called
+  /// Called with the number of the call.
   FunctionRef<void(std::size_t)> body = kNothing;
 };
 
@@ -32,6 +33,7 @@ class Executor {
   explicit Executor(int threads = 0, Priority priority = Priority::normal,
                     StopRequest stop_request = nullptr);
 
+  /// How many threads work at the same time, the caller included.
   int threads() const;
 
   /// Within a body: which of the threads() workers runs it, for scratch memory of its own.
@@ -54,6 +56,7 @@ class Executor {
   /// Called by any thread: the loop under way ends soon, without the bodies that have not begun,
   /// and so do all later ones until resume(). What loops were filling is left half done.
   void stop() const;
+  /// Ends what stop() began: loops run again.
   void resume() const;
 
  private:

@@ -7,6 +7,7 @@
 
 namespace lockbox {
 
+/// A pixel of an image, counted from the left upper one.
 struct Pixel {
   int u = 0;  ///< column
   int v = 0;  ///< row
@@ -17,9 +18,9 @@ struct PinholeCamera {
   int width = 0;    ///< pixels
   int height = 0;   ///< pixels
   double fx = 0.0;  ///< focal lengths, pixels
-  double fy = 0.0;
+  double fy = 0.0;  ///< the same along v
   double cx = 0.0;  ///< principal point, pixels
-  double cy = 0.0;
+  double cy = 0.0;  ///< the same along v
 
   /// The point at depth z (metres along the optical axis) seen by pixel (u, v).
   Eigen::Vector3d back_project(double u, double v, double z) const {

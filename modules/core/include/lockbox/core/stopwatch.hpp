@@ -5,14 +5,15 @@ namespace lockbox {
 
 /// How long something took, milliseconds.
 struct Elapsed {
-  double wall_ms = 0.0;
-  double cpu_ms = 0.0;  ///< of the calling thread alone: the same however busy the machine is
+  double wall_ms = 0.0;  ///< by the clock
+  double cpu_ms = 0.0;   ///< of the calling thread alone: the same however busy the machine is
 };
 
 /// Runs from its construction on. Asked by the thread that made it.
 class Stopwatch {
  public:
   Stopwatch();
+  /// The time since its construction.
   Elapsed elapsed() const;
 
  private:

@@ -17,9 +17,10 @@
 
 namespace lockbox {
 
+/// How the object is sought.
 struct InitializerOptions {
-  RegistrationOptions registration;
-  std::size_t most_candidates = 3;  ///< to be returned
+  RegistrationOptions registration;  ///< of the alignments that refine what is found
+  std::size_t most_candidates = 3;   ///< to be returned
   /// A search that it stops throws Stopped within some tenths of a second. The next one begins
   /// anew.
   StopRequest stop_request = nullptr;
@@ -31,10 +32,10 @@ using JointMargins = std::vector<double>;
 
 /// One answer to where the model is.
 struct Candidate {
-  Configuration configuration;
-  JointMargins margins;   ///< of the first candidate; empty for others
-  double evidence = 0.0;  ///< nats, see lockbox/verification/evidence.hpp
-  double belief = 0.0;    ///< the probability that it is right, see lockbox/verification/belief.hpp
+  Configuration configuration;  ///< where the object may be
+  JointMargins margins;         ///< of the first candidate; empty for others
+  double evidence = 0.0;        ///< nats, see lockbox/verification/evidence.hpp
+  double belief = 0.0;  ///< the probability that it is right, see lockbox/verification/belief.hpp
   /// Metres by which the model's surface is somewhere else, in the root of the mean square over
   /// what else may be right, weighted by its probability: another answer, or none.
   double rival_distance = 0.0;
@@ -42,14 +43,14 @@ struct Candidate {
   /// box; 0 for one that is the same answer, or looks the same.
   double distance = 0.0;
   bool is_in_place_of_first =
-      false;  ///< its middle is within the model's radius of the first one's
-  Agreement agreement;
+      false;            ///< its middle is within the model's radius of the first one's
+  Agreement agreement;  ///< how the model compares with the image there
 };
 
 /// A configuration of which only joints were sought.
 struct SoughtJoints {
-  Configuration configuration;
-  JointMargins margins;
+  Configuration configuration;  ///< the best that was found
+  JointMargins margins;         ///< by how much it is better than any other
 };
 
 /// How far a search has come that goes on in later images.
@@ -61,6 +62,7 @@ struct SearchProgress {
 /// Not thread-safe. The model must outlive it.
 class Initializer {
  public:
+  /// executor: whose workers its searches use.
   Initializer(const ArticulatedModel& model, const InitializerOptions& options,
               const Executor& executor);
   ~Initializer();

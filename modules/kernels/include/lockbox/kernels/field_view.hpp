@@ -21,6 +21,7 @@ inline constexpr int kBlockCells = 8;
 inline constexpr int kBlockSamples = kBlockCells + 1;
 inline constexpr int kBlockVolume = kBlockSamples * kBlockSamples * kBlockSamples;
 
+/// The arrays and grids of one field. Whoever owns them keeps them alive.
 struct FieldView {
   /// Distances in units of fine_scale or coarse_scale: first the coarse grid, then the blocks.
   /// One spare sample follows the last, because pairs are loaded.
@@ -28,14 +29,14 @@ struct FieldView {
   /// First sample of each fine block (x fastest), -1 where the block is not stored.
   const std::int32_t* block_first = nullptr;
 
-  float fine_origin[3] = {};  ///< position of fine sample (0, 0, 0), metres, body frame
-  float fine_voxel = 1.0F;    ///< metres between fine samples
-  float fine_scale = 1.0F;    ///< metres per unit of a fine sample
-  std::int32_t blocks[3] = {};
+  float fine_origin[3] = {};    ///< position of fine sample (0, 0, 0), metres, body frame
+  float fine_voxel = 1.0F;      ///< metres between fine samples
+  float fine_scale = 1.0F;      ///< metres per unit of a fine sample
+  std::int32_t blocks[3] = {};  ///< fine blocks along each axis
 
-  float coarse_origin[3] = {};
-  float coarse_voxel = 1.0F;
-  float coarse_scale = 1.0F;
+  float coarse_origin[3] = {};       ///< position of coarse sample (0, 0, 0), metres, body frame
+  float coarse_voxel = 1.0F;         ///< metres between coarse samples
+  float coarse_scale = 1.0F;         ///< metres per unit of a coarse sample
   std::int32_t coarse_size[3] = {};  ///< samples along each axis
 };
 

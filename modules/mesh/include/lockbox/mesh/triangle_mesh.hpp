@@ -11,8 +11,8 @@ namespace lockbox {
 
 /// Triangles over shared vertices, metres. Outward faces are counter-clockwise.
 struct TriangleMesh {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Eigen::Vector3d> vertices;                ///< positions, metres
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of the three corners
 
   /// The three corners of triangle t.
   std::array<Eigen::Vector3d, 3> corners(std::size_t t) const {

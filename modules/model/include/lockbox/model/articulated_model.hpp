@@ -25,25 +25,28 @@ struct ModelParameters {
   std::optional<double> erosion;             ///< metres, model-wide
   /// metres, by the names of two bodies, sorted
   std::map<std::pair<std::string, std::string>, double> pair_erosion;
-  std::optional<Configuration> initial_configuration;
+  std::optional<Configuration> initial_configuration;  ///< where to begin, if the file says so
 };
 
+/// How a model is read.
 struct LoadOptions {
   /// Beside those that ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the like name.
   std::vector<std::filesystem::path> package_paths;
   /// Metres a unit of the mesh files; the scale that a URDF gives a mesh is applied as well.
   double mesh_scale = 1.0;
   std::optional<std::filesystem::path> cache_directory;  ///< default: XDG cache; empty: no cache
+  /// Told what looks wrong but is usable.
   std::function<void(const std::string&)> on_warning;
   StopRequest stop_request;  ///< Stopped is thrown then; nothing of the model is left but its cache
 };
 
+/// All that is known of an object before it is seen. It is not changed once it was loaded.
 struct ArticulatedModel {
-  std::filesystem::path file;
+  std::filesystem::path file;  ///< that it was read from
   /// The mesh of a body of many triangles, but not its visuals, is simplified as long as it stays
   /// within a voxel of the field: it is drawn many times a frame.
   KinematicTree tree;
-  ModelParameters parameters;
+  ModelParameters parameters;  ///< from the file beside it
   /// fields[b] belongs to tree.bodies[b]; empty for bodies without geometry.
   std::vector<std::optional<SignedDistanceField>> fields;
   /// Unit axes in the base's frame about which the body of the base is round, as a bottle's is: its

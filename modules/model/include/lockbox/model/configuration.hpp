@@ -10,7 +10,9 @@
 
 namespace lockbox {
 
+/// The pose of the base and the positions of all joints: what is estimated of a frame.
 struct Configuration {
+  /// The base's frame in the camera's, metres.
   Eigen::Isometry3d T_camera_base = Eigen::Isometry3d::Identity();
   Eigen::VectorXd q;  ///< one position per joint variable, radians or metres
 };
@@ -38,8 +40,8 @@ void set_joint_position(const KinematicTree& tree, Configuration& configuration,
 /// Limits of the joint that is variable v. Those of joints that mimic it do not count: elsewhere
 /// nobody enforces them, so that they are often wrong.
 struct VariableLimits {
-  double lower;
-  double upper;
+  double lower;  ///< radians or metres; -inf if there is none
+  double upper;  ///< radians or metres; +inf if there is none
 };
 VariableLimits variable_limits(const KinematicTree& tree, int variable);
 

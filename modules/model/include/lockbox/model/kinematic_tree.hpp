@@ -14,24 +14,24 @@ enum class JointType { revolute, continuous, prismatic };
 
 /// A movable joint. Fixed joints do not exist here: the bodies that they connect are one body.
 struct Joint {
-  std::string name;
-  JointType type = JointType::revolute;
-  int parent_body = 0;
-  int child_body = 0;
+  std::string name;                      ///< as in the file
+  JointType type = JointType::revolute;  ///< how it moves
+  int parent_body = 0;                   ///< index into KinematicTree::bodies
+  int child_body = 0;                    ///< index into KinematicTree::bodies
   Eigen::Isometry3d T_parent_joint = Eigen::Isometry3d::Identity();  ///< at position 0
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();                   ///< unit, joint frame
-  double lower = 0.0;  ///< limits, radians or metres; -inf and +inf for continuous joints
-  double upper = 0.0;
+  double lower = 0.0;       ///< limits, radians or metres; -inf and +inf for continuous joints
+  double upper = 0.0;       ///< the same at the other end
   int variable = -1;        ///< index of the joint variable that drives it
   double multiplier = 1.0;  ///< position = multiplier * variable + offset (1, 0 unless mimic)
-  double offset = 0.0;
-  bool is_mimic = false;
+  double offset = 0.0;      ///< radians or metres
+  bool is_mimic = false;    ///< whether another joint drives it
 };
 
 /// Triangles of one colour, in the frame of the body.
 struct ColoredMesh {
-  TriangleMesh mesh;
-  Eigen::Vector4f rgba{0.7F, 0.7F, 0.7F, 1.0F};
+  TriangleMesh mesh;                             ///< in metres
+  Eigen::Vector4f rgba{0.7F, 0.7F, 0.7F, 1.0F};  ///< red, green, blue, opacity in [0, 1]
 };
 
 /// One rigid body: a URDF link with all that fixed joints attach to it.
@@ -48,15 +48,16 @@ struct Body {
 /// order follows from what they are (placement, axis, shape), not from their names or from the
 /// file, so that no result can depend on how the file was written.
 struct KinematicTree {
-  std::string name;
-  std::vector<Body> bodies;
-  std::vector<Joint> joints;
+  std::string name;           ///< of the robot in the URDF, or the stem of the mesh file
+  std::vector<Body> bodies;   ///< the base first
+  std::vector<Joint> joints;  ///< joints[j] carries bodies[j + 1]
   /// The joints that mimic no other, in the order of joints: joints[variable_joint[v]] is driven by
   /// variable v of a Configuration.
   std::vector<int> variable_joint;
   /// Indices into joints in the order of the file: the columns of a states file.
   std::vector<int> file_order;
 
+  /// How many joint variables a configuration has.
   int variables() const { return static_cast<int>(variable_joint.size()); }
 };
 

@@ -14,17 +14,19 @@
 
 namespace lockbox {
 
+/// One row of a states file.
 struct State {
-  double stamp = 0.0;
+  double stamp = 0.0;              ///< seconds
   Configuration configuration;     ///< NaN where the file says nan
   std::string status;              ///< of the column `status`, if there is one
   bool known = true;               ///< false where the pose columns are nan
   std::vector<std::string> extra;  ///< fields of the columns that are not pose, joint or status
 };
 
+/// All rows of a states file, and the names of its further columns.
 struct StatesFile {
-  std::vector<std::string> extra_columns;
-  std::vector<State> states;
+  std::vector<std::string> extra_columns;  ///< names, in the order of the file
+  std::vector<State> states;               ///< in the order of the file
 };
 
 /// Columns may stand in any order; those of the pose and of the joints that mimic no other are

@@ -42,7 +42,7 @@ namespace lockbox {
 template <typename PointT, typename Scalar = float>
 class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scalar> {
  public:
-  using Base = pcl::Registration<PointT, PointT, Scalar>;
+  using Base = pcl::Registration<PointT, PointT, Scalar>;  ///< PCL's own class
   using typename Base::KdTreePtr;
   using typename Base::KdTreeReciprocalPtr;
   using typename Base::Matrix4;
@@ -51,11 +51,13 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   using typename Base::PointCloudTarget;
   using typename Base::PointCloudTargetConstPtr;
   using typename Base::PointIndicesConstPtr;
-  using Ptr = pcl::shared_ptr<ArticulatedSdfRegistration>;
-  using ConstPtr = pcl::shared_ptr<const ArticulatedSdfRegistration>;
+  using Ptr = pcl::shared_ptr<ArticulatedSdfRegistration>;             ///< as PCL names it
+  using ConstPtr = pcl::shared_ptr<const ArticulatedSdfRegistration>;  ///< as PCL names it
+  /// As PCL names it.
   using ConvergenceCriteria = pcl::registration::DefaultConvergenceCriteria<Scalar>;
   using Base::correspondences_;
 
+  /// Has neither source nor model yet.
   ArticulatedSdfRegistration();
   ~ArticulatedSdfRegistration() override;
 
@@ -64,11 +66,13 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   /// that there are about 30,000), and is posed anew whenever the joints change. Throws InputError
   /// if the model cannot be registered.
   void setModel(std::shared_ptr<const ArticulatedModel> model, double target_spacing = 0.0);
+  /// The same of a model that nobody else shares.
   void setModel(ArticulatedModel model, double target_spacing = 0.0);
 
   /// Weights, sensor noise, fixed base, locked joints. max_iterations is PCL's
   /// setMaximumIterations. Throws InputError if the model cannot be registered with them.
   void setOptions(const RegistrationOptions& options);
+  /// Those in force.
   const RegistrationOptions& getOptions() const;
 
   /// Of the organized scans that follow; recovered from each if none is given.
@@ -82,20 +86,26 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   /// setModel. Throw InputError without a model, for joints that it does not have or that mimic,
   /// and for values that are not finite.
   void setJointPositions(const Eigen::VectorXd& positions);
+  /// The same of one joint, by its name in the model.
   void setJointPosition(const std::string& joint, double position);
+  /// Metres or radians, of all joints that mimic no other.
   const Eigen::VectorXd& getJointPositions() const;
+  /// Metres or radians, of one joint by its name in the model, also of one that mimics.
   double getJointPosition(const std::string& joint) const;
 
-  /// Of the last alignment that had data, empty before: covariance of (base twist in the base's
-  /// frame, joint positions), translation first; its standard deviations; whether the scan
-  /// determines them.
+  /// The covariance of (base twist in the base's frame, joint positions), translation first, of the
+  /// last alignment that had data. It is empty before, as are the next two.
   const Eigen::MatrixXd& getCovariance() const;
+  /// The square roots of its diagonal.
   const Eigen::VectorXd& getStandardDeviations() const;
+  /// Whether the scan determines each of these unknowns.
   const std::vector<bool>& getObservable() const;
 
   /// Shares of the visible surface; all zero for a scan that is no image.
   const Agreement& getAgreement() const;
+  /// What is measured where the model says.
   double getExplainedShare() const { return getAgreement().explained; }
+  /// What is seen through, or measured behind.
   double getContradictedShare() const { return getAgreement().contradicted; }
 
   /// As IterativeClosestPoint has it.
@@ -106,8 +116,11 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
 
   /// Which points of the source are matched, of this one and of those that follow. Null: all.
   void setIndices(const pcl::IndicesPtr& indices) override;
+  /// The same of indices that nobody changes.
   void setIndices(const pcl::IndicesConstPtr& indices) override;
+  /// The same as PCL's segmentations give them.
   void setIndices(const PointIndicesConstPtr& indices) override;
+  /// A window of an organized source, in pixels.
   void setIndices(std::size_t first_row, std::size_t first_column, std::size_t rows,
                   std::size_t columns) override;
 
@@ -122,11 +135,14 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   /// Through a pointer to the base class PCL's own is called: a null tree then has to be followed
   /// by setInputSource, setModel or setJointPositions, which mend it.
   void setSearchMethodTarget(const KdTreePtr& tree, bool force_no_recompute = false);
+  /// The same of the source, of which no tree is used at all.
   void setSearchMethodSource(const KdTreeReciprocalPtr& tree, bool force_no_recompute = false);
 
   /// What ICP has besides, for programs that call it: without meaning here, warned of once.
   void setUseReciprocalCorrespondences(bool use);
+  /// Without meaning here, as the one above.
   void setUseSymmetricObjective(bool use);
+  /// Without meaning here, as the one above.
   void setEnforceSameDirectionNormals(bool enforce);
 
  protected:
@@ -139,6 +155,7 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   using Base::transformation_;
   using Base::tree_;
 
+  /// What pcl::Registration::align() calls: one alignment from the guess.
   void computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
 
  private:

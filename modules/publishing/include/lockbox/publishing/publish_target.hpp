@@ -7,14 +7,16 @@
 
 namespace lockbox {
 
+/// Where states go.
 struct PublishTarget {
+  /// How they get there.
   enum class Kind { standard_output, tcp, unix_socket, udp };
 
-  std::string text;  ///< as it was given, for messages
-  Kind kind = Kind::standard_output;
-  std::string host;        ///< of tcp: where to listen; of udp: where to send to
-  std::uint16_t port = 0;  ///< likewise; 0 for tcp: one that is free
-  std::string path;        ///< of the Unix socket
+  std::string text;                   ///< as it was given, for messages
+  Kind kind = Kind::standard_output;  ///< which of the members below count
+  std::string host;                   ///< of tcp: where to listen; of udp: where to send to
+  std::uint16_t port = 0;             ///< likewise; 0 for tcp: one that is free
+  std::string path;                   ///< of the Unix socket
 };
 
 /// Reads `stdout`, `tcp:PORT` (on 127.0.0.1), `tcp:HOST:PORT`, `unix:PATH` or `udp:HOST:PORT`; an

@@ -44,6 +44,7 @@ struct SizeMeasurement {
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< of it
 };
 
+/// What an alignment has found, and how sure it is of it.
 struct RegistrationResult {
   Configuration configuration;  ///< the estimate
   /// Before the last step, in which outlines weigh more (docs/mathematics.md): where to begin the
@@ -56,25 +57,25 @@ struct RegistrationResult {
   /// Radians, of the way the base is turned, were the object exactly its model; but for turns about
   /// its round axes, after which it looks the same.
   double base_turning_sigma = 0.0;
-  Agreement agreement;
+  Agreement agreement;                    ///< of the whole model with the image
   std::vector<Agreement> body_agreement;  ///< by body
-  OutlineAgreement outline;
+  OutlineAgreement outline;               ///< what the image shows beyond the outline
   /// By body: whether it is flush with what is around it, so that its edges tell little or nothing
   /// (continued_edges.hpp). Empty for clouds without an image.
   std::vector<bool> flush_bodies;
   double residual_rms = 0.0;      ///< whitened: 1 where the sensor errs as assumed
   double explained_points = 0.0;  ///< pixels, where points are means of such
   double model_cost = 0.0;        ///< relative to explaining nothing
-  double free_cost = 0.0;
-  double collision_cost = 0.0;
-  int iterations = 0;
+  double free_cost = 0.0;         ///< of free space, weighted by lambda_free
+  double collision_cost = 0.0;    ///< of penetration, weighted by lambda_collision
+  int iterations = 0;             ///< linearisations that were made
   /// Metres that the last iteration moved surfaces, at most, beyond what noise does: 0 at rest.
   double last_move = 0.0;
   /// Metres to where the base may be as well, if a search of the whole view could not tell; else 0.
   double rival_distance = 0.0;
   /// The probability that this is the object, where the image was asked for it; else 0.
   double belief = 0.0;
-  bool converged = false;
+  bool converged = false;  ///< whether the last step was within RegistrationOptions::step_tolerance
 };
 
 /// Owns all memory of the loop: once used, it allocates nothing for images of the same size. Use
@@ -96,9 +97,13 @@ class ArticulatedRegistration {
   /// an image tells nothing. No later alignment depends on it.
   SizeMeasurement measure_size(const Configuration& configuration);
 
+  /// As they were given, with one entry of `locked` for each variable.
   const RegistrationOptions& options() const;
+  /// The term that keeps bodies out of each other.
   const CollisionTerm& collision() const;
+  /// The model that is aligned.
   const ArticulatedModel& model() const;
+  /// How far steps move surfaces: what makes metres of steps of all unknowns.
   const SurfaceMoves& moves() const;
 
  private:

@@ -43,6 +43,7 @@ struct RegistrationOptions : TermOptions, CollisionOptions {
   /// what noise lets an estimate err.
   double step_tolerance = 2e-5;
 
+  /// Whether the variable is held.
   bool is_locked(int variable) const {
     const auto index = static_cast<std::size_t>(variable);
     return index < locked.size() && locked[index];

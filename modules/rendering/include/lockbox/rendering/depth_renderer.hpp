@@ -22,7 +22,8 @@ namespace lockbox {
 
 /// A mesh to draw. The mesh is referred to, not copied.
 struct RenderItem {
-  const TriangleMesh* mesh = nullptr;
+  const TriangleMesh* mesh = nullptr;  ///< must live until the image is drawn
+  /// The mesh's frame in the camera's.
   Eigen::Isometry3d T_camera_mesh = Eigen::Isometry3d::Identity();
   std::int16_t id = 0;  ///< what its pixels are marked with, not kNothing
   /// See lockbox/mesh/mesh_audit.hpp. Faces seen from behind are left out then, which halves the
@@ -34,19 +35,21 @@ inline constexpr std::int16_t kNothing = -1;
 
 /// A part of an image, pixels.
 struct ImageWindow {
-  int left = 0;
-  int top = 0;
-  int width = 0;
-  int height = 0;
+  int left = 0;    ///< the first column
+  int top = 0;     ///< the first row
+  int width = 0;   ///< columns
+  int height = 0;  ///< rows
 
+  /// The column after the last one.
   int right() const { return left + width; }
+  /// The row after the last one.
   int bottom() const { return top + height; }
 };
 
 /// Row by row, width * height values each.
 struct RenderedDepth {
-  int width = 0;
-  int height = 0;
+  int width = 0;                 ///< columns
+  int height = 0;                ///< rows
   std::vector<float> depth;      ///< along the optical axis, metres; +infinity where nothing is
   std::vector<std::int16_t> id;  ///< of the nearest item; kNothing where nothing is
   ImageWindow drawn;             ///< outside it nothing is
@@ -60,8 +63,8 @@ struct RenderedDepth {
 
 /// A window of an image, row by row.
 struct RenderedInverseDepth {
-  int width = 0;
-  int height = 0;
+  int width = 0;                     ///< columns
+  int height = 0;                    ///< rows
   std::vector<float> inverse_depth;  ///< 1/metre; 0 where nothing is
   std::vector<std::int16_t> id;      ///< of the nearest item; kNothing where nothing is
 };
@@ -72,11 +75,13 @@ class DepthRenderer {
   /// Surface nearer than this to the camera's plane is cut away, metres.
   static constexpr double kNear = 0.01;
 
+  /// The images have the camera's size.
   DepthRenderer(const PinholeCamera& camera, const Executor& executor);
   ~DepthRenderer();
   DepthRenderer(DepthRenderer&&) noexcept;
   DepthRenderer& operator=(DepthRenderer&&) noexcept;
 
+  /// Of the images to come.
   const PinholeCamera& camera() const;
   /// For the images to come.
   void set_camera(const PinholeCamera& camera);
@@ -88,6 +93,7 @@ class DepthRenderer {
   /// them, by several threads, until the next prepare(). The window must lie within the image; its
   /// first pixel becomes the first one of `part`, which is resized and overwritten.
   void prepare(std::span<const RenderItem> items);
+  /// Draws one window of what was prepared.
   void draw(const ImageWindow& window, RenderedInverseDepth& part) const;
 
  private:

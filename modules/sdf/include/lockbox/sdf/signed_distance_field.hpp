@@ -13,8 +13,8 @@ namespace lockbox {
 
 /// Distance (metres, negative inside) and its gradient (1, body frame).
 struct DistanceSample {
-  float distance;
-  Eigen::Vector3f gradient;
+  float distance;            ///< metres, negative inside
+  Eigen::Vector3f gradient;  ///< metres a metre, body frame
 };
 
 /// Immutable after it is built or read from the cache; safe to share between threads.
@@ -23,13 +23,16 @@ class SignedDistanceField {
   /// The arrays behind view(); see field_view.hpp for their layout.
   struct Storage {
     FieldView grid;  ///< pointers unset
+    /// FieldView::samples, with the spare one.
     std::vector<std::int16_t> samples;
+    /// FieldView::block_first.
     std::vector<std::int32_t> block_first;
     Eigen::AlignedBox3d bounds;  ///< of the body's surface
     double mesh_volume = 0.0;    ///< enclosed by the mesh, m^3
     double thickness = 0.0;      ///< of the thinnest wall, metres
   };
 
+  /// Takes the arrays over; build_field() and the cache make them.
   explicit SignedDistanceField(Storage storage);
   // Copying would leave the view pointing into the original.
   SignedDistanceField(const SignedDistanceField&) = delete;
@@ -37,10 +40,15 @@ class SignedDistanceField {
   SignedDistanceField(SignedDistanceField&&) noexcept;
   SignedDistanceField& operator=(SignedDistanceField&&) noexcept;
 
+  /// What inner loops read; valid as long as the field.
   const FieldView& view() const { return view_; }
+  /// What the cache writes.
   const Storage& storage() const { return storage_; }
+  /// The box of the body's surface, body frame, metres.
   const Eigen::AlignedBox3d& bounds() const { return storage_.bounds; }
+  /// Metres between fine samples.
   double voxel() const { return static_cast<double>(view_.fine_voxel); }
+  /// Metres, of the thinnest wall.
   double thickness() const { return storage_.thickness; }
 
   /// Tri-linear distance at p (metres, body frame) and the exact gradient of that interpolant.
@@ -52,6 +60,7 @@ class SignedDistanceField {
   /// Volume where the interpolant is negative, m^3.
   double enclosed_volume() const;
 
+  /// Memory that the arrays take.
   std::size_t memory_bytes() const;
 
  private:

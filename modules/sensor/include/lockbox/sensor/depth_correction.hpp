@@ -9,10 +9,10 @@ namespace lockbox {
 ///
 /// r being the tangent of the angle between the pixel's ray and the optical axis.
 struct DepthCorrection {
-  double scale = 1.0;
+  double scale = 1.0;      ///< metres a metre
   double offset = 0.0;     ///< metres
   double quadratic = 0.0;  ///< 1/metre
-  double radial = 0.0;
+  double radial = 0.0;     ///< 1, see above
 
   /// On the optical axis, metres.
   double on_axis(double z) const { return offset + (scale + quadratic * z) * z; }

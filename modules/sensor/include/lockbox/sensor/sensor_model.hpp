@@ -16,8 +16,9 @@
 
 namespace lockbox {
 
+/// What a depth sensor does to the true depth, number by number.
 struct SensorModel {
-  std::string name;
+  std::string name;  ///< of the profile that it is from
   /// The calibration of such a sensor, where nobody gives another: a PrimeSense at full resolution.
   PinholeCamera camera{640, 480, 575.8, 575.8, 319.5, 239.5};
   double baseline = 0.075;          ///< metres; disparity = camera.fx * baseline / z
@@ -45,7 +46,7 @@ struct SensorModel {
                                       ///< of the camera's frame, is hidden by something nearer; so
                                       ///< it is with the second camera of a stereo sensor
   double min_range = 0.0;             ///< metres; what is measured nearer or farther is dropped
-  double max_range = 65.535;
+  double max_range = 65.535;          ///< metres
 
   /// Whether depth comes from matching windows of two images.
   bool is_stereo() const { return matching_window > 1 || most_fattening > 0.0; }

@@ -25,6 +25,7 @@ struct SensorNoise {
   double sigma_z(double z) const {
     return depth_floor + depth_linear * z + depth_quadratic * z * z;
   }
+  /// Across the ray at depth z, with focal length fx in pixels: metres.
   double sigma_lateral(double z, double fx) const { return lateral_pixels / fx * z; }
   /// Of 1/depth, 1/metre: nearly the same at all depths. Taken where objects usually are.
   double sigma_inverse_depth() const {

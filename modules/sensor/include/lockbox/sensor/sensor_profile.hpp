@@ -13,13 +13,14 @@
 
 namespace lockbox {
 
+/// All that is known of a depth sensor.
 struct SensorProfile {
   std::string name;            ///< the stem of its file
   std::filesystem::path file;  ///< where it was read from
-  std::string description;
-  SensorNoise noise;       ///< what an estimate from its images assumes
-  double min_range = 0.2;  ///< metres; what is measured nearer or farther is no measurement
-  double max_range = 5.0;
+  std::string description;     ///< one line for people
+  SensorNoise noise;           ///< what an estimate from its images assumes
+  double min_range = 0.2;      ///< metres; what is measured nearer or farther is no measurement
+  double max_range = 5.0;      ///< metres
   /// What turns measured depths into those that are there; none if they are believed.
   std::optional<DepthCorrection> depth_correction;
   /// How the simulator makes its images, with the ranges above; none if the file does not say.

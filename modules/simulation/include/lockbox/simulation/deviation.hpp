@@ -36,15 +36,17 @@ struct CameraDeviation {
 /// A surface at depth z is measured at z (scale + bend z + corners r^2), where r is the distance
 /// from the principal point as a share of that of the farthest corner.
 struct DepthDeviation {
-  double scale = 1.0;
-  double bend = 0.0;  ///< 1/metre
-  double corners = 0.0;
+  double scale = 1.0;    ///< metres a metre
+  double bend = 0.0;     ///< 1/metre
+  double corners = 0.0;  ///< share of the depth in the farthest corner
 };
 
+/// How camera and depths differ from the calibration that comes with them.
 struct SensorDeviation {
-  CameraDeviation camera;
-  DepthDeviation depth;
+  CameraDeviation camera;  ///< the geometry of the image
+  DepthDeviation depth;    ///< what is measured in it
 
+  /// Whether anything differs at all.
   bool is_any() const {
     return camera.focal_length != 1.0 || !camera.principal_point.isZero(0.0) ||
            !camera.distortion.isZero(0.0) || depth.scale != 1.0 || depth.bend != 0.0 ||
@@ -59,11 +61,12 @@ struct FrameDeviation {
   double missing = 0.0;   ///< share of frames that do not arrive
 };
 
+/// How what is simulated differs from what the tracker is told.
 struct Deviation {
-  std::uint64_t seed = 1;
-  ObjectDeviation object;
+  std::uint64_t seed = 1;  ///< of all that is drawn at random
+  ObjectDeviation object;  ///< against its model
   SensorDeviation sensor;  ///< `camera` and `depth` in a file
-  FrameDeviation frames;
+  FrameDeviation frames;   ///< what is lost or repeated on the way
 };
 
 /// Reads a deviation file; its keys are the names of the members above (docs/file-formats.md).

@@ -36,6 +36,7 @@ class Simulator {
   /// What the last frame was made from: sampled as SensorSimulator::sample_camera says, ids the
   /// numbers of bodies, kBackgroundId and kOccluderId.
   const RenderedDepth& clean() const { return clean_; }
+  /// The camera that clean() was rendered with.
   const PinholeCamera& sample_camera() const { return sensor_.sample_camera(); }
 
   /// The base pose of the last frame as the calibration shows it: the rigid pose that fits the

@@ -14,8 +14,9 @@ namespace lockbox {
 /// The base upright in front of the camera, its z axis towards it: distance in metres.
 Eigen::Isometry3d facing_pose(double distance);
 
+/// How a trajectory is made.
 struct TrajectoryOptions {
-  int frames = 300;
+  int frames = 300;                                    ///< how many states
   double rate = 30.0;                                  ///< frames a second
   Eigen::Isometry3d T_camera_base = facing_pose(1.3);  ///< of the first frame
   double sway = 0.03;                                  ///< of the camera along each axis, metres

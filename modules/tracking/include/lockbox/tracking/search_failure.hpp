@@ -19,10 +19,10 @@ struct TrackerOptions;
 struct SearchFailure {
   /// The most convincing place, which is not convincing enough.
   struct Place {
-    double distance = 0.0;   ///< metres from the camera to the base
-    double explained = 0.0;  ///< shares of the model's surface that would be visible there
-    double contradicted = 0.0;
-    double occluded = 0.0;
+    double distance = 0.0;          ///< metres from the camera to the base
+    double explained = 0.0;         ///< shares of the model's surface that would be visible there
+    double contradicted = 0.0;      ///< share of the visible surface
+    double occluded = 0.0;          ///< share of the visible surface
     double continued = 0.0;         ///< share of the outline beyond which the scene goes on
     std::string contradicted_body;  ///< which the camera sees through most; empty: none
   };

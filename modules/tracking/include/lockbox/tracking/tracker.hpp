@@ -23,14 +23,15 @@ class TiledCloud;
 
 /// Where the object may be as well, as far as the frame tells.
 struct Alternative {
+  /// What differs from the reported answer.
   enum class Kind {
     flip,       ///< in the same place, turned
     elsewhere,  ///< in another place
   };
 
-  Kind kind;
-  Configuration configuration;
-  double probability;
+  Kind kind;                    ///< what differs from the reported answer
+  Configuration configuration;  ///< the other answer
+  double probability;           ///< in [0, 1], that it is the right one
 };
 
 /// The word for a states file.
@@ -41,6 +42,7 @@ std::string to_string(Alternative::Kind kind);
 /// that was measured often enough the covariance is infinite.
 struct ApparentSize {
   Eigen::Vector2d value = Eigen::Vector2d::Ones();  ///< (across, along)
+  /// Of value.
   Eigen::Matrix2d covariance =
       std::numeric_limits<double>::infinity() * Eigen::Matrix2d::Identity();
 
@@ -53,11 +55,14 @@ struct ApparentSize {
   bool may_be_focal_length() const;
 };
 
+/// What is known of the object in one frame.
 struct TrackingResult {
+  /// For shares and residuals without an object.
   static constexpr double kNothingFound = std::numeric_limits<double>::quiet_NaN();
 
-  double stamp = 0.0;
-  TrackingStatus status = TrackingStatus::initializing;
+  double stamp = 0.0;                                    ///< seconds, the frame's
+  TrackingStatus status = TrackingStatus::initializing;  ///< what is known
+  /// NaN while nothing is known.
   Configuration configuration;
   Eigen::MatrixXd covariance;    ///< of (base twist (v, w) in the base's frame, joint variables)
   Eigen::VectorXd sigma;         ///< square roots of its diagonal
@@ -65,8 +70,8 @@ struct TrackingResult {
   /// Of what is reported; NaN while nothing is found.
   double residual_rms = kNothingFound;  ///< whitened: 1 where the sensor errs as assumed
   double explained = kNothingFound;     ///< shares of the model's visible surface
-  double contradicted = kNothingFound;
-  double occluded = kNothingFound;
+  double contradicted = kNothingFound;  ///< seen through, or measured behind
+  double occluded = kNothingFound;      ///< something else in front
   /// The probability that the base is where it is reported (docs/verification.md); 0 while nothing
   /// is found. The image is asked for it at the start, where the status changes, and every
   /// TrackerOptions::frames_between_beliefs.
@@ -74,16 +79,17 @@ struct TrackingResult {
   /// What the search could not tell from it, the most probable first, at most
   /// TrackerOptions::most_alternatives; empty where a search could, or none was made.
   std::vector<Alternative> alternatives;
-  ApparentSize size;   ///< over the last measurements
-  int searches = 0;    ///< how often the object was sought in the whole frame, up to now
-  Elapsed cloud_time;  ///< from depth to cloud
-  Elapsed step_time;   ///< all else: prediction, registration, judgement, searches if need be
-  double latency_ms = 0.0;
+  ApparentSize size;        ///< over the last measurements
+  int searches = 0;         ///< how often the object was sought in the whole frame, up to now
+  Elapsed cloud_time;       ///< from depth to cloud
+  Elapsed step_time;        ///< all else: prediction, registration, judgement, searches if need be
+  double latency_ms = 0.0;  ///< milliseconds by the clock, from depth to result
 };
 
 /// Not thread-safe; one object per camera. The model must outlive it.
 class Tracker {
  public:
+  /// Throws InputError if the model's file asks for an erosion that a body is too thin for.
   Tracker(const ArticulatedModel& model, const TrackerOptions& options);
   ~Tracker();
   Tracker(Tracker&&) noexcept;
@@ -104,6 +110,7 @@ class Tracker {
   const std::optional<SearchFailure>& search_failure() const;
 
   const TiledCloud& cloud() const;  ///< of the frame that was processed last
+  /// The options in force.
   const TrackerOptions& options() const;
 
  private:

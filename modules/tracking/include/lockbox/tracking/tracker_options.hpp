@@ -12,9 +12,10 @@ namespace lockbox {
 
 struct SensorProfile;
 
+/// All that a tracker goes by; defaults are those of `lockbox track`.
 struct TrackerOptions {
-  RegistrationOptions registration;
-  CloudOptions cloud;
+  RegistrationOptions registration;  ///< of every alignment
+  CloudOptions cloud;                ///< which measurements are used
   /// Threads of the tracker. 0: all cores. Unit: threads. Source: the user's, `--threads`.
   int threads = 0;
 

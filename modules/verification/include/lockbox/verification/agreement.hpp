@@ -33,6 +33,7 @@ struct OutlineAgreement {
   int samples = 0;  ///< at the outline, where something in front does not hide what is beyond
   int goes_on = 0;  ///< of these, where the scene continues the model's surface
 
+  /// The share of the outline at which the model's surface goes on; 0 without an outline.
   double continued() const { return samples > 0 ? static_cast<double>(goes_on) / samples : 0.0; }
 };
 

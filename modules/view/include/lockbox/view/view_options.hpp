@@ -7,7 +7,7 @@ namespace lockbox {
 
 /// How measurements are compared with what the model is predicted to show.
 struct ViewOptions {
-  SensorNoise noise;
+  SensorNoise noise;  ///< what the sensor is assumed to err by
   /// Residuals beyond it count as outliers. Unit: standard deviations. Source: of normal errors one
   /// in 16,000 is beyond it.
   double cut = 4.0;
