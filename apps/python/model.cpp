@@ -188,12 +188,8 @@ void bind_state(py::module_& module) {
       });
 }
 
-}  // namespace
-
-void bind_model(py::module_& module) {
-  bind_joint(module);
-  bind_state(module);
-  py::class_<Model>(module, "Model", "An articulated object: rigid bodies connected by joints.")
+void bind_properties(py::class_<Model>& model) {
+  model
       .def_property_readonly(
           "name", [](const Model& self) { return self.model->tree.name; }, "The robot's name.")
       .def_property_readonly(
@@ -235,7 +231,18 @@ void bind_model(py::module_& module) {
           [](const Model& self) {
             return to_state(self.model->tree, rest_configuration(self.model->tree));
           },
-          "The state with the base at the camera and all joints at rest.")
+          "The state with the base at the camera and all joints at rest.");
+}
+
+}  // namespace
+
+void bind_model(py::module_& module) {
+  bind_joint(module);
+  bind_state(module);
+  py::class_<Model> model(module, "Model",
+                          "An articulated object: rigid bodies connected by joints.");
+  bind_properties(model);
+  model
       .def("body_poses", &body_poses, py::arg("state"),
            "The 4x4 poses of all bodies in the camera's frame, by name, metres.")
       .def(

@@ -34,6 +34,7 @@ void look_through(const CoarseView& view, const Eigen::Isometry3d& T_camera_plan
     for (int x = 0; x < map.width; ++x) {
       const Eigen::Vector2d cell = map.corner + map.cell_size * Eigen::Vector2d(x, y);
       const Eigen::Vector3d p = T_camera_plane * Eigen::Vector3d(cell.x(), cell.y(), 0.0);
+      // Metres: nearer than what depth cameras measure.
       if (p.z() < 0.1) continue;
       const Eigen::Vector2d image = view.camera.project(p);
       const auto u = static_cast<int>(std::lround(image.x()));

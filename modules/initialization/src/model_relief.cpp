@@ -228,6 +228,7 @@ std::vector<ModelRelief> reliefs_of_sides(
 
 bool same_view(const ModelRelief& a, const ModelRelief& b) {
   const Eigen::Isometry3d difference = a.T_body_plane.inverse() * b.T_body_plane;
+  // Seen along directions within 2.6 degrees, and sides within 1 cm, they show the same.
   return a.body == b.body && difference.linear().col(2).z() > 0.999 &&
          std::abs(difference.translation().z()) < 0.01;
 }

@@ -79,6 +79,7 @@ std::optional<Eigen::Vector3f> fit(const InverseDepth& inverse_depth,
     right += static_cast<double>(inverse_depth[sample]) * ray;
   }
   const Eigen::Vector3d m = moments.ldlt().solve(right);
+  // 1 / metre: a plane a kilometre away, which is none.
   if (!m.allFinite() || !(m.norm() > 1e-3)) return std::nullopt;
   return m.cast<float>();
 }

@@ -63,8 +63,10 @@ void for_bins_around(const Feature& feature, const Visit& visit) {
   for (std::size_t i = 0; i < 4; ++i) {
     here[i] = std::min(static_cast<int>(feature[i]), bins_of(i) - 1);
     const float share = feature[i] - static_cast<float>(here[i]);
+    // The neighbour on the nearer side of the middle.
     beside[i] = std::clamp(share < 0.5F ? here[i] - 1 : here[i] + 1, 0, bins_of(i) - 1);
   }
+  // Here or beside in each of four dimensions.
   for (unsigned corner = 0; corner < 16; ++corner) {
     std::array<int, 4> at = here;
     bool is_new = true;

@@ -28,6 +28,7 @@ constexpr int kApart = 1;           // cells, and steps of rotation, between two
 Score cell_score(const Expectation& expected, float height, float sigma) {
   if (std::isnan(height)) return 0;
   if (expected.nothing) {
+    // Standard deviations: noise alone is beyond in one cell of seven.
     const bool continues = std::abs(height - expected.low) < 1.5F * sigma;
     return static_cast<Score>(continues ? kContinues : 0.0F);
   }

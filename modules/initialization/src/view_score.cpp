@@ -165,6 +165,7 @@ double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
       if (towards <= 0.0) continue;
       const double weight = towards * sample.area;
       facing += weight;
+      // Metres: behind the camera, or so near that nothing is drawn of it.
       if (p.z() < 0.05) continue;
       const Eigen::Vector2d image = view_->camera.project(p);
       const auto u = static_cast<int>(std::lround(image.x()));

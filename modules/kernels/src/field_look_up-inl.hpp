@@ -26,54 +26,68 @@ struct GridPosition {
   hn::Mask<FloatTag> inside;
 };
 
-HWY_INLINE GridPosition locate(const FieldView& field, const Float p[3]) {
+/// The fine cells that points are in, if their blocks are stored.
+struct FineCells {
+  Float g[3];                   // grid coordinates
+  Int cell[3];                  // clamped to the grid
+  Int offset;                   // of the cell's first corner, samples
+  hn::Mask<IntTag> are_stored;  // by lane
+};
+
+HWY_INLINE FineCells find_fine_cells(const FieldView& field, const Float p[3]) {
   const FloatTag df;
   const IntTag di;
-  GridPosition at;
+  FineCells at;
   const Int zero = hn::Zero(di);
   Int block[3];
-  Int cell[3];
-  Float g[3];
-  auto fine = hn::Eq(zero, zero);
+  at.are_stored = hn::Eq(zero, zero);
   for (int axis = 0; axis < 3; ++axis) {
-    g[axis] = hn::Mul(hn::Sub(p[axis], hn::Set(df, field.fine_origin[axis])),
-                      hn::Set(df, 1.0F / field.fine_voxel));
+    at.g[axis] = hn::Mul(hn::Sub(p[axis], hn::Set(df, field.fine_origin[axis])),
+                         hn::Set(df, 1.0F / field.fine_voxel));
     const Float lowest = hn::Zero(df);
     const Float highest = hn::Set(df, static_cast<float>(field.blocks[axis] * kBlockCells) - 1e-3F);
-    fine = hn::And(fine,
-                   hn::RebindMask(di, hn::And(hn::Ge(g[axis], lowest), hn::Le(g[axis], highest))));
+    at.are_stored = hn::And(
+        at.are_stored,
+        hn::RebindMask(di, hn::And(hn::Ge(at.g[axis], lowest), hn::Le(at.g[axis], highest))));
     // Clamped so that lanes off the grid still read inside the table.
-    cell[axis] = hn::ConvertTo(di, hn::Min(hn::Max(g[axis], lowest), highest));
-    block[axis] = hn::ShiftRight<3>(cell[axis]);
+    at.cell[axis] = hn::ConvertTo(di, hn::Min(hn::Max(at.g[axis], lowest), highest));
+    block[axis] = hn::ShiftRight<3>(at.cell[axis]);
   }
   const Int block_index = hn::Add(
       block[0], hn::Mul(hn::Set(di, field.blocks[0]),
                         hn::Add(block[1], hn::Mul(hn::Set(di, field.blocks[1]), block[2]))));
   const Int first = hn::GatherIndex(di, field.block_first, block_index);
-  fine = hn::And(fine, hn::Gt(first, hn::Set(di, -1)));
-
+  at.are_stored = hn::And(at.are_stored, hn::Gt(first, hn::Set(di, -1)));
   const Int mask7 = hn::Set(di, kBlockCells - 1);
-  const Int fine_offset =
-      hn::Add(first, hn::Add(hn::And(cell[0], mask7),
-                             hn::Add(hn::Mul(hn::And(cell[1], mask7), hn::Set(di, kBlockSamples)),
-                                     hn::Mul(hn::And(cell[2], mask7),
-                                             hn::Set(di, kBlockSamples * kBlockSamples)))));
-  const auto fine_f = hn::RebindMask(df, fine);
-  if (hn::AllTrue(di, fine)) {
-    at.byte_offset = hn::ShiftLeft<1>(fine_offset);
+  at.offset = hn::Add(
+      first, hn::Add(hn::And(at.cell[0], mask7),
+                     hn::Add(hn::Mul(hn::And(at.cell[1], mask7), hn::Set(di, kBlockSamples)),
+                             hn::Mul(hn::And(at.cell[2], mask7),
+                                     hn::Set(di, kBlockSamples * kBlockSamples)))));
+  return at;
+}
+
+HWY_INLINE GridPosition locate(const FieldView& field, const Float p[3]) {
+  const FloatTag df;
+  const IntTag di;
+  GridPosition at;
+  const FineCells fine = find_fine_cells(field, p);
+  const auto is_fine = hn::RebindMask(df, fine.are_stored);
+  if (hn::AllTrue(di, fine.are_stored)) {
+    at.byte_offset = hn::ShiftLeft<1>(fine.offset);
     at.stride_y = hn::Set(di, 2 * kBlockSamples);
     at.stride_z = hn::Set(di, 2 * kBlockSamples * kBlockSamples);
     at.scale = hn::Set(df, field.fine_scale);
     at.inverse_voxel = hn::Set(df, 1.0F / field.fine_voxel);
-    at.inside = fine_f;
+    at.inside = is_fine;
     for (int axis = 0; axis < 3; ++axis) {
-      at.fraction[axis] = hn::Sub(g[axis], hn::ConvertTo(df, cell[axis]));
+      at.fraction[axis] = hn::Sub(fine.g[axis], hn::ConvertTo(df, fine.cell[axis]));
     }
     return at;
   }
 
-  auto inside = hn::Eq(zero, zero);
-  Int coarse_offset = zero;
+  Int coarse_offset = hn::Zero(di);
+  auto inside = hn::Eq(coarse_offset, coarse_offset);
   std::int32_t stride = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const Float c = hn::Mul(hn::Sub(p[axis], hn::Set(df, field.coarse_origin[axis])),
@@ -84,18 +98,21 @@ HWY_INLINE GridPosition locate(const FieldView& field, const Float p[3]) {
     const Int coarse_cell = hn::ConvertTo(di, hn::Min(hn::Max(c, lowest), highest));
     coarse_offset = hn::Add(coarse_offset, hn::Mul(coarse_cell, hn::Set(di, stride)));
     stride *= field.coarse_size[axis];
-    at.fraction[axis] = hn::IfThenElse(fine_f, hn::Sub(g[axis], hn::ConvertTo(df, cell[axis])),
-                                       hn::Sub(c, hn::ConvertTo(df, coarse_cell)));
+    at.fraction[axis] =
+        hn::IfThenElse(is_fine, hn::Sub(fine.g[axis], hn::ConvertTo(df, fine.cell[axis])),
+                       hn::Sub(c, hn::ConvertTo(df, coarse_cell)));
   }
   const std::int32_t row = field.coarse_size[0];
-  at.byte_offset = hn::ShiftLeft<1>(hn::IfThenElse(fine, fine_offset, coarse_offset));
-  at.stride_y = hn::IfThenElse(fine, hn::Set(di, 2 * kBlockSamples), hn::Set(di, 2 * row));
-  at.stride_z = hn::IfThenElse(fine, hn::Set(di, 2 * kBlockSamples * kBlockSamples),
+  at.byte_offset = hn::ShiftLeft<1>(hn::IfThenElse(fine.are_stored, fine.offset, coarse_offset));
+  at.stride_y =
+      hn::IfThenElse(fine.are_stored, hn::Set(di, 2 * kBlockSamples), hn::Set(di, 2 * row));
+  at.stride_z = hn::IfThenElse(fine.are_stored, hn::Set(di, 2 * kBlockSamples * kBlockSamples),
                                hn::Set(di, 2 * row * field.coarse_size[1]));
-  at.scale = hn::IfThenElse(fine_f, hn::Set(df, field.fine_scale), hn::Set(df, field.coarse_scale));
-  at.inverse_voxel = hn::IfThenElse(fine_f, hn::Set(df, 1.0F / field.fine_voxel),
+  at.scale =
+      hn::IfThenElse(is_fine, hn::Set(df, field.fine_scale), hn::Set(df, field.coarse_scale));
+  at.inverse_voxel = hn::IfThenElse(is_fine, hn::Set(df, 1.0F / field.fine_voxel),
                                     hn::Set(df, 1.0F / field.coarse_voxel));
-  at.inside = hn::RebindMask(df, hn::Or(fine, inside));
+  at.inside = hn::RebindMask(df, hn::Or(fine.are_stored, inside));
   return at;
 }
 

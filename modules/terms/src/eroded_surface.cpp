@@ -50,11 +50,13 @@ ErodedSurface erode(const SignedDistanceField& field, std::span<const SurfaceSam
                     double erosion) {
   ErodedSurface eroded;
   const auto level = static_cast<float>(-erosion);
+  // A quarter of a voxel: what comes no nearer than that is not on the level.
+  const float tolerance = 0.25F * static_cast<float>(field.voxel());
   double total = 0.0;
   for (const SurfaceSample& point : surface) {
     Eigen::Vector3f p = point.position.cast<float>();
     const DistanceSample at = move_onto_level(field, level, p);
-    if (std::abs(at.distance - level) > 0.25F * static_cast<float>(field.voxel())) {
+    if (std::abs(at.distance - level) > tolerance) {
       continue;  // buried in another shell of the same body, or at a medial axis
     }
     eroded.samples.push_back({p, at.gradient.normalized(), point.area});

@@ -84,6 +84,7 @@ class PullFinder {
       return std::nullopt;
     }
     const double way = (p - *nearest).norm();
+    // Metres: the point is where it should be, and no direction is told.
     if (way < 1e-9) {
       return std::nullopt;
     }

@@ -25,6 +25,7 @@ std::optional<Penetration> trace_back(const SignedDistanceField& field, const Ei
     const float f = at.distance + erosion;
     if (f > -kSurfaceTolerance) {
       const float cosine = -at.gradient.dot(outward);
+      // Within 6 degrees of the tangent: the ray may pass by, and its length tells nothing.
       if (cosine < 0.1F) {
         return std::nullopt;
       }

@@ -35,6 +35,7 @@ constexpr const char* kOtherUnit =
 
 std::string number(double value) {
   std::ostringstream text;
+  // Two digits are enough, and more are only shown of whole numbers.
   if (std::abs(value) >= 10.0) {
     text << std::lround(value);
   } else {
@@ -67,6 +68,7 @@ std::string out_of_range(const SearchFailure& failure) {
        << std::lround(failure.units_per_metre)
        << (std::lround(failure.units_per_metre) == 1 ? " unit per metre" : " units per metre");
   const double units = likely_units(failure);
+  // A tenth: closer units cannot be told apart by how far away things are.
   if (units > 0.0 && std::abs(units - failure.units_per_metre) > 0.1 * units) {
     text << "; if that is wrong, try --depth-scale " << std::lround(units) << '.';
   } else {
@@ -119,6 +121,7 @@ std::string of_place(const SearchFailure::Place& place) {
     text << "; what speaks against it most is '" << place.contradicted_body << "'";
   }
   text << ".";
+  // Half: from there on the model may be a part of something larger.
   if (place.continued > 0.5) {
     text << " The surface goes on beyond " << percent(place.continued)
          << " of its outline, as a wall or table does.";

@@ -97,6 +97,7 @@ bool is_believable(const RegistrationResult& registered, const TrackerOptions& o
 
 TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options) {
   const Agreement& whole = registered.agreement;
+  // Half: see TrackerOptions::least_explained.
   if (whole.explained < 0.5 * options.least_explained || whole.consent() < options.lost_agreement) {
     return TrackingStatus::lost;
   }
