@@ -25,7 +25,8 @@ double turning_sigma(const Eigen::Matrix3d& covariance,
 
 }  // namespace
 
-/// The stages of an alignment, in the order in which align() calls them.
+/// The stages of an alignment, in the order in which align() calls them. What a stage reads and
+/// what it changes are its parameters; the members at the end are memory that is reused.
 struct ArticulatedRegistration::Stages {
   Stages(const ArticulatedModel& of, const RegistrationOptions& how, const Executor& with)
       : model(of),
@@ -43,11 +44,19 @@ struct ArticulatedRegistration::Stages {
 
   const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
                                   const Annealing& annealing);
+  /// Steps by outlines and by low relief. clusters: of residuals, with the weights of these steps.
   void refine_without_edges(const Configuration& start, const Annealing& annealing,
-                            Linearization& solution);
-  void estimate_covariance(const Linearization& solution);
-  void compare_with_image(const Linearization& solution);
-  void report(const Descended& descended, const Linearization& solution);
+                            Linearization& solution, Estimate& refined,
+                            std::vector<TileSystem>& clusters, ReliefSightings& seen);
+  /// Before edges add to it.
+  void estimate_covariance(const Linearization& solution, const std::vector<TileSystem>& clusters,
+                           const ReliefSightings& seen, CovarianceEstimator& estimated) const;
+  /// The consistency check; meanwhile: what is done along with it.
+  void compare_with_image(const BodyPoses& at, FunctionRef<void()> meanwhile,
+                          AgreementMeter& compared) const;
+  void report(const Descended& descended, const Estimate& refined, const Linearization& solution,
+              const CovarianceEstimator& estimated, const AgreementMeter& compared,
+              RegistrationResult& reported) const;
 
   const ArticulatedModel& model;
   RegistrationOptions options;
@@ -59,12 +68,13 @@ struct ArticulatedRegistration::Stages {
   ReliefStep relief_step;
   EdgeStep edge_step;
   SizeMeter size_meter;
-  AgreementMeter agreement;
-  CovarianceEstimator covariance;
 
   Estimate estimate;
   BodyPoses poses;                ///< of the estimate
   std::vector<TileSystem> tiles;  ///< clusters of residuals
+  ReliefSightings sightings;
+  AgreementMeter agreement;
+  CovarianceEstimator covariance;
   RegistrationResult result;
 };
 
@@ -77,74 +87,83 @@ const RegistrationResult& ArticulatedRegistration::Stages::align(const TiledClou
   Linearization& solution = objective.linearize(descended.configuration, 0.0);
   estimate.configuration = descended.configuration;
   descent.find_rest(solution, annealing.hold_joints, estimate.at_rest);
-  refine_without_edges(start, annealing, solution);
+  refine_without_edges(start, annealing, solution, estimate, tiles, sightings);
   forward_kinematics(model.tree, estimate.configuration, poses);
-  compare_with_image(solution);
+  // Neither needs the other.
+  const auto covariance_of_points = [&] {
+    estimate_covariance(solution, tiles, sightings, covariance);
+  };
+  compare_with_image(poses, covariance_of_points, agreement);
   if (annealing.iterations > 0 && annealing.at_edges) {
     edge_step.take(poses, annealing.hold_joints, estimate, covariance);
   }
   covariance.add_floors(steps.moves().levers());
-  report(descended, solution);
+  report(descended, estimate, solution, covariance, agreement, result);
   return result;
 }
 
-void ArticulatedRegistration::Stages::refine_without_edges(const Configuration& start,
-                                                           const Annealing& annealing,
-                                                           Linearization& solution) {
-  tiles.clear();
-  objective.append_tile_systems(tiles);
-  relief_step.skip();
+void ArticulatedRegistration::Stages::refine_without_edges(
+    const Configuration& start, const Annealing& annealing, Linearization& solution,
+    Estimate& refined, std::vector<TileSystem>& clusters, ReliefSightings& seen) {
+  clusters.clear();
+  objective.append_tile_systems(clusters);
+  seen.assign(static_cast<std::size_t>(model.tree.variables()), std::nullopt);
   if (!objective.sees_free_space()) return;
-  outline_step.take(solution, annealing.hold_joints, estimate, tiles);
+  outline_step.take(solution, annealing.hold_joints, refined, clusters);
   if (annealing.iterations > 0 && !annealing.hold_joints) {
-    relief_step.take(start.q, solution, estimate);
+    relief_step.take(start.q, solution, refined, seen);
   }
 }
 
-/// The consistency check, and the covariance along with it: neither needs the other.
-void ArticulatedRegistration::Stages::compare_with_image(const Linearization& solution) {
+void ArticulatedRegistration::Stages::compare_with_image(const BodyPoses& at,
+                                                         FunctionRef<void()> meanwhile,
+                                                         AgreementMeter& compared) const {
   const PredictedView& view = objective.view();
-  agreement.measure(model, view.surface(), view.samples(), poses, objective.cloud(), options,
-                    executor, [&] { estimate_covariance(solution); });
+  compared.measure(model, view.surface(), view.samples(), at, objective.cloud(), options, executor,
+                   meanwhile);
 }
 
-/// Before edges add to it.
-void ArticulatedRegistration::Stages::estimate_covariance(const Linearization& solution) {
-  covariance.estimate(solution.data, tiles, options.noise_correlation, solution.jacobians,
-                      steps.scale(), steps.held());
-  const auto& sightings = relief_step.sightings();
-  for (std::size_t v = 0; v < sightings.size(); ++v) {
-    if (!sightings[v]) continue;
-    covariance.set_independent(static_cast<Eigen::Index>(6 + v), sightings[v]->variance);
+void ArticulatedRegistration::Stages::estimate_covariance(const Linearization& solution,
+                                                          const std::vector<TileSystem>& clusters,
+                                                          const ReliefSightings& seen,
+                                                          CovarianceEstimator& estimated) const {
+  estimated.estimate(solution.data, clusters, options.noise_correlation, solution.jacobians,
+                     steps.scale(), steps.held());
+  for (std::size_t v = 0; v < seen.size(); ++v) {
+    if (!seen[v]) continue;
+    estimated.set_independent(static_cast<Eigen::Index>(6 + v), seen[v]->variance);
   }
 }
 
-void ArticulatedRegistration::Stages::report(const Descended& descended,
-                                             const Linearization& solution) {
-  result.configuration = estimate.configuration;
-  result.at_rest = estimate.at_rest;
-  result.covariance = covariance.covariance();
-  result.sigma = covariance.sigma();
-  result.sigma_of_noise = covariance.sigma_of_noise();
-  result.observable = covariance.observable();
-  Eigen::Matrix3d turns = result.covariance.block<3, 3>(3, 3);
-  turns.diagonal() = result.sigma_of_noise.segment<3>(3).cwiseAbs2();
-  result.base_turning_sigma = turning_sigma(turns, model.round_axes);
-  result.agreement = agreement.total();
-  result.body_agreement = agreement.bodies();
-  result.outline = agreement.outline();
-  result.flush_bodies = objective.view().continued().flush_bodies();
+void ArticulatedRegistration::Stages::report(const Descended& descended, const Estimate& refined,
+                                             const Linearization& solution,
+                                             const CovarianceEstimator& estimated,
+                                             const AgreementMeter& compared,
+                                             RegistrationResult& reported) const {
+  reported.configuration = refined.configuration;
+  reported.at_rest = refined.at_rest;
+  reported.covariance = estimated.covariance();
+  reported.sigma = estimated.sigma();
+  reported.sigma_of_noise = estimated.sigma_of_noise();
+  reported.observable = estimated.observable();
+  Eigen::Matrix3d turns = reported.covariance.block<3, 3>(3, 3);
+  turns.diagonal() = reported.sigma_of_noise.segment<3>(3).cwiseAbs2();
+  reported.base_turning_sigma = turning_sigma(turns, model.round_axes);
+  reported.agreement = compared.total();
+  reported.body_agreement = compared.bodies();
+  reported.outline = compared.outline();
+  reported.flush_bodies = objective.view().continued().flush_bodies();
   const ModelTerm::Totals& totals = objective.totals();
-  result.explained_points = totals.points;
-  result.residual_rms =
+  reported.explained_points = totals.points;
+  reported.residual_rms =
       totals.points > 0.0 ? std::sqrt(totals.weighted_squares / totals.points) : 0.0;
-  result.model_cost = solution.model_cost;
-  result.free_cost = solution.free_cost;
-  result.collision_cost = solution.collision_cost;
-  result.iterations = descended.iterations;
-  result.converged = descended.converged;
-  result.last_move =
-      steps.moves().of_significant(descended.last_step, result.observable, result.sigma_of_noise);
+  reported.model_cost = solution.model_cost;
+  reported.free_cost = solution.free_cost;
+  reported.collision_cost = solution.collision_cost;
+  reported.iterations = descended.iterations;
+  reported.converged = descended.converged;
+  reported.last_move = steps.moves().of_significant(descended.last_step, reported.observable,
+                                                    reported.sigma_of_noise);
 }
 
 ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,

@@ -47,15 +47,14 @@ ReliefStep::ReliefStep(const ArticulatedModel& model, const RegistrationOptions&
       options_(options),
       objective_(objective),
       steps_(steps),
-      low_relief_(model, options, executor),
-      sightings_(static_cast<std::size_t>(model.tree.variables())) {}
+      low_relief_(model, options, executor) {}
 
-void ReliefStep::take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate) {
-  skip();
+void ReliefStep::take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate,
+                      ReliefSightings& sightings) {
   for (int v = 0; v < model_.tree.variables() && options_.sight_low_relief; ++v) {
     const double prominence = low_relief_.prominence(v, estimate.configuration);
     if (prominence > kSurelyStandsOut || steps_.held()[static_cast<std::size_t>(6 + v)]) continue;
-    auto& sighting = sightings_[static_cast<std::size_t>(v)];
+    auto& sighting = sightings[static_cast<std::size_t>(v)];
     sighting = low_relief_.find_near(objective_.cloud(), estimate.configuration, v, start[v]);
     if (prominence > options_.free_space_dead_zone &&
         !is_elsewhere(estimate.configuration, v, sighting)) {

@@ -39,6 +39,10 @@ class OutlineStep {
   std::vector<Twist> body_steps_;  ///< what the step moves each body by
 };
 
+/// By joint variable, where the image shows it; none for those that were not looked for, or not
+/// seen.
+using ReliefSightings = std::vector<std::optional<JointSighting>>;
+
 /// Joints of low relief are where the image shows them; what points say about them is noise. Of
 /// those that stand out a little more, points say more than the image, unless they are far off.
 class ReliefStep {
@@ -48,14 +52,9 @@ class ReliefStep {
              Objective& objective, const Steps& steps, const Executor& executor);
 
   /// start: the joint variables before the descent. at: what it says about such joints is
-  /// forgotten. Where the image shows them is in sightings().
-  void take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate);
-
-  /// Without an image, or a descent, none is seen.
-  void skip() { sightings_.assign(sightings_.size(), std::nullopt); }
-
-  /// By joint variable.
-  const std::vector<std::optional<JointSighting>>& sightings() const { return sightings_; }
+  /// forgotten. sightings: none of each variable before.
+  void take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate,
+            ReliefSightings& sightings);
 
  private:
   bool is_elsewhere(const Configuration& estimate, int variable,
@@ -66,7 +65,6 @@ class ReliefStep {
   Objective& objective_;
   const Steps& steps_;
   LowRelief low_relief_;
-  std::vector<std::optional<JointSighting>> sightings_;
   Configuration candidate_;
 };
 
