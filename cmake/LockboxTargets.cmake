@@ -88,7 +88,8 @@ function(lockbox_see_internals target)
 endfunction()
 
 # lockbox_add_test(<name> SOURCES ... [LIBRARIES targets...] [DEFINITIONS ...] [PROPERTIES ...])
-# makes one GoogleTest program and registers each of its tests with CTest.
+# makes one GoogleTest program and registers each of its tests with CTest, with the label `fast` if
+# LOCKBOX_FAST_TESTS is set.
 function(lockbox_add_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES;DEFINITIONS;PROPERTIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -96,8 +97,13 @@ function(lockbox_add_test name)
                                         GTest::gtest_main lockbox_options)
   target_compile_definitions(${name} PRIVATE ${ARG_DEFINITIONS})
   lockbox_see_internals(${name})
+  set(labels)
+  if(LOCKBOX_FAST_TESTS)
+    set(labels LABELS fast)
+    add_dependencies(lockbox_fast_tests ${name})
+  endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
-                       PROPERTIES TIMEOUT ${LOCKBOX_TEST_TIMEOUT} ${ARG_PROPERTIES})
+                       PROPERTIES TIMEOUT ${LOCKBOX_TEST_TIMEOUT} ${labels} ${ARG_PROPERTIES})
 endfunction()
 
 # lockbox_add_test_with_display(<name> COMMAND ...) registers a test that opens windows, with an X

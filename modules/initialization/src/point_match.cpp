@@ -13,10 +13,6 @@ namespace {
 /// Of a body's diameter: from one of its points to the next. A handle or a leg is as thick.
 /// Doubled, such parts are lost; halved, it takes sixteen times as long.
 constexpr double kSpacing = 0.06;
-/// Of a body: all its pairs take 40 MB. A mug has 600. Doubled, what is all folds and ribs takes
-/// four times the memory.
-constexpr std::size_t kMostPoints = 800;
-constexpr double kWider = 1.25;  // than the spacing that gives more
 /// Places that are drawn: of 32 objects the right one of 29 was among the first 120. Doubled, it
 /// takes a tenth of a second longer.
 constexpr std::size_t kMostVotes = 300;

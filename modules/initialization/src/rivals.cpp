@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hypothesis.hpp"
 #include "lockbox/verification/belief.hpp"
 
 namespace lockbox {
