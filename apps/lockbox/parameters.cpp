@@ -61,7 +61,7 @@ NamedValues registration_parameters(const RegistrationOptions& registration) {
       {"cut", text(registration.cut)},
       {"visible_odds", text(registration.visible_odds)},
       {"lambda_free", text(registration.lambda_free)},
-      {"free_space_dead_zone", text(registration.free_space_dead_zone)},
+      {"free_space_tolerance", text(registration.free_space_tolerance)},
       {"collision", mode_name(registration.collision)},
       {"lambda_collision", text(registration.lambda_collision)},
       {"collision_sigma", text(registration.collision_sigma)},

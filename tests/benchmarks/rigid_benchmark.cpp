@@ -76,11 +76,11 @@ void rigid_lockbox(benchmark::State& state) {
   const auto is_off = [](const Configuration& configuration, bool /*is_narrow*/) {
     return !error_of(configuration.T_camera_base).is_reached();
   };
-  const Annealing annealing{.spread = kReach,
-                            .iterations = kMostIterations,
-                            .narrowing = kNarrowing,
-                            .on_iteration = is_off,
-                            .at_edges = false};  // that is for tenths of a millimetre
+  const AlignOptions annealing{.spread = kReach,
+                               .iterations = kMostIterations,
+                               .narrowing = kNarrowing,
+                               .on_iteration = is_off,
+                               .at_edges = false};  // that is for tenths of a millimetre
   const Configuration from = start();
   const RegistrationResult* result = nullptr;
   for (auto _ : state) {

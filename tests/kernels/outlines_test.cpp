@@ -18,66 +18,66 @@ constexpr float kDepth = 1.2F;
 constexpr float kDepthStep = 0.01F;
 
 /// A plane that is seen aslant; what `ends` says lies beyond its outline.
-class OutlinePullTest : public ::testing::Test {
+class NormalVoteTest : public ::testing::Test {
  protected:
   static constexpr PixelPlane kPlane{kDepth, 0.02F, -0.01F};
 
   template <typename Ends>
   void draw(const Ends& ends, float beyond = kNoDepth) {
-    for (int row = 0; row < kPullRows; ++row) {
-      for (int column = 0; column < kPullColumns; ++column) {
-        const int du = column - kPullReach;
-        const int dv = row - kPullReach;
+    for (int row = 0; row < kVoteRows; ++row) {
+      for (int column = 0; column < kVoteColumns; ++column) {
+        const int du = column - kVoteReach;
+        const int dv = row - kVoteReach;
         const float there = kDepth / (1.0F + kPlane.slope_u * static_cast<float>(du) +
                                       kPlane.slope_v * static_cast<float>(dv));
-        depths[static_cast<std::size_t>(row * kPullColumns + column)] =
+        depths[static_cast<std::size_t>(row * kVoteColumns + column)] =
             ends(du, dv) ? there + beyond : there;
       }
     }
   }
 
-  OutlinePull pull() const { return outline_pull(depths.data(), kPullColumns, kPlane, kDepthStep); }
+  NormalVote vote() const { return normal_vote(depths.data(), kVoteColumns, kPlane, kDepthStep); }
 
-  std::array<float, std::size_t{kPullRows} * kPullColumns> depths{};
+  std::array<float, std::size_t{kVoteRows} * kVoteColumns> depths{};
 };
 
-TEST_F(OutlinePullTest, APlaneThatGoesOnHasNoOutline) {
+TEST_F(NormalVoteTest, APlaneThatGoesOnHasNoOutline) {
   draw([](int, int) { return false; });
-  EXPECT_EQ(pull().u, 0);
-  EXPECT_EQ(pull().v, 0);
+  EXPECT_EQ(vote().u, 0);
+  EXPECT_EQ(vote().v, 0);
 }
 
-TEST_F(OutlinePullTest, PointsToWhereThePlaneEnds) {
+TEST_F(NormalVoteTest, PointsToWhereThePlaneEnds) {
   draw([](int du, int) { return du > 0; });
-  EXPECT_GT(pull().u, OutlinePull::kUnit);
-  EXPECT_EQ(pull().v, 0);
+  EXPECT_GT(vote().u, NormalVote::kUnit);
+  EXPECT_EQ(vote().v, 0);
   draw([](int du, int dv) { return du + dv < -1; });
-  EXPECT_LT(pull().u, 0);
-  EXPECT_EQ(pull().u, pull().v);
+  EXPECT_LT(vote().u, 0);
+  EXPECT_EQ(vote().u, vote().v);
 }
 
-TEST_F(OutlinePullTest, NearNeighboursSayMore) {
+TEST_F(NormalVoteTest, NearNeighboursSayMore) {
   draw([](int du, int dv) { return du == 1 && dv == 0; });
-  EXPECT_EQ(pull().u, OutlinePull::kUnit);
+  EXPECT_EQ(vote().u, NormalVote::kUnit);
   draw([](int du, int dv) { return du == 3 && dv == 0; });
-  EXPECT_EQ(pull().u, OutlinePull::kUnit / 3);
+  EXPECT_EQ(vote().u, NormalVote::kUnit / 3);
   draw([](int du, int dv) { return du == 3 && dv == 3; });
-  EXPECT_EQ(pull().u, 0) << "beyond reach";
+  EXPECT_EQ(vote().u, 0) << "beyond reach";
 }
 
-TEST_F(OutlinePullTest, OnlyWhatLiesFartherByTheStepCounts) {
+TEST_F(NormalVoteTest, OnlyWhatLiesFartherByTheStepCounts) {
   const auto right = [](int du, int) { return du > 0; };
   draw(right, 0.9F * kDepthStep * kDepth);
-  EXPECT_EQ(pull().u, 0);
+  EXPECT_EQ(vote().u, 0);
   draw(right, 1.1F * kDepthStep * kDepth);
-  EXPECT_GT(pull().u, 0);
+  EXPECT_GT(vote().u, 0);
   draw(right, -0.2F);
-  EXPECT_EQ(pull().u, 0) << "nearer";
+  EXPECT_EQ(vote().u, 0) << "nearer";
 }
 
-TEST_F(OutlinePullTest, TheLastColumnDoesNotCount) {
-  draw([](int du, int) { return du == kPullReach + 1; });
-  EXPECT_EQ(pull().u, 0);
+TEST_F(NormalVoteTest, TheLastColumnDoesNotCount) {
+  draw([](int du, int) { return du == kVoteReach + 1; });
+  EXPECT_EQ(vote().u, 0);
 }
 
 /// Three rows of a plane that is seen aslant, of a length that no number of lanes divides. It is
@@ -165,13 +165,13 @@ TEST_F(FindEdgesTest, EveryInstructionSetFindsTheSame) {
   hwy::SetSupportedTargetsForTest(0);
 }
 
-TEST_F(OutlinePullTest, EveryInstructionSetPullsTheSame) {
+TEST_F(NormalVoteTest, EveryInstructionSetVotesTheSame) {
   draw([](int du, int dv) { return 2 * du - dv > 1; });
-  const OutlinePull first = pull();
+  const NormalVote first = vote();
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
-    EXPECT_EQ(pull().u, first.u) << hwy::TargetName(target);
-    EXPECT_EQ(pull().v, first.v) << hwy::TargetName(target);
+    EXPECT_EQ(vote().u, first.u) << hwy::TargetName(target);
+    EXPECT_EQ(vote().v, first.v) << hwy::TargetName(target);
   }
   hwy::SetSupportedTargetsForTest(0);
 }

@@ -8,7 +8,7 @@
 
 #include "initialization/seen_model.hpp"
 #include "lockbox/cloud/image_points.hpp"
-#include "lockbox/model/surface_levers.hpp"
+#include "lockbox/model/motion_scales.hpp"
 #include "lockbox/rendering/body_item.hpp"
 #include "lockbox/terms/edge_tile.hpp"
 #include "lockbox/terms/free_space_term.hpp"
@@ -126,7 +126,7 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   term.select({model, surface, samples, outlines, none, cloud, options, executor}, poses(at),
               kSpread);
   const double cost = term.linearize(poses(at), kSpread, systems);
-  ASSERT_GT(term.pulled_samples(), 50U);
+  ASSERT_GT(term.matched_samples(), 50U);
   EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));
   const NormalEquations analytic = mapped(systems, at);
   // Costs are summed in single precision: steps well above their rounding.
@@ -208,7 +208,7 @@ ExpectedImage expected_image(const ArticulatedModel& model, const Configuration&
 // over half a pixel to both sides they round off the density of the jitter, half a pixel wide.
 TEST_F(ExactDerivatives, ExpectedImageAgreesWithNumericalDifferentiation) {
   const ExpectedImage here = expected_image(model, truth);
-  const Eigen::VectorXd levers = surface_levers(model.tree);
+  const Eigen::VectorXd levers = motion_scales(model.tree);
   for (Eigen::Index i = 0; i < unknowns; ++i) {
     const double h = 0.0006 / levers[i];  // half a pixel
     const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(unknowns, i);

@@ -152,7 +152,7 @@ TEST(Observability, AHiddenSliderIsSaidToBeUnobservableAndAVisibleOneIsNot) {
   Scene covered = wall_behind(0.6);
   covered.boxes.push_back(cover);
   ArticulatedRegistration registration(model, {}, Executor());
-  const Annealing annealing{0.003, 6};
+  const AlignOptions annealing{0.003, 6};
   EXPECT_TRUE(registration.align(seen(model, truth, wall_behind(0.6)), truth, annealing)
                   .observable[unknown]);
   const RegistrationResult& hidden =

@@ -28,7 +28,7 @@ class Occluders : public ::testing::Test {
 
   /// From where tracking would start, unless told.
   RegistrationResult registered(const Scene& scene,
-                                const Annealing& annealing = {0.003, 15, false, 3}) const {
+                                const AlignOptions& annealing = {0.003, 15, false, 3}) const {
     ArticulatedRegistration registration(model_, {}, Executor());
     return registration.align(seen(model_, truth_, scene), truth_, annealing);
   }

@@ -51,7 +51,7 @@ namespace lockbox {
 namespace {
 
 int allocations_of(ArticulatedRegistration& registration, const TiledCloud& cloud,
-                   const Configuration& start, const Annealing& annealing) {
+                   const Configuration& start, const AlignOptions& annealing) {
   allocations = 0;
   counting = true;
   registration.align(cloud, start, annealing);
@@ -80,7 +80,7 @@ TEST_P(Allocation, AWarmRegistrationTakesNoMemory) {
   RegistrationOptions options;
   options.point_budget = GetParam();
   ArticulatedRegistration registration(model, options, Executor(1));
-  const Annealing annealing{.spread = 0.005, .iterations = 5, .is_predicted = true};
+  const AlignOptions annealing{.spread = 0.005, .iterations = 5, .is_predicted = true};
   registration.align(second, start, annealing);
   registration.align(first, start, annealing);
   EXPECT_EQ(allocations_of(registration, second, start, annealing), 0);

@@ -8,7 +8,7 @@
 #include "initialization/seen_model.hpp"
 #include "lockbox/core/lie.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
-#include "lockbox/solver/surface_moves.hpp"
+#include "lockbox/solver/motion_metric.hpp"
 
 namespace lockbox {
 namespace {

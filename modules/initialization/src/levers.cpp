@@ -2,7 +2,7 @@
 #include "levers.hpp"
 
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/model/surface_levers.hpp"
+#include "lockbox/model/motion_scales.hpp"
 
 namespace lockbox {
 
@@ -19,7 +19,7 @@ ModelLevers model_levers(const KinematicTree& tree) {
   return {whole.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(whole.center()),
           whole.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(whole.sizes()),
           whole.isEmpty() ? 1.0 : 0.5 * whole.diagonal().norm(),
-          surface_levers(tree).tail(tree.variables())};
+          motion_scales(tree).tail(tree.variables())};
 }
 
 }  // namespace lockbox

@@ -45,7 +45,7 @@ KinematicTree seen_from_afar(const ArticulatedModel& model) {
   return tree;
 }
 
-const Annealing kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
+const AlignOptions kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
 
 }  // namespace
 

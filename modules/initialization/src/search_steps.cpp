@@ -14,7 +14,7 @@ namespace {
 constexpr double kHardlyWorse = 0.01;  // of the visible surface
 /// Coarse steps for a view of coarse pixels.
 const ClimbPlan kClimbFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
-const Annealing kExactly{.spread = 0.005, .iterations = 8};
+const AlignOptions kExactly{.spread = 0.005, .iterations = 8};
 
 /// Whether all that the variable moves was sought, and none of it can be seen anywhere.
 bool is_out_of_sight(const KinematicTree& tree, int variable, const std::vector<int>& sought,
@@ -65,7 +65,7 @@ void Initializer::Workspace::align_exactly(const TiledCloud& cloud, Configuratio
 
 const RegistrationResult& Initializer::Workspace::align_finely(const TiledCloud& cloud,
                                                                const Configuration& start,
-                                                               const Annealing& annealing) {
+                                                               const AlignOptions& annealing) {
   stop_if(options.stop_request);
   return fine.align(cloud, start, annealing);
 }

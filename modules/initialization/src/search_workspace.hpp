@@ -124,7 +124,7 @@ struct Initializer::Workspace {
   void align_exactly(const TiledCloud& cloud, Configuration& configuration);
   /// At full resolution. Valid until the next call.
   const RegistrationResult& align_finely(const TiledCloud& cloud, const Configuration& start,
-                                         const Annealing& annealing);
+                                         const AlignOptions& annealing);
   void align_coarsely(double spread, int iterations, Configuration& configuration,
                       bool hold_joints = false);
   void climb_far(Configuration& configuration);

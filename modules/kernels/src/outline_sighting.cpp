@@ -161,7 +161,7 @@ HWY_INLINE Limits limits_of(const OutlineImage& image, const OutlineSearch& sear
   const Number reach = hn::Mul(
       constant(search.cut), hn::Sqrt(hn::Add(lateral2, constant(search.spread * search.spread))));
   return {lateral2,
-          hn::Mul(constant(search.dead_zone), hn::Sqrt(hn::MulAdd(sigma, sigma, square(blur)))),
+          hn::Mul(constant(search.tolerance), hn::Sqrt(hn::MulAdd(sigma, sigma, square(blur)))),
           reach, hn::Ceil(hn::Min(hn::Div(reach, walks.pixel_size), constant(kFarthest)))};
 }
 

@@ -12,7 +12,7 @@
 #include "columns-inl.hpp"
 #include "label_rows-inl.hpp"
 #include "plane_rows-inl.hpp"
-#include "pull_table.hpp"
+#include "vote_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
@@ -68,18 +68,18 @@ std::size_t find_edges_in_row(const DepthRows& depths, const LabelRows& labels, 
   return collect(first, end, edges, columns);
 }
 
-OutlinePull pull_of(const float* corner, std::ptrdiff_t stride, const PixelPlane& plane,
-                    float step) {
-  const hn::CappedTag<float, kPullColumns> df;
+NormalVote vote_of(const float* corner, std::ptrdiff_t stride, const PixelPlane& plane,
+                   float step) {
+  const hn::CappedTag<float, kVoteColumns> df;
   const hn::RebindToSigned<decltype(df)> di;
   constexpr float kHorizon = 0.1F;  // of the relative nearness: the plane is seen edge on beyond it
   auto sum_u = hn::Zero(di);
   auto sum_v = hn::Zero(di);
-  for (std::size_t row = 0; row < kPullRows; ++row) {
+  for (std::size_t row = 0; row < kVoteRows; ++row) {
     const float* depths = corner + static_cast<std::ptrdiff_t>(row) * stride;
-    const float dv = static_cast<float>(row) - static_cast<float>(kPullReach);
-    for (std::size_t column = 0; column < kPullColumns; column += hn::Lanes(df)) {
-      const auto du = hn::Iota(df, static_cast<float>(column) - static_cast<float>(kPullReach));
+    const float dv = static_cast<float>(row) - static_cast<float>(kVoteReach);
+    for (std::size_t column = 0; column < kVoteColumns; column += hn::Lanes(df)) {
+      const auto du = hn::Iota(df, static_cast<float>(column) - static_cast<float>(kVoteReach));
       // there > depth (1 / nearness + step), without a division
       const auto nearness = hn::Max(
           hn::Set(df, kHorizon),
@@ -89,9 +89,9 @@ OutlinePull pull_of(const float* corner, std::ptrdiff_t stride, const PixelPlane
           hn::MulAdd(hn::Set(df, plane.depth * step), nearness, hn::Set(df, plane.depth));
       const auto is_beyond = hn::RebindMask(di, hn::Gt(there, here));
       sum_u = hn::Add(
-          sum_u, hn::IfThenElseZero(is_beyond, hn::LoadU(di, kPullTable.u[row].data() + column)));
+          sum_u, hn::IfThenElseZero(is_beyond, hn::LoadU(di, kVoteTable.u[row].data() + column)));
       sum_v = hn::Add(
-          sum_v, hn::IfThenElseZero(is_beyond, hn::LoadU(di, kPullTable.v[row].data() + column)));
+          sum_v, hn::IfThenElseZero(is_beyond, hn::LoadU(di, kVoteTable.v[row].data() + column)));
     }
   }
   return {hn::GetLane(hn::SumOfLanes(di, sum_u)), hn::GetLane(hn::SumOfLanes(di, sum_v))};
@@ -105,7 +105,7 @@ namespace lockbox::kernels {
 
 HWY_EXPORT(find_bends_in_row);
 HWY_EXPORT(find_edges_in_row);
-HWY_EXPORT(pull_of);
+HWY_EXPORT(vote_of);
 
 std::size_t find_bends(const DepthRows& depths, std::size_t first, std::size_t end, float bend,
                        std::int32_t* columns) {
@@ -117,9 +117,9 @@ std::size_t find_edges(const DepthRows& depths, const LabelRows& labels, std::si
   return HWY_DYNAMIC_DISPATCH(find_edges_in_row)(depths, labels, first, end, relief, columns);
 }
 
-OutlinePull outline_pull(const float* corner, std::ptrdiff_t stride, const PixelPlane& plane,
-                         float step) {
-  return HWY_DYNAMIC_DISPATCH(pull_of)(corner, stride, plane, step);
+NormalVote normal_vote(const float* corner, std::ptrdiff_t stride, const PixelPlane& plane,
+                       float step) {
+  return HWY_DYNAMIC_DISPATCH(vote_of)(corner, stride, plane, step);
 }
 
 }  // namespace lockbox::kernels

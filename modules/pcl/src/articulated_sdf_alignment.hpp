@@ -151,7 +151,7 @@ bool ArticulatedSdfRegistration<PointT, Scalar>::begin(const Matrix4& guess) {
 template <typename PointT, typename Scalar>
 void ArticulatedSdfRegistration<PointT, Scalar>::find_configuration() {
   ScanRegistration& registration = state_->registration;
-  Annealing annealing;
+  AlignOptions annealing;
   annealing.spread = reach() / registration.options().cut;
   annealing.iterations = std::max(1, this->max_iterations_);
   annealing.narrowing = std::clamp(2 * annealing.iterations / 3, 1, kMaxNarrowing);

@@ -4,7 +4,7 @@
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/solver/surface_moves.hpp"
+#include "lockbox/solver/motion_metric.hpp"
 #include "surface_pairs.hpp"
 
 namespace lockbox {
@@ -64,7 +64,7 @@ bool ScanRegistration::begin(const Scan& scan, const Eigen::Isometry3d& T_base_c
   return T_image_cloud.has_value();
 }
 
-bool ScanRegistration::align(const Annealing& annealing) {
+bool ScanRegistration::align(const AlignOptions& annealing) {
   found_ = &registration_->align(cloud_, placed_, annealing);
   return found_->converged;
 }

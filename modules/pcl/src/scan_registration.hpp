@@ -43,7 +43,7 @@ class ScanRegistration {
   bool begin(const Scan& scan, const Eigen::Isometry3d& T_base_cloud);
 
   /// Aligns from there, within the scan that begin() was given.
-  bool align(const Annealing& annealing);
+  bool align(const AlignOptions& annealing);
 
   /// Takes what align() found as where the model is, the joints and the result.
   void accept();

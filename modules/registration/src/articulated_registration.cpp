@@ -43,9 +43,9 @@ struct ArticulatedRegistration::Stages {
   }
 
   const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
-                                  const Annealing& annealing);
+                                  const AlignOptions& annealing);
   /// Steps by outlines and by low relief. clusters: of residuals, with the weights of these steps.
-  void refine_without_edges(const Configuration& start, const Annealing& annealing,
+  void refine_without_edges(const Configuration& start, const AlignOptions& annealing,
                             Linearization& solution, Estimate& refined,
                             std::vector<TileSystem>& clusters, ReliefSightings& seen);
   /// Before edges add to it.
@@ -80,7 +80,7 @@ struct ArticulatedRegistration::Stages {
 
 const RegistrationResult& ArticulatedRegistration::Stages::align(const TiledCloud& cloud,
                                                                  const Configuration& start,
-                                                                 const Annealing& annealing) {
+                                                                 const AlignOptions& annealing) {
   objective.begin(cloud, annealing);
   const Descended& descended = descent.run(start, annealing);
   // The covariance, and what the model explains, belong to the solution.
@@ -97,13 +97,13 @@ const RegistrationResult& ArticulatedRegistration::Stages::align(const TiledClou
   if (annealing.iterations > 0 && annealing.at_edges) {
     edge_step.take(poses, annealing.hold_joints, estimate, covariance);
   }
-  covariance.add_floors(steps.moves().levers());
+  covariance.add_floors(steps.moves().scales());
   report(descended, estimate, solution, covariance, agreement, result);
   return result;
 }
 
 void ArticulatedRegistration::Stages::refine_without_edges(
-    const Configuration& start, const Annealing& annealing, Linearization& solution,
+    const Configuration& start, const AlignOptions& annealing, Linearization& solution,
     Estimate& refined, std::vector<TileSystem>& clusters, ReliefSightings& seen) {
   clusters.clear();
   objective.append_tile_systems(clusters);
@@ -178,7 +178,7 @@ ArticulatedRegistration& ArticulatedRegistration::operator=(ArticulatedRegistrat
 
 const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud,
                                                          const Configuration& start,
-                                                         const Annealing& annealing) {
+                                                         const AlignOptions& annealing) {
   return stages_->align(cloud, start, annealing);
 }
 
@@ -198,7 +198,7 @@ const CollisionTerm& ArticulatedRegistration::collision() const {
 const ArticulatedModel& ArticulatedRegistration::model() const {
   return stages_->model;
 }
-const SurfaceMoves& ArticulatedRegistration::moves() const {
+const MotionMetric& ArticulatedRegistration::moves() const {
   return stages_->steps.moves();
 }
 

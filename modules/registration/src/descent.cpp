@@ -27,7 +27,7 @@ double spread_share(int k, int n) {
 Descent::Descent(const RegistrationOptions& options, Objective& objective, Steps& steps)
     : step_tolerance_(options.step_tolerance), objective_(objective), steps_(steps) {}
 
-const Descended& Descent::run(const Configuration& start, const Annealing& annealing) {
+const Descended& Descent::run(const Configuration& start, const AlignOptions& annealing) {
   found_.configuration = start;
   found_.last_step.setZero(steps_.scale().unit.size());
   found_.iterations = 0;
@@ -62,7 +62,7 @@ const Descended& Descent::run(const Configuration& start, const Annealing& annea
 }
 
 /// The last iteration, of all points: mostly what is left is one step, as good as exact.
-void Descent::settle(const Annealing& annealing, bool is_to_report) {
+void Descent::settle(const AlignOptions& annealing, bool is_to_report) {
   objective_.look_closely();
   bool moves_on = true;
   for (int k = 0; k < kMostToSettle * annealing.iterations && moves_on; ++k) {
@@ -81,7 +81,7 @@ void Descent::find_rest(const Linearization& at, bool hold_joints, Configuration
 }
 
 /// An iteration; false if it is to be the last.
-bool Descent::report(const Annealing& annealing, bool is_narrow) {
+bool Descent::report(const AlignOptions& annealing, bool is_narrow) {
   ++found_.iterations;
   return !annealing.on_iteration || annealing.on_iteration(found_.configuration, is_narrow);
 }

@@ -22,14 +22,14 @@ class Descent {
 
   /// In the cloud that the objective has begun with. Valid until the next call. From a prediction,
   /// a few of many points are enough to come near, and near is where what is left is settled.
-  const Descended& run(const Configuration& start, const Annealing& annealing);
+  const Descended& run(const Configuration& start, const AlignOptions& annealing);
 
   /// Where it would have ended, if that is near; at: linearised where it did end.
   void find_rest(const Linearization& at, bool hold_joints, Configuration& at_rest);
 
  private:
-  void settle(const Annealing& annealing, bool is_to_report);
-  bool report(const Annealing& annealing, bool is_narrow);
+  void settle(const AlignOptions& annealing, bool is_to_report);
+  bool report(const AlignOptions& annealing, bool is_narrow);
   bool improve(const Linearization& at, bool hold_joints, double next_spread);
 
   double step_tolerance_;  ///< metres

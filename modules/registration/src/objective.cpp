@@ -32,7 +32,7 @@ void Objective::Place::set(const Configuration& other, double other_spread) {
 }
 
 Objective::Objective(const ArticulatedModel& model, const RegistrationOptions& options,
-                     const SurfaceMoves& moves, const Executor& executor)
+                     const MotionMetric& moves, const Executor& executor)
     : model_(model),
       options_(options),
       moves_(moves),
@@ -43,7 +43,7 @@ Objective::Objective(const ArticulatedModel& model, const RegistrationOptions& o
   systems_.resize(model.tree.bodies.size());
 }
 
-void Objective::begin(const TiledCloud& cloud, const Annealing& annealing) {
+void Objective::begin(const TiledCloud& cloud, const AlignOptions& annealing) {
   cloud_ = &cloud;
   is_predicted_ = annealing.is_predicted;
   forget_linearizations();

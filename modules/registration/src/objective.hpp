@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/solver/normal_equations.hpp"
-#include "lockbox/solver/surface_moves.hpp"
 #include "lockbox/terms/collision_term.hpp"
 #include "lockbox/terms/free_space_term.hpp"
 #include "lockbox/terms/model_term.hpp"
@@ -37,10 +37,10 @@ class Objective {
  public:
   /// Model and moves must outlive it. Throws InputError as CollisionTerm does.
   Objective(const ArticulatedModel& model, const RegistrationOptions& options,
-            const SurfaceMoves& moves, const Executor& executor);
+            const MotionMetric& moves, const Executor& executor);
 
   /// Compares with this cloud until the next call; it must live as long.
-  void begin(const TiledCloud& cloud, const Annealing& annealing);
+  void begin(const TiledCloud& cloud, const AlignOptions& annealing);
 
   /// Whether there is an image, and it is to be looked through where nothing should be seen.
   bool sees_free_space() const;
@@ -94,7 +94,7 @@ class Objective {
 
   const ArticulatedModel& model_;
   RegistrationOptions options_;
-  const SurfaceMoves& moves_;
+  const MotionMetric& moves_;
   Executor executor_;
   ModelTerm model_term_;
   FreeSpaceTerm free_term_;

@@ -56,7 +56,7 @@ void ReliefStep::take(const Eigen::VectorXd& start, Linearization& at, Estimate&
     if (prominence > kSurelyStandsOut || steps_.held()[static_cast<std::size_t>(6 + v)]) continue;
     auto& sighting = sightings[static_cast<std::size_t>(v)];
     sighting = low_relief_.find_near(objective_.cloud(), estimate.configuration, v, start[v]);
-    if (prominence > options_.free_space_dead_zone &&
+    if (prominence > options_.free_space_tolerance &&
         !is_elsewhere(estimate.configuration, v, sighting)) {
       sighting.reset();
       continue;

@@ -7,7 +7,7 @@
 #include "lockbox/core/pinhole_camera.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "lockbox/solver/bounded_step.hpp"
-#include "lockbox/solver/surface_moves.hpp"
+#include "lockbox/solver/motion_metric.hpp"
 
 namespace lockbox {
 
@@ -28,7 +28,7 @@ class Steps {
   /// Metres: what a refinement moves farther than the image was looked at is not to be trusted.
   double farthest_refinement(const PinholeCamera& camera, const Configuration& from) const;
 
-  const SurfaceMoves& moves() const { return moves_; }
+  const MotionMetric& moves() const { return moves_; }
   const StepScale& scale() const { return scale_; }
   /// By unknown: whether it stays where it is in all alignments.
   const std::vector<bool>& held() const { return held_; }
@@ -39,7 +39,7 @@ class Steps {
   const KinematicTree& tree_;
   double cut_;
   SensorNoise noise_;
-  SurfaceMoves moves_;
+  MotionMetric moves_;
   StepScale scale_;
   std::vector<bool> held_;
   StepLimits limits_;

@@ -110,18 +110,19 @@ void CovarianceEstimator::invert_information(const NormalEquations& data, const 
   bread_ = unit_.asDiagonal() * bread_ * unit_.asDiagonal();
 }
 
-/// scatter_: the sum over tiles of g g', with g the pull of one tile at all unknowns.
+/// scatter_: the sum over tiles of g g', with g the gradient of one tile at all unknowns.
 void CovarianceEstimator::sum_tiles(const std::vector<BodyJacobian>& jacobians) {
   const Index n = unit_.size();
-  pull_.setZero(n);
+  tile_gradient_.setZero(n);
   scatter_.setZero(n, n);
   for (std::size_t i = 0; i < merged_.size(); ++i) {
     const TileSystem& part = merged_[i];
-    pull_.noalias() += jacobians[static_cast<std::size_t>(part.body)].transpose() * part.gradient;
+    tile_gradient_.noalias() +=
+        jacobians[static_cast<std::size_t>(part.body)].transpose() * part.gradient;
     const bool last_of_tile = i + 1 == merged_.size() || merged_[i + 1].tile != part.tile;
     if (last_of_tile) {
-      scatter_.noalias() += pull_ * pull_.transpose();
-      pull_.setZero();
+      scatter_.noalias() += tile_gradient_ * tile_gradient_.transpose();
+      tile_gradient_.setZero();
     }
   }
 }

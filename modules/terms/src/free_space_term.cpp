@@ -14,7 +14,7 @@ namespace lockbox {
 namespace {
 
 constexpr double kLeastWeight = 1e-3;  // below it a sample is not worth keeping
-constexpr double kSurely = 0.99;       // of the dead zone
+constexpr double kSurely = 0.99;       // of the tolerance
 /// Samples seen through that are looked at: near the solution all of them, for there each counts.
 /// From far off there are more, which all say the same: then each of those stands for several.
 constexpr std::size_t kMostSamples = 6000;
@@ -32,10 +32,11 @@ double density_of_outliers(double cut) {
 
 constexpr double kAnyDirection = 1.0 / 3.0;  // of a random unit vector's square, along each axis
 
-/// Selects and aims the pulls of samples away from outlines.
-class PullFinder {
+/// Selects and aims the correspondences of samples away from outlines.
+class CorrespondenceFinder {
  public:
-  PullFinder(const FreeSpaceTerm::Scene& scene, const BodyPoses& T_body_camera, double spread)
+  CorrespondenceFinder(const FreeSpaceTerm::Scene& scene, const BodyPoses& T_body_camera,
+                       double spread)
       : surface_(scene.surface),
         continued_(scene.continued),
         camera_(scene.cloud.camera()),
@@ -45,8 +46,8 @@ class PullFinder {
         spread_(spread) {}
 
   /// weight: how many samples this one stands for.
-  std::optional<FreeSpacePull> find(const ViewSample& sample, double weight,
-                                    const Eigen::Isometry3d& T_camera_body) const {
+  std::optional<FreeSpaceCorrespondence> find(const ViewSample& sample, double weight,
+                                              const Eigen::Isometry3d& T_camera_body) const {
     const Eigen::Vector3d p = T_camera_body * sample.p_body.cast<double>();
     const auto pixel = camera_.pixel_of(p);
     if (!pixel || !observed_.sees_through(*pixel, p.z(), 0.0)) {
@@ -67,8 +68,8 @@ class PullFinder {
   }
 
  private:
-  /// What is seen beside an outline says where the outline is: that has pulls of its own. The
-  /// nearest observed pixel lies in a direction that the grid decides, and would hold the body
+  /// What is seen beside an outline says where the outline is: that has correspondences of its own.
+  /// The nearest observed pixel lies in a direction that the grid decides, and would hold the body
   /// against sliding along its own outline.
   bool is_beside_outline(const ViewSample& sample, const TangentPlane& plane) const {
     return !outline_normal(surface_.view(), plane, sample.pixel.u, sample.pixel.v,
@@ -77,8 +78,8 @@ class PullFinder {
   }
 
   /// From p to the nearest observed point of the object.
-  std::optional<FreeSpacePull> aim(const ViewSample& sample, double weight,
-                                   const Eigen::Vector3d& p, const Pixel& pixel) const {
+  std::optional<FreeSpaceCorrespondence> aim(const ViewSample& sample, double weight,
+                                             const Eigen::Vector3d& p, const Pixel& pixel) const {
     const auto nearest = observed_.nearest(p, pixel, sample.body, farthest(p));
     if (!nearest) {
       return std::nullopt;
@@ -93,17 +94,17 @@ class PullFinder {
     if (gaussian_share(way, 1.0 / (variance + spread_ * spread_), outliers_) <= kLeastWeight) {
       return std::nullopt;
     }
-    // Noise at either end turns a short pull.
+    // Noise at either end turns a short correspondence.
     const double direction_variance =
         std::clamp(variance / (way * way), kNormalVariance, kAnyDirection);
-    return FreeSpacePull{sample.p_body,
-                         nearest->cast<float>(),
-                         direction.cast<float>(),
-                         static_cast<float>(variance),
-                         static_cast<float>(direction_variance),
-                         static_cast<float>(sample.pixels * weight),
-                         sample.body,
-                         tile_of(pixel, camera_)};
+    return FreeSpaceCorrespondence{sample.p_body,
+                                   nearest->cast<float>(),
+                                   direction.cast<float>(),
+                                   static_cast<float>(variance),
+                                   static_cast<float>(direction_variance),
+                                   static_cast<float>(sample.pixels * weight),
+                                   sample.body,
+                                   tile_of(pixel, camera_)};
   }
 
   /// Metres from p to what would still weigh more than kLeastWeight.
@@ -149,7 +150,8 @@ void FreeSpaceTerm::select(const Scene& scene, const BodyPoses& T_camera_body, d
   aim_seen_through(scene, T_camera_body, spread);
 }
 
-/// Towards what the camera saw around them. Meanwhile one thread lays out the pulls of outlines.
+/// Towards what the camera saw around them. Meanwhile one thread lays out the correspondences of
+/// outlines.
 void FreeSpaceTerm::aim_seen_through(const Scene& scene, const BodyPoses& T_camera_body,
                                      double spread) {
   const std::size_t seen = chunk_begins_.back();
@@ -158,7 +160,7 @@ void FreeSpaceTerm::aim_seen_through(const Scene& scene, const BodyPoses& T_came
   for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
     T_body_camera_[b] = T_camera_body[b].inverse();
   }
-  const PullFinder finder(scene, T_body_camera_, spread);
+  const CorrespondenceFinder finder(scene, T_body_camera_, spread);
   const std::size_t chunks = scene.samples.chunks().size();
   seen_through_.begin(chunks);
   const auto aim_chunk = [&](std::size_t i) {
@@ -167,8 +169,8 @@ void FreeSpaceTerm::aim_seen_through(const Scene& scene, const BodyPoses& T_came
     const std::size_t skipped = (stride - chunk_begins_[i] % stride) % stride;
     for (std::size_t k = skipped; k < chunk_seen_[i].size(); k += stride) {
       const ViewSample sample = scene.samples.sample(chunk.body, chunk.first + chunk_seen_[i][k]);
-      if (const auto pull = finder.find(sample, static_cast<double>(stride), T)) {
-        seen_through_.chunk(i).push_back(*pull);
+      if (const auto correspondence = finder.find(sample, static_cast<double>(stride), T)) {
+        seen_through_.chunk(i).push_back(*correspondence);
       }
     }
   };
@@ -184,14 +186,14 @@ void FreeSpaceTerm::find_seen_through(const Scene& scene, const BodyPoses& T_cam
   const kernels::PointNoise along_ray{static_cast<float>(noise.depth_floor),
                                       static_cast<float>(noise.depth_quadratic), 0.0F, 0.0F,
                                       static_cast<float>(noise.depth_linear)};
-  // Somewhat fewer deviations than the dead zone: single precision errs by less.
-  const auto dead_zone = static_cast<float>(kSurely * scene.options.free_space_dead_zone);
+  // Somewhat fewer deviations than the tolerance: single precision errs by less.
+  const auto tolerance = static_cast<float>(kSurely * scene.options.free_space_tolerance);
   const ViewSamples::Chunk& chunk = scene.samples.chunks()[chunk_index];
   const kernels::Landings landings =
       landings_.land(scene.samples, chunk, T_camera_body, scene.cloud);
   std::vector<std::uint32_t>& seen = chunk_seen_[chunk_index];
   seen.resize(chunk.count);
-  seen.resize(kernels::seen_through(landings, chunk.count, along_ray, dead_zone, seen.data()));
+  seen.resize(kernels::seen_through(landings, chunk.count, along_ray, tolerance, seen.data()));
 }
 
 void FreeSpaceTerm::count_seen_through(std::size_t chunks) {
@@ -216,13 +218,14 @@ void FreeSpaceTerm::add_outlines(double weight, std::vector<BodySystem>& systems
   for (std::size_t b = 0; b < systems.size(); ++b) systems[b] += weight * outline_systems_[b];
 }
 
-/// Adds the pulls' cost, too, without the weight.
-void FreeSpaceTerm::add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
+/// Adds the correspondences' cost, too, without the weight.
+void FreeSpaceTerm::add_systems(const CorrespondenceSet& correspondences,
+                                const BodyPoses& T_camera_body, double weight,
                                 std::vector<BodySystem>& systems, double& cost) const {
-  for (const PullSet::Block& block : pulls.blocks()) {
+  for (const CorrespondenceSet::Block& block : correspondences.blocks()) {
     const auto body = static_cast<std::size_t>(block.body);
-    const kernels::PullSums sums = kernels::accumulate_pulls(
-        pulls.span(block), to_rigid_motion(T_camera_body[body]), pull_loss());
+    const kernels::CorrespondenceSums sums = kernels::accumulate_correspondences(
+        correspondences.span(block), to_rigid_motion(T_camera_body[body]), correspondence_loss());
     systems[body] += to_system(sums.normal, weight, 1.0);
     cost += sums.cost;
   }
@@ -230,17 +233,18 @@ void FreeSpaceTerm::add_systems(const PullSet& pulls, const BodyPoses& T_camera_
 
 double FreeSpaceTerm::cost(const BodyPoses& T_camera_body) const {
   double total = 0.0;
-  for (const PullSet* pulls : {&seen_through_, &outlines_}) {
-    for (const PullSet::Block& block : pulls->blocks()) {
+  for (const CorrespondenceSet* correspondences : {&seen_through_, &outlines_}) {
+    for (const CorrespondenceSet::Block& block : correspondences->blocks()) {
       const auto body = static_cast<std::size_t>(block.body);
       total +=
-          kernels::pull_cost(pulls->span(block), to_rigid_motion(T_camera_body[body]), pull_loss());
+          kernels::correspondence_cost(correspondences->span(block),
+                                       to_rigid_motion(T_camera_body[body]), correspondence_loss());
     }
   }
   return lambda_ * total;
 }
 
-kernels::PullLoss FreeSpaceTerm::pull_loss() const {
+kernels::CorrespondenceLoss FreeSpaceTerm::correspondence_loss() const {
   return {static_cast<float>(spread2_), static_cast<float>(cut_)};
 }
 
@@ -264,26 +268,28 @@ void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::siz
 }
 
 /// Of a block, run by run.
-void FreeSpaceTerm::find_tile_systems(const PullSet& pulls, std::size_t block_index,
-                                      const BodyPoses& T_camera_body, std::size_t first_tile,
-                                      double weight, std::vector<TileSystem>& systems) const {
-  const PullSet::Block& block = pulls.blocks()[block_index];
+void FreeSpaceTerm::find_tile_systems(const CorrespondenceSet& correspondences,
+                                      std::size_t block_index, const BodyPoses& T_camera_body,
+                                      std::size_t first_tile, double weight,
+                                      std::vector<TileSystem>& systems) const {
+  const CorrespondenceSet::Block& block = correspondences.blocks()[block_index];
   const kernels::RigidMotion motion =
       to_rigid_motion(T_camera_body[static_cast<std::size_t>(block.body)]);
-  std::array<std::size_t, kernels::kMostPulls> ends;
-  std::array<kernels::PullProducts, kernels::kMostPulls> products;
+  std::array<std::size_t, kernels::kMostCorrespondences> ends;
+  std::array<kernels::CorrespondenceProducts, kernels::kMostCorrespondences> products;
   std::size_t runs = 0;
   for (std::size_t done = 0; done < block.count;) {
-    done = pulls.end_of_run(block.first + done, block.first + block.count) - block.first;
+    done = correspondences.end_of_run(block.first + done, block.first + block.count) - block.first;
     ends[runs++] = done;
   }
-  kernels::multiply_runs(pulls.span(block), motion, pull_loss(), {ends.data(), runs},
-                         products.data());
+  kernels::multiply_runs(correspondences.span(block), motion, correspondence_loss(),
+                         {ends.data(), runs}, products.data());
   systems.clear();
   for (std::size_t run = 0; run < runs; ++run) {
     const std::size_t last = block.first + ends[run] - 1;
-    systems.push_back({first_tile + pulls.tile(last), block.body,
-                       static_cast<double>(pulls.pixels_of(last)), Matrix6::Zero(), Twist::Zero()});
+    systems.push_back({first_tile + correspondences.tile(last), block.body,
+                       static_cast<double>(correspondences.pixels_of(last)), Matrix6::Zero(),
+                       Twist::Zero()});
     using Rows = Eigen::Matrix<float, 7, 8, Eigen::RowMajor>;
     const auto rows = Eigen::Map<const Rows>(&products[run].rows[0][0]).cast<double>();
     systems.back().hessian = weight * rows.topLeftCorner<6, 6>();

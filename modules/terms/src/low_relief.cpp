@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/model/surface_levers.hpp"
+#include "lockbox/model/motion_scales.hpp"
 #include "lockbox/model/variable_range.hpp"
 #include "lockbox/view/joint_prominence.hpp"
 
@@ -14,8 +14,8 @@ namespace lockbox {
 namespace {
 
 constexpr int kPixelsAround = 4;
-constexpr double kPixelsPulled = 16.0;  // by points, at most
-constexpr double kScanPixels = 0.75;    // from one position to the next over the whole range
+constexpr double kPixelsDragged = 16.0;  // by points, at most
+constexpr double kScanPixels = 0.75;     // from one position to the next over the whole range
 constexpr int kMostSteps = 127;
 constexpr double kLeastGain = 9.0;  // of chi^2
 
@@ -41,7 +41,7 @@ LowRelief::LowRelief(const ArticulatedModel& model, const ViewOptions& options,
     : model_(model),
       noise_(options.noise),
       prominences_(joint_prominences(model)),
-      levers_(surface_levers(model.tree).tail(model.tree.variables())),
+      levers_(motion_scales(model.tree).tail(model.tree.variables())),
       patch_(model.tree, options.noise, options.cut, executor) {}
 
 /// Along the optical axis, of what the joint moves first.
@@ -70,7 +70,7 @@ std::optional<JointSighting> LowRelief::find_near(const TiledCloud& cloud,
   const double pixel = pixel_step(cloud.camera(), configuration, variable);
   const double start = configuration.q[variable];
   const int way = static_cast<int>(
-      std::clamp(std::round((before - start) / pixel), -kPixelsPulled, kPixelsPulled));
+      std::clamp(std::round((before - start) / pixel), -kPixelsDragged, kPixelsDragged));
   positions_.clear();
   for (int k = std::min(0, way) - kPixelsAround; k <= std::max(0, way) + kPixelsAround; ++k) {
     positions_.push_back(start + k * pixel);

@@ -53,7 +53,7 @@ void ObservedOutline::look(std::span<const OutlinePoint> points,
                            camera.width,
                            camera.height},
                           {noise.depth_floor, noise.depth_quadratic, noise.lateral_pixels, spread,
-                           options.cut, options.free_space_dead_zone, noise.depth_linear},
+                           options.cut, options.free_space_tolerance, noise.depth_linear},
                           {from(offset), from(variance)});
 }
 

@@ -20,7 +20,7 @@ constexpr std::array<std::array<int, 2>, 8> kProbeDirections{
 bool ObservedSurface::sees_through(const Pixel& pixel, double expected, double steepness) const {
   const double behind = measured(pixel) - expected;
   const double lateral = options_.noise.lateral_pixels * steepness * expected;
-  const double zone = options_.free_space_dead_zone;
+  const double zone = options_.free_space_tolerance;
   const double sigma = sigma_z(expected);
   return behind > 0.0 && behind * behind > zone * zone * (sigma * sigma + lateral * lateral);
 }

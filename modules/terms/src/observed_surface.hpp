@@ -31,7 +31,7 @@ class ObservedSurface {
     return options_.noise.sigma_lateral(z, cloud_.camera().fx);
   }
 
-  /// Whether the measurement lies more than the dead zone behind the expected depth. steepness:
+  /// Whether the measurement lies more than the tolerance behind the expected depth. steepness:
   /// change of the expected depth a pixel, as a share of it; on steep surfaces the lateral noise
   /// reads as depth.
   bool sees_through(const Pixel& pixel, double expected, double steepness) const;

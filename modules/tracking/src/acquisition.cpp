@@ -7,7 +7,7 @@
 
 #include "lockbox/cloud/segmentation.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/solver/surface_moves.hpp"
+#include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/verification/belief.hpp"
 
 namespace lockbox {
@@ -171,7 +171,7 @@ RegistrationResult Acquisition::with_joints_sought(const Configuration& start,
   return registered;
 }
 
-Annealing Acquisition::narrow() const {
+AlignOptions Acquisition::narrow() const {
   return {options_.start_joint_spread, options_.start_joint_iterations};
 }
 

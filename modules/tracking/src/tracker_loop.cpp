@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "lockbox/solver/surface_moves.hpp"
+#include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/verification/belief.hpp"
 
 namespace lockbox {
@@ -164,7 +164,7 @@ const RegistrationResult& Tracker::Loop::come_to_rest(const Configuration& predi
 }
 
 /// From where the last alignment of the frame has ended.
-Annealing Tracker::Loop::further() const {
+AlignOptions Tracker::Loop::further() const {
   return {
       .spread = predictor_.spread(), .iterations = options_.further_iterations, .goes_on = true};
 }

@@ -48,7 +48,7 @@ class Tracker::Loop {
   Configuration with_hidden_joints_sought(const Configuration& prediction);
   const RegistrationResult& come_to_rest(const Configuration& prediction,
                                          const RegistrationResult& registered);
-  Annealing further() const;
+  AlignOptions further() const;
   bool is_on_its_way(const Configuration& start, const RegistrationResult& result) const;
   bool is_hidden_at_once(const RegistrationResult& registered) const;
   bool has_leapt(const RegistrationResult& registered) const;

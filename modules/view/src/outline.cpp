@@ -41,20 +41,20 @@ TangentPlane::TangentPlane(const RenderedDepth& image, int u, int v)
 
 namespace {
 
-using kernels::kPullColumns;
-using kernels::kPullReach;
-using kernels::kPullRows;
+using kernels::kVoteColumns;
+using kernels::kVoteReach;
+using kernels::kVoteRows;
 
 /// The depths around a pixel near the border of the image: 0, which lies beyond nothing, outside.
-std::array<float, std::size_t{kPullRows} * kPullColumns> with_border(const RenderedDepth& image,
+std::array<float, std::size_t{kVoteRows} * kVoteColumns> with_border(const RenderedDepth& image,
                                                                      int u, int v) {
-  std::array<float, std::size_t{kPullRows} * kPullColumns> depths{};
-  for (int row = 0; row < kPullRows; ++row) {
-    for (int column = 0; column < kPullRows; ++column) {
-      const int at_u = u + column - kPullReach;
-      const int at_v = v + row - kPullReach;
+  std::array<float, std::size_t{kVoteRows} * kVoteColumns> depths{};
+  for (int row = 0; row < kVoteRows; ++row) {
+    for (int column = 0; column < kVoteRows; ++column) {
+      const int at_u = u + column - kVoteReach;
+      const int at_v = v + row - kVoteReach;
       if (!inside(image, at_u, at_v)) continue;
-      depths[static_cast<std::size_t>(row * kPullColumns + column)] =
+      depths[static_cast<std::size_t>(row * kVoteColumns + column)] =
           image.depth[image.index(at_u, at_v)];
     }
   }
@@ -68,17 +68,17 @@ Eigen::Vector2d outline_normal(const RenderedDepth& image, const TangentPlane& p
   const Eigen::Vector2d slopes = plane.slopes();
   const kernels::PixelPlane pixel{image.depth[image.index(u, v)], static_cast<float>(slopes.x()),
                                   static_cast<float>(slopes.y())};
-  const bool is_within = inside(image, u - kPullReach, v - kPullReach) &&
-                         inside(image, u - kPullReach + kPullColumns, v + kPullReach);
-  kernels::OutlinePull pull;
+  const bool is_within = inside(image, u - kVoteReach, v - kVoteReach) &&
+                         inside(image, u - kVoteReach + kVoteColumns, v + kVoteReach);
+  kernels::NormalVote vote;
   if (is_within) {
-    pull = kernels::outline_pull(&image.depth[image.index(u - kPullReach, v - kPullReach)],
-                                 image.width, pixel, static_cast<float>(step));
+    vote = kernels::normal_vote(&image.depth[image.index(u - kVoteReach, v - kVoteReach)],
+                                image.width, pixel, static_cast<float>(step));
   } else {
     const auto depths = with_border(image, u, v);
-    pull = kernels::outline_pull(depths.data(), kPullColumns, pixel, static_cast<float>(step));
+    vote = kernels::normal_vote(depths.data(), kVoteColumns, pixel, static_cast<float>(step));
   }
-  const Eigen::Vector2d normal = Eigen::Vector2d(pull.u, pull.v) / kernels::OutlinePull::kUnit;
+  const Eigen::Vector2d normal = Eigen::Vector2d(vote.u, vote.v) / kernels::NormalVote::kUnit;
   const double length = normal.norm();
   return length > kLeastOutline ? Eigen::Vector2d(normal / length) : Eigen::Vector2d::Zero();
 }

@@ -29,10 +29,10 @@ void OutlineFinder::append_jumps(int v, std::vector<Pixel>& pixels) const {
   const int first = std::max(view_.drawn.left, 1);
   const int end = std::min(view_.drawn.right(), view_.width - 1);
   const float* const z = view_.depth.data() + view_.index(0, v);
-  const auto dead_zone = static_cast<float>(options_.free_space_dead_zone);
-  const float floor = dead_zone * static_cast<float>(options_.noise.depth_floor);
-  const float linear = dead_zone * static_cast<float>(options_.noise.depth_linear);
-  const float quadratic = dead_zone * static_cast<float>(options_.noise.depth_quadratic);
+  const auto tolerance = static_cast<float>(options_.free_space_tolerance);
+  const float floor = tolerance * static_cast<float>(options_.noise.depth_floor);
+  const float linear = tolerance * static_cast<float>(options_.noise.depth_linear);
+  const float quadratic = tolerance * static_cast<float>(options_.noise.depth_quadratic);
   for (const int u : edges_.row(v)) {
     if (u < first || u >= end || continued_.covers(view_.index(u, v))) continue;
     const float beside =
@@ -89,7 +89,7 @@ std::optional<OutlinePoint> OutlineFinder::point(const OutlinePixel& pixel,
 
 /// Depths that differ by less may be noise, metres.
 double OutlineFinder::zone(double depth) const {
-  return options_.free_space_dead_zone * options_.noise.sigma_z(depth);
+  return options_.free_space_tolerance * options_.noise.sigma_z(depth);
 }
 
 bool OutlineFinder::ends_beside(const TangentPlane& plane, int u, int v, double jump) const {

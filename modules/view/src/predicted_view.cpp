@@ -60,8 +60,8 @@ void PredictedView::gather(const TiledCloud& cloud, const ArticulatedModel& mode
   samples_.choose(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
   const OutlinePoints::Scene outlined{
       model, surface_, view_edges_, continued_, detail_.outline_spacing, options};
-  const PooledPoints::Scene pooled{cloud, surface_, plan_.density(),
-                                   point_budget_ > 0 ? kLeastSpacing : 1, options};
+  const BlockAverages::Scene pooled{cloud, surface_, plan_.density(),
+                                    point_budget_ > 0 ? kLeastSpacing : 1, options};
   outlines_.begin(surface_.view());
   pooled_.begin(plan_.density());
   executor.for_each(
@@ -72,7 +72,7 @@ void PredictedView::gather(const TiledCloud& cloud, const ArticulatedModel& mode
   if (is_pooled) pooled_.finish();
 }
 
-bool PredictedView::shows(const Configuration& configuration, const SurfaceMoves& moves) const {
+bool PredictedView::shows(const Configuration& configuration, const MotionMetric& moves) const {
   if (!is_drawn_) return false;
   const double stale = std::min(kStaleView * surface_.reduction(), kMostStaleView);
   return moves.between(configuration_, configuration) <= stale;

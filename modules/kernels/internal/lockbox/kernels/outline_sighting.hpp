@@ -45,7 +45,7 @@ struct OutlineSearch {
   double lateral_pixels;      ///< standard deviation across the ray
   double spread;              ///< metres that the outlines may be off
   double cut;                 ///< standard deviations that are searched
-  double dead_zone;           ///< standard deviations along the ray that are no step
+  double tolerance;           ///< standard deviations along the ray that are no step
   double depth_linear = 0.0;  ///< metres a metre
 };
 

@@ -25,9 +25,9 @@ struct DepthRows {
 std::size_t find_bends(const DepthRows& depths, std::size_t first, std::size_t end, float bend,
                        std::int32_t* columns);
 
-inline constexpr int kPullReach = 3;  ///< pixels around a pixel in which an outline counts as near
-inline constexpr int kPullRows = 2 * kPullReach + 1;
-inline constexpr int kPullColumns = kPullRows + 1;  ///< the last one is read, but does not count
+inline constexpr int kVoteReach = 3;  ///< pixels around a pixel in which an outline counts as near
+inline constexpr int kVoteRows = 2 * kVoteReach + 1;
+inline constexpr int kVoteColumns = kVoteRows + 1;  ///< the last one is read, but does not count
 
 /// The surface in a pixel, taken for a plane: 1 / depth is linear in an image of it.
 struct PixelPlane {
@@ -49,7 +49,7 @@ std::size_t find_edges(const DepthRows& depths, const LabelRows& labels, std::si
                        std::size_t end, float relief, std::int32_t* columns);
 
 /// In whole units, whose sums are exact in any order.
-struct OutlinePull {
+struct NormalVote {
   static constexpr int kUnit = 360;  ///< that all squared distances within reach divide
   int u = 0;
   int v = 0;
@@ -57,8 +57,8 @@ struct OutlinePull {
 
 /// The sum over what lies beyond an outline: depths that are larger than that of the plane by the
 /// share `step` of `plane.depth`. Each says its direction, less the farther it is. corner: of
-/// kPullRows x kPullColumns depths, rows `stride` apart, the pixel in row and column kPullReach.
-OutlinePull outline_pull(const float* corner, std::ptrdiff_t stride, const PixelPlane& plane,
-                         float step);
+/// kVoteRows x kVoteColumns depths, rows `stride` apart, the pixel in row and column kVoteReach.
+NormalVote normal_vote(const float* corner, std::ptrdiff_t stride, const PixelPlane& plane,
+                       float step);
 
 }  // namespace lockbox::kernels

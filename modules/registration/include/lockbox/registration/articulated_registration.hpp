@@ -15,16 +15,16 @@ namespace lockbox {
 struct ArticulatedModel;
 class CollisionTerm;
 class Executor;
-class SurfaceMoves;
+class MotionMetric;
 class TiledCloud;
 
 /// Gates begin with the spread and end with the sensor's noise alone.
-struct Annealing {
+struct AlignOptions {
   double spread = 0.0;       ///< metres: how far surfaces may be from where the start puts them
   int iterations = 3;        ///< linearisations, at most
   bool hold_joints = false;  ///< move the base only
   int narrowing = 0;         ///< linearisations until the spread is gone; 0: all of them
-  /// The start is a prediction. Of flat faces, points are pooled (pooled_points.hpp); of many
+  /// The start is a prediction. Of flat faces, points are pooled (block_averages.hpp); of many
   /// points a few are enough for all iterations but the last, which follows as soon as steps are
   /// short. If its own is not, it may take twice as many linearisations again.
   bool is_predicted = false;
@@ -91,7 +91,7 @@ class ArticulatedRegistration {
 
   /// The result is valid until the next call. A cloud without an image has no free-space term.
   const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
-                                  const Annealing& annealing);
+                                  const AlignOptions& annealing);
 
   /// In the cloud of the last alignment, of a configuration that was found there. A cloud without
   /// an image tells nothing. No later alignment depends on it.
@@ -104,7 +104,7 @@ class ArticulatedRegistration {
   /// The model that is aligned.
   const ArticulatedModel& model() const;
   /// How far steps move surfaces: what makes metres of steps of all unknowns.
-  const SurfaceMoves& moves() const;
+  const MotionMetric& moves() const;
 
  private:
   struct Stages;

@@ -106,7 +106,7 @@ class CovarianceEstimator {
   Eigen::MatrixXd information_;
   // Of a matrix: without one Eigen leaves members unset, and moving them is undefined.
   Eigen::LLT<Eigen::MatrixXd> definite_{Eigen::MatrixXd(0, 0)};
-  Eigen::VectorXd pull_;
+  Eigen::VectorXd tile_gradient_;
   Eigen::MatrixXd scatter_;
   Eigen::MatrixXd scaled_;
   Eigen::MatrixXd bread_;

@@ -3,7 +3,7 @@
 // nearest observed surface of the object, and outlines of the model to where the camera saw them
 // (docs/mathematics.md).
 //
-// Seen through means: the measurement on the sample's ray lies more than a dead zone behind it.
+// Seen through means: the measurement on the sample's ray lies more than a tolerance behind it.
 // Samples behind the measurement are occluded, those on pixels without depth unknown; both are
 // free.
 #pragma once
@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "lockbox/solver/normal_equations.hpp"
+#include "lockbox/terms/correspondence_set.hpp"
 #include "lockbox/terms/observed_outline.hpp"
-#include "lockbox/terms/pull_set.hpp"
 #include "lockbox/terms/term_options.hpp"
 #include "lockbox/view/outline_points.hpp"
 #include "lockbox/view/view_samples.hpp"
@@ -51,13 +51,13 @@ class FreeSpaceTerm {
   /// Adds the systems of the outlines of the last linearisation once more.
   void add_outlines(double weight, std::vector<BodySystem>& systems) const;
 
-  /// Appends what each pull of the last linearisation had to say, with outlines so many times.
-  /// first_tile: number of the first tile of the image among the tiles of the systems.
+  /// Appends what each correspondence of the last linearisation had to say, with outlines so many
+  /// times. first_tile: number of the first tile of the image among the tiles of the systems.
   void append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
                            double outline_weight, const Executor& executor,
                            std::vector<TileSystem>& systems);
 
-  std::size_t pulled_samples() const { return seen_through_.size() + outlines_.size(); }
+  std::size_t matched_samples() const { return seen_through_.size() + outlines_.size(); }
 
  private:
   void find_seen_through(const Scene& scene, const BodyPoses& T_camera_body, std::size_t chunk);
@@ -65,10 +65,10 @@ class FreeSpaceTerm {
   void aim_seen_through(const Scene& scene, const BodyPoses& T_camera_body, double spread);
   void aim_outlines(const Scene& scene, const BodyPoses& T_camera_body, double spread,
                     std::size_t band);
-  void add_systems(const PullSet& pulls, const BodyPoses& T_camera_body, double weight,
-                   std::vector<BodySystem>& systems, double& cost) const;
-  kernels::PullLoss pull_loss() const;
-  void find_tile_systems(const PullSet& pulls, std::size_t block_index,
+  void add_systems(const CorrespondenceSet& correspondences, const BodyPoses& T_camera_body,
+                   double weight, std::vector<BodySystem>& systems, double& cost) const;
+  kernels::CorrespondenceLoss correspondence_loss() const;
+  void find_tile_systems(const CorrespondenceSet& correspondences, std::size_t block_index,
                          const BodyPoses& T_camera_body, std::size_t first_tile, double weight,
                          std::vector<TileSystem>& systems) const;
 
@@ -78,8 +78,8 @@ class FreeSpaceTerm {
   double spread2_ = 0.0;                                ///< m^2, of the last linearisation
   std::vector<std::vector<std::uint32_t>> chunk_seen_;  ///< seen through: numbers within the chunk
   std::vector<std::size_t> chunk_begins_;               ///< how many before each chunk; all
-  PullSet seen_through_;                                ///< by chunks of samples
-  PullSet outlines_;                                    ///< by bands of outlines
+  CorrespondenceSet seen_through_;                      ///< by chunks of samples
+  CorrespondenceSet outlines_;                          ///< by bands of outlines
   std::vector<BodySystem> outline_systems_;             ///< by body, of the last linearisation
   std::vector<std::vector<TileSystem>> block_systems_;  ///< of both
   SampleLandings landings_;

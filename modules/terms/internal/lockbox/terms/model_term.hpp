@@ -57,7 +57,7 @@ class ModelTerm {
   /// Makes the linearisation of cost_ahead the last one, as linearize would have done.
   double take_ahead(std::vector<BodySystem>& systems);
 
-  /// How each tile pulls at each body: clusters of residuals for the covariance.
+  /// How each tile correspondences at each body: clusters of residuals for the covariance.
   void append_tile_systems(std::vector<TileSystem>& systems) const;
 
   struct Totals {

@@ -80,7 +80,7 @@ class Acquisition {
   bool find_from(const DepthFrame& frame, const Configuration& guess, SearchScope scope);
   bool consider(const RegistrationResult& found);
   bool is_enough(const RegistrationResult& found, const Configuration& guess, SearchScope scope);
-  Annealing narrow() const;
+  AlignOptions narrow() const;
   void keep_object(const Configuration& start);
   Initializer& initializer();
 

@@ -14,7 +14,7 @@ struct ViewOptions {
   /// A measurement less far behind the model's surface does not see through it. Without it the
   /// term, which has one side only, would push the model off the cloud. Unit: standard deviations
   /// along the ray. Source: of normal errors one in 740 is beyond it.
-  double free_space_dead_zone = 3.0;
+  double free_space_tolerance = 3.0;
   /// Neighbouring pixels err alike: the information in N of them is that of N / correlation. Unit:
   /// pixels. Source: not recorded; a sensor's profile replaces it.
   double noise_correlation = 20.0;

@@ -10,11 +10,11 @@
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/solver/surface_moves.hpp"
+#include "lockbox/solver/motion_metric.hpp"
+#include "lockbox/view/block_averages.hpp"
 #include "lockbox/view/continued_edges.hpp"
 #include "lockbox/view/outline_points.hpp"
 #include "lockbox/view/pixel_prediction.hpp"
-#include "lockbox/view/pooled_points.hpp"
 #include "lockbox/view/sampling_plan.hpp"
 #include "lockbox/view/view_detail.hpp"
 #include "lockbox/view/view_options.hpp"
@@ -41,7 +41,7 @@ class PredictedView {
   void forget() { is_drawn_ = false; }
 
   /// Whether the model would still look like this.
-  bool shows(const Configuration& configuration, const SurfaceMoves& moves) const;
+  bool shows(const Configuration& configuration, const MotionMetric& moves) const;
 
   /// Those of the cloud that were chosen.
   const PointTiles& points() const { return *points_; }
@@ -70,7 +70,7 @@ class PredictedView {
   OutlinePoints outlines_;
   ImagePoints all_;
   ThinnedPoints thinned_;
-  PooledPoints pooled_;
+  BlockAverages pooled_;
   const PointTiles* points_ = nullptr;
   PixelPrediction prediction_;
   BodyPoses poses_;

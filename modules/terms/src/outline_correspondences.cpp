@@ -9,10 +9,10 @@
 namespace lockbox {
 namespace {
 
-/// Pulls of outline points of one body to where the camera saw them.
+/// Correspondences of outline points of one body to where the camera saw them.
 void append_sightings(std::span<const OutlinePoint> points, const Eigen::Isometry3d& T_camera_body,
                       const PinholeCamera& camera, const ObservedOutline& observed,
-                      std::vector<FreeSpacePull>& pulls) {
+                      std::vector<FreeSpaceCorrespondence>& correspondences) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (!observed.is_seen(k)) continue;
     const OutlinePoint& point = points[k];
@@ -21,10 +21,10 @@ void append_sightings(std::span<const OutlinePoint> points, const Eigen::Isometr
     if (!pixel) continue;
     const Eigen::Vector3d normal = T_camera_body.linear() * point.normal_body;
     const Eigen::Vector3d target = expected + observed.offset_of(k) * normal;
-    pulls.push_back({point.p_body.cast<float>(), target.cast<float>(), normal.cast<float>(),
-                     static_cast<float>(observed.variance_of(k)),
-                     static_cast<float>(kNormalVariance), static_cast<float>(point.pixels),
-                     point.body, tile_of(*pixel, camera)});
+    correspondences.push_back(
+        {point.p_body.cast<float>(), target.cast<float>(), normal.cast<float>(),
+         static_cast<float>(observed.variance_of(k)), static_cast<float>(kNormalVariance),
+         static_cast<float>(point.pixels), point.body, tile_of(*pixel, camera)});
   }
 }
 

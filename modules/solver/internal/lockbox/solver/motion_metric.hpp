@@ -10,9 +10,9 @@
 
 namespace lockbox {
 
-class SurfaceMoves {
+class MotionMetric {
  public:
-  explicit SurfaceMoves(const KinematicTree& tree);
+  explicit MotionMetric(const KinematicTree& tree);
 
   /// How far surfaces lie apart in two near configurations, metres: the most that the base or any
   /// single joint contributes.
@@ -27,12 +27,12 @@ class SurfaceMoves {
                         const Eigen::VectorXd& sigma) const;
 
   /// By unknown: metres that surfaces move for a unit, at most.
-  const Eigen::VectorXd& levers() const { return levers_; }
+  const Eigen::VectorXd& scales() const { return scales_; }
 
  private:
   double of_base(const Twist& twist) const;
 
-  Eigen::VectorXd levers_;
+  Eigen::VectorXd scales_;
 };
 
 }  // namespace lockbox

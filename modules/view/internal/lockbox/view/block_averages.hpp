@@ -20,7 +20,7 @@ namespace lockbox {
 
 /// Found band by band, by any threads. Buffers are reused: they allocate only where there are more
 /// points than ever before.
-class PooledPoints : public PointTiles {
+class BlockAverages : public PointTiles {
  public:
   /// What is pooled, by reference. The cloud must have an image, all of it (TiledCloud::is_masked),
   /// seen by the camera that the surface is seen by. Blocks are as large as faces allow, from a
@@ -34,10 +34,10 @@ class PooledPoints : public PointTiles {
     const ViewOptions& options;
   };
 
-  PooledPoints();
-  ~PooledPoints();
-  PooledPoints(PooledPoints&&) noexcept;
-  PooledPoints& operator=(PooledPoints&&) noexcept;
+  BlockAverages();
+  ~BlockAverages();
+  BlockAverages(BlockAverages&&) noexcept;
+  BlockAverages& operator=(BlockAverages&&) noexcept;
 
   /// Before the bands are filled.
   void begin(const SamplingDensity& density);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/view/pooled_points.hpp"
+#include "lockbox/view/block_averages.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ CellMask gather_bits(const std::uint8_t* bytes) {
 }  // namespace
 
 /// Points of some rows of cells.
-class PooledPoints::Band {
+class BlockAverages::Band {
  public:
   /// flat: by pixel of the view, rows padded to whole cells.
   void fill(const Scene& scene, const std::vector<std::uint8_t>& flat, int first_row) {
@@ -62,7 +62,7 @@ class PooledPoints::Band {
   std::size_t slots() const { return x_.size(); }
 
   /// From that slot on, and with the tiles that are its own.
-  void write(PooledPoints& points, std::size_t slot, std::size_t tile) const {
+  void write(BlockAverages& points, std::size_t slot, std::size_t tile) const {
     const auto copy = [slot](const auto& from, auto& to) {
       std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(slot));
     };
@@ -215,13 +215,13 @@ class PooledPoints::Band {
   CellMask mask_ = 0;  ///< which of its pixels are flat
 };
 
-PooledPoints::PooledPoints() : bands_(std::make_unique<std::vector<Band>>()) {}
-PooledPoints::~PooledPoints() = default;
-PooledPoints::PooledPoints(PooledPoints&&) noexcept = default;
-PooledPoints& PooledPoints::operator=(PooledPoints&&) noexcept = default;
+BlockAverages::BlockAverages() : bands_(std::make_unique<std::vector<Band>>()) {}
+BlockAverages::~BlockAverages() = default;
+BlockAverages::BlockAverages(BlockAverages&&) noexcept = default;
+BlockAverages& BlockAverages::operator=(BlockAverages&&) noexcept = default;
 
 /// Pixels at the border of the view have no neighbours, and are not.
-void PooledPoints::find_flat(const RenderedDepth& view, int row_of_cells) {
+void BlockAverages::find_flat(const RenderedDepth& view, int row_of_cells) {
   const auto stride = flat_.size() / static_cast<std::size_t>((view.height + kCellSize - 1) /
                                                               kCellSize * kCellSize);
   const ImageWindow& drawn = view.drawn;
@@ -242,24 +242,24 @@ void PooledPoints::find_flat(const RenderedDepth& view, int row_of_cells) {
   }
 }
 
-void PooledPoints::begin(const SamplingDensity& density) {
+void BlockAverages::begin(const SamplingDensity& density) {
   flat_.resize(static_cast<std::size_t>(density.columns * kCellSize) *
                static_cast<std::size_t>(density.rows * kCellSize));
   bands_->resize(static_cast<std::size_t>((density.rows + kRowsOfCells - 1) / kRowsOfCells));
 }
 
-std::size_t PooledPoints::bands() const {
+std::size_t BlockAverages::bands() const {
   return bands_->size();
 }
 
-void PooledPoints::fill_band(const Scene& scene, std::size_t i) {
+void BlockAverages::fill_band(const Scene& scene, std::size_t i) {
   const int first_row = static_cast<int>(i) * kRowsOfCells;
   const int end_row = std::min(first_row + kRowsOfCells, scene.density.rows);
   for (int row = first_row; row < end_row; ++row) find_flat(scene.surface.view(), row);
   (*bands_)[i].fill(scene, flat_, first_row);
 }
 
-void PooledPoints::finish() {
+void BlockAverages::finish() {
   std::size_t slots = 0;
   std::size_t tiles = 0;
   for (const Band& band : *bands_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/model/surface_levers.hpp"
+#include "lockbox/model/motion_scales.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace lockbox {
 
-Eigen::VectorXd surface_levers(const KinematicTree& tree) {
+Eigen::VectorXd motion_scales(const KinematicTree& tree) {
   Configuration rest = rest_configuration(tree);
   rest.T_camera_base.setIdentity();
   std::vector<Eigen::Isometry3d> poses;

@@ -2,15 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "lockbox/core/lie.hpp"
-#include "lockbox/solver/surface_moves.hpp"
+#include "lockbox/solver/motion_metric.hpp"
 #include "registration/mechanism.hpp"
 
 namespace lockbox {
 namespace {
 
-class SurfaceMovesTest : public ::testing::Test {
+class MotionMetricTest : public ::testing::Test {
  protected:
-  SurfaceMovesTest() : moves_(model_.tree), start_(mechanism_start(model_)) {
+  MotionMetricTest() : moves_(model_.tree), start_(mechanism_start(model_)) {
     step_.setZero(6 + model_.tree.variables());
   }
 
@@ -22,12 +22,12 @@ class SurfaceMovesTest : public ::testing::Test {
   }
 
   const ArticulatedModel& model_ = mechanism();
-  SurfaceMoves moves_;
+  MotionMetric moves_;
   Configuration start_;
   Eigen::VectorXd step_;  ///< base twist, then slide, turn, twist
 };
 
-TEST_F(SurfaceMovesTest, AreMetresForAllThatShifts) {
+TEST_F(MotionMetricTest, AreMetresForAllThatShifts) {
   step_[1] = 0.02;
   EXPECT_NEAR(moves_.of(step_), 0.02, 1e-12);
   step_.setZero();
@@ -35,7 +35,7 @@ TEST_F(SurfaceMovesTest, AreMetresForAllThatShifts) {
   EXPECT_NEAR(moves_.of(step_), 0.03, 1e-12);
 }
 
-TEST_F(SurfaceMovesTest, GrowWithTheDistanceFromTheAxisForAllThatTurns) {
+TEST_F(MotionMetricTest, GrowWithTheDistanceFromTheAxisForAllThatTurns) {
   step_[7] = 0.1;  // the arm reaches 0.14 m from its axis, the knob on it not much farther
   EXPECT_GT(moves_.of(step_), 0.1 * 0.14);
   EXPECT_LT(moves_.of(step_), 0.1 * 0.20);
@@ -44,13 +44,13 @@ TEST_F(SurfaceMovesTest, GrowWithTheDistanceFromTheAxisForAllThatTurns) {
   EXPECT_GT(moves_.of(step_), 0.1 * 0.2);
 }
 
-TEST_F(SurfaceMovesTest, OfAStepAreThoseBetweenItsEnds) {
+TEST_F(MotionMetricTest, OfAStepAreThoseBetweenItsEnds) {
   step_ << 0.01, -0.02, 0.005, 0.03, 0.01, -0.02, 0.015, 0.2, -0.3;
   EXPECT_NEAR(moves_.between(start_, moved_by(step_)), moves_.of(step_), 1e-9);
   EXPECT_NEAR(moves_.between(start_, start_), 0.0, 1e-12);
 }
 
-TEST_F(SurfaceMovesTest, AreSignificantOnlyWhereSeenAndBeyondTheNoise) {
+TEST_F(MotionMetricTest, AreSignificantOnlyWhereSeenAndBeyondTheNoise) {
   const Eigen::VectorXd sigma = Eigen::VectorXd::Constant(step_.size(), 0.01);
   std::vector<bool> observable(static_cast<std::size_t>(step_.size()), true);
   step_[6] = 0.015;  // noise

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/solver/surface_moves.hpp"
+#include "lockbox/solver/motion_metric.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "lockbox/model/surface_levers.hpp"
+#include "lockbox/model/motion_scales.hpp"
 
 namespace lockbox {
 namespace {
@@ -15,25 +15,25 @@ constexpr double kSignificant = 2.0;  // standard deviations: more than noise mo
 
 }  // namespace
 
-SurfaceMoves::SurfaceMoves(const KinematicTree& tree) : levers_(surface_levers(tree)) {}
+MotionMetric::MotionMetric(const KinematicTree& tree) : scales_(motion_scales(tree)) {}
 
-double SurfaceMoves::between(const Configuration& a, const Configuration& b) const {
+double MotionMetric::between(const Configuration& a, const Configuration& b) const {
   double farthest = of_base(log_se3(a.T_camera_base.inverse() * b.T_camera_base));
   for (Index v = 0; v < a.q.size(); ++v) {
-    farthest = std::max(farthest, std::abs(b.q[v] - a.q[v]) * levers_[6 + v]);
+    farthest = std::max(farthest, std::abs(b.q[v] - a.q[v]) * scales_[6 + v]);
   }
   return farthest;
 }
 
-double SurfaceMoves::of(const Eigen::VectorXd& step) const {
+double MotionMetric::of(const Eigen::VectorXd& step) const {
   double farthest = of_base(step.head<6>());
   for (Index i = 6; i < step.size(); ++i) {
-    farthest = std::max(farthest, std::abs(step[i]) * levers_[i]);
+    farthest = std::max(farthest, std::abs(step[i]) * scales_[i]);
   }
   return farthest;
 }
 
-double SurfaceMoves::of_significant(const Eigen::VectorXd& step,
+double MotionMetric::of_significant(const Eigen::VectorXd& step,
                                     const std::vector<bool>& observable,
                                     const Eigen::VectorXd& sigma) const {
   const auto is_significant = [&](Index i) {
@@ -44,13 +44,13 @@ double SurfaceMoves::of_significant(const Eigen::VectorXd& step,
     if (is_significant(i)) farthest = of_base(step.head<6>());
   }
   for (Index i = 6; i < step.size(); ++i) {
-    if (is_significant(i)) farthest = std::max(farthest, std::abs(step[i]) * levers_[i]);
+    if (is_significant(i)) farthest = std::max(farthest, std::abs(step[i]) * scales_[i]);
   }
   return farthest;
 }
 
-double SurfaceMoves::of_base(const Twist& twist) const {
-  const Twist moves = twist.cwiseProduct(levers_.head<6>());
+double MotionMetric::of_base(const Twist& twist) const {
+  const Twist moves = twist.cwiseProduct(scales_.head<6>());
   return moves.head<3>().norm() + moves.tail<3>().norm();
 }
 

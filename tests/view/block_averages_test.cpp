@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mean of pixels of a face says where the face is, whatever was predicted.
-#include "lockbox/view/pooled_points.hpp"
+#include "lockbox/view/block_averages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,14 +19,14 @@ namespace {
 
 constexpr std::size_t kMany = 100000;
 
-class PooledPointsTest : public ::testing::Test {
+class BlockAveragesTest : public ::testing::Test {
  protected:
   const ArticulatedModel& model = mechanism();
   const Configuration truth = mechanism_start(model);
 
   /// As a view of every second pixel chooses them.
-  PooledPoints pooled(const TiledCloud& cloud, const Configuration& predicted,
-                      std::size_t budget = kMany, int threads = 1) const {
+  BlockAverages pooled(const TiledCloud& cloud, const Configuration& predicted,
+                       std::size_t budget = kMany, int threads = 1) const {
     const Executor executor(threads);
     BodyPoses poses;
     forward_kinematics(model.tree, predicted, poses);
@@ -37,7 +37,7 @@ class PooledPointsTest : public ::testing::Test {
     SamplingPlan plan;
     plan.plan(surface.view(), edges, surface.reduction(), surface.view_camera().fx, 0.0, budget,
               executor);
-    PooledPoints points;
+    BlockAverages points;
     const ViewOptions options;
     points.begin(plan.density());
     executor.for_each(points.bands(), [&](std::size_t i) {
@@ -81,7 +81,7 @@ class PooledPointsTest : public ::testing::Test {
   }
 
   /// Root mean square of the means' distances, each as often as it has pixels, metres.
-  double mean_distance(const PooledPoints& points) const {
+  double mean_distance(const BlockAverages& points) const {
     double squares = 0.0;
     double pixels = 0.0;
     for_each_point(points, [&](const Eigen::Vector3f& p, float count) {
@@ -92,7 +92,7 @@ class PooledPointsTest : public ::testing::Test {
     return std::sqrt(squares / pixels);
   }
 
-  static double pixels_of(const PooledPoints& points) {
+  static double pixels_of(const BlockAverages& points) {
     double pixels = 0.0;
     for_each_point(
         points, [&](const Eigen::Vector3f&, float count) { pixels += static_cast<double>(count); });
@@ -100,9 +100,9 @@ class PooledPointsTest : public ::testing::Test {
   }
 };
 
-TEST_F(PooledPointsTest, MostPixelsOfTheObjectAreInTheMeansOfFewPoints) {
+TEST_F(BlockAveragesTest, MostPixelsOfTheObjectAreInTheMeansOfFewPoints) {
   const TiledCloud cloud = seen("ideal");
-  const PooledPoints points = pooled(cloud, truth);
+  const BlockAverages points = pooled(cloud, truth);
   double on_object = 0.0;
   for_each_point(all_of(cloud),
                  [&](const Eigen::Vector3f& p, float) { on_object += distance(p) < 0.002; });
@@ -112,12 +112,12 @@ TEST_F(PooledPointsTest, MostPixelsOfTheObjectAreInTheMeansOfFewPoints) {
 }
 
 /// To what is left of depths in whole millimetres.
-TEST_F(PooledPointsTest, MeansLieOnTheFaces) {
+TEST_F(BlockAveragesTest, MeansLieOnTheFaces) {
   EXPECT_LT(mean_distance(pooled(seen("ideal"), truth)), 5e-5);
 }
 
 /// A face that is predicted 4 mm and a degree elsewhere.
-TEST_F(PooledPointsTest, MeansLieOnTheFacesThatAreMeasured) {
+TEST_F(BlockAveragesTest, MeansLieOnTheFacesThatAreMeasured) {
   Configuration predicted = truth;
   Twist off;
   off << 0.0, 0.0, 0.004, 0.01, -0.01, 0.0;
@@ -125,7 +125,7 @@ TEST_F(PooledPointsTest, MeansLieOnTheFacesThatAreMeasured) {
   EXPECT_LT(mean_distance(pooled(seen("ideal"), predicted)), 1e-4);
 }
 
-TEST_F(PooledPointsTest, NoiseIsAveraged) {
+TEST_F(BlockAveragesTest, NoiseIsAveraged) {
   const TiledCloud cloud = seen("white");
   double squares = 0.0;
   double count = 0.0;
@@ -135,7 +135,7 @@ TEST_F(PooledPointsTest, NoiseIsAveraged) {
     count += 1.0;
   });
   const double pixel = std::sqrt(squares / count);
-  const PooledPoints points = pooled(cloud, truth);
+  const BlockAverages points = pooled(cloud, truth);
   EXPECT_LT(mean_distance(points), 0.25 * pixel);
   double scatter = 0.0;
   for (const Tile& tile : points.tiles()) {
@@ -145,32 +145,32 @@ TEST_F(PooledPointsTest, NoiseIsAveraged) {
   EXPECT_GT(scatter / static_cast<double>(points.valid_points()), 0.1);
 }
 
-TEST_F(PooledPointsTest, WhatStandsBeforeAFaceIsNotPartOfIt) {
+TEST_F(BlockAveragesTest, WhatStandsBeforeAFaceIsNotPartOfIt) {
   const DepthFrame frame = measured(model, truth, "ideal");
   DepthFrame hidden = frame;
   const int columns = frame.camera.width;
   for (std::size_t i = 0; i < hidden.depth.size(); ++i) {
     if (static_cast<int>(i) % columns > columns / 2) hidden.depth[i] = 400;  // a hand at 0.4 m
   }
-  const PooledPoints points = pooled(cloud_of(hidden), truth);
+  const BlockAverages points = pooled(cloud_of(hidden), truth);
   EXPECT_LT(mean_distance(points), 5e-5);
   EXPECT_LT(pixels_of(points), 0.7 * pixels_of(pooled(cloud_of(frame), truth)));
 }
 
-TEST_F(PooledPointsTest, OfASmallBudgetAreNotMoreThanThat) {
+TEST_F(BlockAveragesTest, OfASmallBudgetAreNotMoreThanThat) {
   const TiledCloud cloud = seen("ideal");
   for (const std::size_t budget : {500, 1000, 2000}) {
-    const PooledPoints points = pooled(cloud, truth, budget);
+    const BlockAverages points = pooled(cloud, truth, budget);
     EXPECT_LE(points.valid_points(), budget);
     EXPECT_GT(pixels_of(points), 10.0 * static_cast<double>(points.valid_points()));
   }
 }
 
-TEST_F(PooledPointsTest, AreTheSameForAnyNumberOfThreads) {
+TEST_F(BlockAveragesTest, AreTheSameForAnyNumberOfThreads) {
   const TiledCloud cloud = seen("primesense");
-  const PooledPoints first = pooled(cloud, truth);
+  const BlockAverages first = pooled(cloud, truth);
   for (const int threads : {2, 3, 8}) {
-    const PooledPoints again = pooled(cloud, truth, kMany, threads);
+    const BlockAverages again = pooled(cloud, truth, kMany, threads);
     EXPECT_EQ(again.x(), first.x());
     EXPECT_EQ(again.z(), first.z());
     EXPECT_EQ(again.pooled(), first.pooled());
@@ -179,7 +179,7 @@ TEST_F(PooledPointsTest, AreTheSameForAnyNumberOfThreads) {
 }
 
 /// Pixels that were left out are still in the image, and must not come back in a mean.
-TEST_F(PooledPointsTest, OfACloudOfWhichSomeWasLeftOutAreNotUsed) {
+TEST_F(BlockAveragesTest, OfACloudOfWhichSomeWasLeftOutAreNotUsed) {
   TiledCloud cloud = seen("ideal");
   PredictedView view(0, view_detail(0));
   view.look_at(cloud, model, truth, 0.0, true, {}, Executor(1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/kernels/pulls.hpp"
+#include "lockbox/kernels/correspondences.hpp"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -17,17 +17,17 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// Points on a plate, pulled to where a small motion would bring them, some of them far beyond.
-class PullsTest : public ::testing::Test {
+class CorrespondencesTest : public ::testing::Test {
  protected:
-  static constexpr std::size_t kPulls = 70;  // no multiple of any number of lanes
-  static constexpr PullLoss kLoss{1e-6F, 3.0F};
+  static constexpr std::size_t kCorrespondences = 70;  // no multiple of any number of lanes
+  static constexpr CorrespondenceLoss kLoss{1e-6F, 3.0F};
 
-  PullsTest() : arrays(kNumbers, std::vector<float>(kPulls + kLanes, 1.0F)) {
+  CorrespondencesTest() : arrays(kNumbers, std::vector<float>(kCorrespondences + kLanes, 1.0F)) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
     T = Eigen::Translation3d(0.05, -0.02, 1.2) *
         Eigen::AngleAxisd(0.4, Eigen::Vector3d(0.3, 1.0, -0.2).normalized());
-    for (std::size_t i = 0; i < kPulls; ++i) {
+    for (std::size_t i = 0; i < kCorrespondences; ++i) {
       const Eigen::Vector3d p(0.3 * uniform(random), 0.2 * uniform(random), 0.02 * uniform(random));
       const Eigen::Vector3d n =
           Eigen::Vector3d(uniform(random), uniform(random), 0.2 * uniform(random)).normalized();
@@ -70,8 +70,8 @@ class PullsTest : public ::testing::Test {
     return static_cast<double>(arrays[which][i]);
   }
 
-  PullSpan span() const { return span(0, kPulls); }
-  PullSpan span(std::size_t first, std::size_t end) const {
+  CorrespondenceSpan span() const { return span(0, kCorrespondences); }
+  CorrespondenceSpan span(std::size_t first, std::size_t end) const {
     const auto at = [&](std::size_t number) { return arrays[number].data() + first; };
     return {{at(kP), at(kP + 1), at(kP + 2)},
             {at(kTarget), at(kTarget + 1), at(kTarget + 2)},
@@ -89,7 +89,7 @@ class PullsTest : public ::testing::Test {
   double exact_cost(const Eigen::Isometry3d& pose) const {
     double total = 0.0;
     const double c = 4.5;
-    for (std::size_t i = 0; i < kPulls; ++i) {
+    for (std::size_t i = 0; i < kCorrespondences; ++i) {
       const double s = std::pow(residual(i, pose), 2) / (number(kVariance, i) + 1e-6);
       total += number(kPixels, i) * (-std::log(std::exp(-c) + std::exp(-0.5 * s)) - c);
     }
@@ -101,15 +101,16 @@ class PullsTest : public ::testing::Test {
   RigidMotion motion{};
 };
 
-TEST_F(PullsTest, CostIsThatOfTheMixture) {
+TEST_F(CorrespondencesTest, CostIsThatOfTheMixture) {
   const double exact = exact_cost(T);
   EXPECT_LT(exact, -100.0);  // most are explained
-  EXPECT_NEAR(pull_cost(span(), motion, kLoss), exact, 1e-4 * std::abs(exact));
-  EXPECT_EQ(accumulate_pulls(span(), motion, kLoss).cost, pull_cost(span(), motion, kLoss));
+  EXPECT_NEAR(correspondence_cost(span(), motion, kLoss), exact, 1e-4 * std::abs(exact));
+  EXPECT_EQ(accumulate_correspondences(span(), motion, kLoss).cost,
+            correspondence_cost(span(), motion, kLoss));
 }
 
-TEST_F(PullsTest, GradientIsTheDerivativeOfTheCostInTheBodysTwist) {
-  const NormalSums sums = accumulate_pulls(span(), motion, kLoss).normal;
+TEST_F(CorrespondencesTest, GradientIsTheDerivativeOfTheCostInTheBodysTwist) {
+  const NormalSums sums = accumulate_correspondences(span(), motion, kLoss).normal;
   const double scale = std::abs(sums.gradient[0]) + std::abs(sums.gradient[1]);
   constexpr double kStep = 1e-7;
   for (int k = 0; k < 6; ++k) {
@@ -127,13 +128,13 @@ TEST_F(PullsTest, GradientIsTheDerivativeOfTheCostInTheBodysTwist) {
   }
 }
 
-TEST_F(PullsTest, SumsAreThoseOfTheWeightedRows) {
-  const NormalSums sums = accumulate_pulls(span(), motion, kLoss).normal;
+TEST_F(CorrespondencesTest, SumsAreThoseOfTheWeightedRows) {
+  const NormalSums sums = accumulate_correspondences(span(), motion, kLoss).normal;
   Matrix6 hessian = Matrix6::Zero();
   double mass = 0.0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < kPulls; ++i) {
+  for (std::size_t i = 0; i < kCorrespondences; ++i) {
     const double inverse_variance = 1.0 / (number(kVariance, i) + 1e-6);
     const double gaussian = std::exp(-0.5 * std::pow(residual(i, T), 2) * inverse_variance);
     const double w = number(kPixels, i) * gaussian / (gaussian + std::exp(-4.5)) * inverse_variance;
@@ -163,16 +164,17 @@ TEST_F(PullsTest, SumsAreThoseOfTheWeightedRows) {
   }
 }
 
-TEST_F(PullsTest, ProductsOfRunsAreTheSumsOfEach) {
-  const std::vector<std::size_t> ends{1, 9, 25, 26, 42, kPulls};
+TEST_F(CorrespondencesTest, ProductsOfRunsAreTheSumsOfEach) {
+  const std::vector<std::size_t> ends{1, 9, 25, 26, 42, kCorrespondences};
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     SCOPED_TRACE(hwy::TargetName(target));
     hwy::SetSupportedTargetsForTest(target);
-    std::vector<PullProducts> products(ends.size());
+    std::vector<CorrespondenceProducts> products(ends.size());
     multiply_runs(span(), motion, kLoss, ends, products.data());
     std::size_t first = 0;
     for (std::size_t run = 0; run < ends.size(); ++run) {
-      const NormalSums sums = accumulate_pulls(span(first, ends[run]), motion, kLoss).normal;
+      const NormalSums sums =
+          accumulate_correspondences(span(first, ends[run]), motion, kLoss).normal;
       int k = 0;
       for (int row = 0; row < 6; ++row) {
         for (int column = row; column < 6; ++column, ++k) {
@@ -187,14 +189,14 @@ TEST_F(PullsTest, ProductsOfRunsAreTheSumsOfEach) {
   hwy::SetSupportedTargetsForTest(0);
 }
 
-TEST_F(PullsTest, EveryInstructionSetOfTheMachineAgrees) {
-  const double cost = pull_cost(span(), motion, kLoss);
-  const NormalSums sums = accumulate_pulls(span(), motion, kLoss).normal;
+TEST_F(CorrespondencesTest, EveryInstructionSetOfTheMachineAgrees) {
+  const double cost = correspondence_cost(span(), motion, kLoss);
+  const NormalSums sums = accumulate_correspondences(span(), motion, kLoss).normal;
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
-    EXPECT_NEAR(pull_cost(span(), motion, kLoss), cost, 1e-5 * std::abs(cost))
+    EXPECT_NEAR(correspondence_cost(span(), motion, kLoss), cost, 1e-5 * std::abs(cost))
         << hwy::TargetName(target);
-    const NormalSums own = accumulate_pulls(span(), motion, kLoss).normal;
+    const NormalSums own = accumulate_correspondences(span(), motion, kLoss).normal;
     for (int k = 0; k < 21; ++k) {
       EXPECT_NEAR(own.hessian[k], sums.hessian[k], 1e-5 * sums.hessian[0])
           << hwy::TargetName(target);
