@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Property "honest covariance": over independent frames, converged without a prior, errors are as
 // large as their reported standard deviations, whatever the noise; what the view does not determine
-// is said to be unobservable.
+// is said to be unobservable. Near by, where noise is less than what no amount of data averages
+// away, errors are smaller than reported; from farther away they are neither smaller nor larger.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,6 +24,7 @@ struct Subject {
   std::string name;
   std::string sensor;
   int frames;
+  double distance = 1.0;  ///< times the usual one
 };
 
 void PrintTo(const Subject& subject, std::ostream* stream) {
@@ -63,7 +65,11 @@ struct Calibration {
 class HonestCovariance : public ::testing::TestWithParam<Subject> {
  protected:
   const ArticulatedModel& model_ = model_of(GetParam().name);
-  const Configuration view_ = usual_view(model_);
+  const Configuration view_ = [this] {
+    Configuration view = usual_view(model_);
+    view.T_camera_base.translation() *= GetParam().distance;
+    return view;
+  }();
   const Eigen::Index unknowns_ = 6 + model_.tree.variables();
   std::mt19937 random_{5};
 
@@ -128,6 +134,28 @@ TEST_P(HonestCovariance, NinetyNineInAHundredErrorsLieWithinFourSigma) {
   EXPECT_GT(calibration.count.minCoeff(), 0.8 * GetParam().frames) << "all are in sight";
   EXPECT_LE(calibration.beyond_four_sigma, 0.01 * calibration.count.sum());
 }
+
+/// From where noise decides how exact an estimate is.
+class HonestCovarianceFromAfar : public HonestCovariance {};
+
+TEST_P(HonestCovarianceFromAfar, ErrorsOfEachUnknownAreAsLargeAsItsSigma) {
+  const Calibration calibration = calibrate();
+  EXPECT_GT(calibration.count.minCoeff(), 0.8 * GetParam().frames) << "all are in sight";
+  const Eigen::VectorXd squares = calibration.sum.cwiseQuotient(calibration.count);
+  for (Eigen::Index i = 0; i < unknowns_; ++i) {
+    EXPECT_GT(squares[i], 0.5) << "unknown " << i;
+    EXPECT_LT(squares[i], 2.0) << "unknown " << i;
+  }
+}
+
+// Mean squares of 40 frames scatter by a quarter.
+INSTANTIATE_TEST_SUITE_P(Seen, HonestCovarianceFromAfar,
+                         ::testing::Values(Subject{"mechanism", "primesense", 60, 2.0},
+                                           Subject{"lockbox", "white", 40, 2.0},
+                                           Subject{"lockbox", "primesense", 40, 2.0}),
+                         [](const ::testing::TestParamInfo<Subject>& subject) {
+                           return subject.param.name + "_by_" + subject.param.sensor;
+                         });
 
 INSTANTIATE_TEST_SUITE_P(Seen, HonestCovariance,
                          ::testing::Values(Subject{"mechanism", "white", 30},
