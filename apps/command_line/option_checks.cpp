@@ -123,6 +123,18 @@ CLI::Validator suggested(const std::vector<std::string>& names) {
   return {[](std::string&) { return std::string(); }, "", name_with(kSuggestions, names)};
 }
 
+CLI::Validator readable(const std::function<void(const std::string&)>& read) {
+  return {[read](std::string& text) -> std::string {
+            try {
+              read(text);
+              return "";
+            } catch (const InputError& error) {
+              return error.what();
+            }
+          },
+          ""};
+}
+
 std::vector<std::string> choices_of(CLI::Option& option) {
   return names_kept(option, kChoices);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ CLI::Validator table_name();                                      ///< ends in .
 CLI::Validator recording_name();  ///< ends in .oni, or no source would know it again
 CLI::Validator folder_name();     ///< neither that of a file of a known kind nor `-`
 CLI::Validator recording_or_folder_name();
+
+/// Refuses what read throws InputError for, with its words.
+CLI::Validator readable(const std::function<void(const std::string&)>& read);
 
 /// The names that values of the option must be one of; empty if it is no such option.
 std::vector<std::string> choices_of(CLI::Option& option);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "commands.hpp"
+#include "lockbox/capture/depth_mode.hpp"
 #include "lockbox/capture/device_list.hpp"
 #include "lockbox/core/error.hpp"
 
@@ -31,13 +32,6 @@ std::string usb_id(const ListedDevice& device) {
   return text.str();
 }
 
-std::string mode_text(const DepthMode& mode) {
-  std::ostringstream text;
-  text << mode.width << 'x' << mode.height << ", " << mode.frames_per_second << " Hz, "
-       << 1e3 * mode.metres_per_unit << " mm";
-  return text.str();
-}
-
 void print(const ListedDevice& device) {
   std::cout << kLive << device.uri << '\n';
   if (!device.name.empty()) {
@@ -51,7 +45,7 @@ void print(const ListedDevice& device) {
   }
   std::cout << "  depth: opens\n";
   for (const auto& mode : device.modes) {
-    std::cout << "  mode: " << mode_text(mode) << (mode == device.chosen ? " (taken)" : "") << '\n';
+    std::cout << "  mode: " << to_string(mode) << (mode == device.chosen ? " (taken)" : "") << '\n';
   }
   if (device.camera) {
     std::cout << std::fixed << std::setprecision(1) << "  focal length: " << device.camera->fx

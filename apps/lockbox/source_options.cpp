@@ -8,6 +8,7 @@
 #include "command_line/option_checks.hpp"
 #include "lockbox/capture/camera_info.hpp"
 #include "lockbox/capture/corrected_source.hpp"
+#include "lockbox/capture/depth_mode.hpp"
 
 namespace lockbox::app {
 
@@ -49,6 +50,13 @@ CLI::Option* SourceArguments::add_source(CLI::App& options) {
           "Units per metre of depth images in a folder (TUM data sets: 5000; else 1000), or "
           "of clouds (else 1)")
       ->check(positive());
+  options
+      .add_option(
+          "--mode", mode_,
+          "Of a live device: WIDTHxHEIGHT@RATE, with ,1mm or ,100um behind it where the "
+          "unit matters, such as 320x240@60; default: as near to 640x480@30,1mm as there is")
+      ->check(readable(parse_depth_mode))
+      ->type_name("MODE");
   return source;
 }
 
@@ -77,6 +85,7 @@ SourceOptions SourceArguments::options() const {
   SourceOptions options;
   if (!camera_info_.empty()) options.camera_info = camera_info_;
   options.depth_scale = depth_scale_;
+  if (!mode_.empty()) options.mode = parse_depth_mode(mode_);
   options.realtime = realtime_;
   options.patience = patience_;
   options.stop = interruption::requested;

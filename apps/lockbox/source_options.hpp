@@ -47,6 +47,7 @@ class SourceArguments {
   std::string camera_info_;
   std::string sensor_;
   std::optional<double> depth_scale_;
+  std::string mode_;
   bool realtime_ = false;
   double patience_ = 30.0;  ///< seconds: for who plugs a camera in again
 };

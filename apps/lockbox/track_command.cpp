@@ -46,18 +46,6 @@ Configuration first_state(const std::string& file, const KinematicTree& tree) {
   return states.states.front().configuration;
 }
 
-CLI::Validator publish_target_name() {
-  return {[](std::string& text) -> std::string {
-            try {
-              parse_publish_target(text);
-              return "";
-            } catch (const InputError& error) {
-              return error.what();
-            }
-          },
-          ""};
-}
-
 /// Throws InputError with the name that was meant.
 int index_of_joint(const KinematicTree& tree, const std::string& name) try {
   return joint_index(tree, name);
@@ -218,7 +206,7 @@ class TrackCommand : public Command {
         .add_option("--publish", settings_.publish,
                     "Also give each frame's state to other programs, as one line of JSON: stdout, "
                     "tcp:PORT, tcp:HOST:PORT, unix:PATH or udp:HOST:PORT (repeatable)")
-        ->check(publish_target_name())
+        ->check(readable(parse_publish_target))
         ->type_name("TARGET")
         ->default_str("");
     options.add_option("--max-frames", settings_.max_frames, "Stop after so many frames; 0: never")

@@ -8,6 +8,7 @@
 
 #include "bindings.hpp"
 #include "calls.hpp"
+#include "lockbox/capture/depth_mode.hpp"
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/core/error.hpp"
 #include "poses.hpp"
@@ -63,7 +64,8 @@ struct Source {
 
 Source open(const std::filesystem::path& name,
             const std::optional<std::filesystem::path>& camera_info,
-            const std::optional<double>& depth_scale, bool realtime) {
+            const std::optional<double>& depth_scale, bool realtime,
+            const std::optional<std::string>& mode) {
   if (depth_scale && !(*depth_scale > 0.0)) {
     throw InputError("depth_scale", "is not a positive number");
   }
@@ -72,6 +74,7 @@ Source open(const std::filesystem::path& name,
   options.camera_info = camera_info;
   options.depth_scale = depth_scale;
   options.realtime = realtime;
+  if (mode) options.mode = parse_depth_mode(*mode);
   options.stop = [calls = result.calls] { return calls->requested(); };
   options.warn = [warnings = result.warnings](const std::string& text) { warnings->add(text); };
   result.source = result.calls->run(
@@ -186,10 +189,12 @@ void bind_frames(py::module_& module) {
       .def_readonly("description", &Source::description, "What it is, for people.");
   module.def("open_source", &open, py::arg("source"), py::arg("camera_info") = py::none(),
              py::arg("depth_scale") = py::none(), py::arg("realtime") = false,
+             py::arg("mode") = py::none(),
              "Opens `openni2:`, `openni2:<uri>`, a .oni file, a folder with depth.txt, or a folder "
              "of .pcd files. camera_info: file of a ROS camera calibration (YAML), used instead of "
              "the source's own. depth_scale: units per metre of images in a folder. realtime: "
-             "recordings come at recorded speed. Raises InputError or DeviceError.");
+             "recordings come at recorded speed. mode: of a live device, such as '320x240@60' or "
+             "'640x480@30,100um'. Raises InputError or DeviceError.");
 }
 
 }  // namespace lockbox::python

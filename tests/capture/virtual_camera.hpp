@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "lockbox/capture/virtual_depth.hpp"
 #include "lockbox/core/error.hpp"
@@ -22,9 +23,15 @@ class VirtualCamera {
   /// frame: what it sees, by the number of frames that were sent since it exists.
   VirtualCamera(std::function<DepthFrame(std::uint64_t)> frame, int frames_per_second,
                 float metres_per_unit = 0.001F)
-      : frame_(std::move(frame)),
-        frames_per_second_(frames_per_second),
-        metres_per_unit_(metres_per_unit) {
+      : frame_([frame](std::uint64_t number, std::size_t) { return frame(number); }),
+        modes_{{frame(0).camera, frames_per_second, metres_per_unit}} {
+    plug_in();
+  }
+
+  /// The same in one of several modes, by its index.
+  VirtualCamera(std::function<DepthFrame(std::uint64_t, std::size_t)> frame,
+                std::vector<VirtualMode> modes)
+      : frame_(std::move(frame)), modes_(std::move(modes)) {
     plug_in();
   }
   ~VirtualCamera() { unplug(); }
@@ -58,7 +65,9 @@ class VirtualCamera {
   void serve() {
     while (is_plugged_) {
       try {
-        deliver(server_->accept(frame_(0).camera, frames_per_second_, metres_per_unit_));
+        deliver(modes_.size() > 1 ? server_->accept(modes_)
+                                  : server_->accept(modes_[0].camera, modes_[0].frames_per_second,
+                                                    modes_[0].metres_per_unit));
       } catch (const DeviceError&) {
         // Its user has closed it, or it is unplugged.
       }
@@ -68,16 +77,16 @@ class VirtualCamera {
   void deliver(VirtualDepthSender sender) {
     auto next = std::chrono::steady_clock::now();
     while (is_plugged_) {
-      if (!is_stalled_) sender.try_send(frame_(sent_++));
-      next += std::chrono::microseconds(1'000'000 / frames_per_second_);
+      const auto mode = sender.mode();
+      if (mode && !is_stalled_) sender.try_send(frame_(sent_++, *mode));
+      next += std::chrono::microseconds(1'000'000 / modes_[mode.value_or(0)].frames_per_second);
       std::this_thread::sleep_until(next);
     }
   }
 
   TemporaryFolder folder_;
-  std::function<DepthFrame(std::uint64_t)> frame_;
-  int frames_per_second_;
-  float metres_per_unit_;
+  std::function<DepthFrame(std::uint64_t, std::size_t)> frame_;
+  std::vector<VirtualMode> modes_;
   std::atomic<bool> is_plugged_{false};
   std::atomic<bool> is_stalled_{false};
   std::atomic<std::uint64_t> sent_{0};

@@ -99,6 +99,45 @@ TEST_F(Live, FollowsInTheModesOfDepthCameras) {
   }
 }
 
+/// A wall in either of two modes: what arrives is judged, not the tracking.
+class WallWithModes : public VirtualCamera {
+ public:
+  WallWithModes()
+      : VirtualCamera(
+            [](std::uint64_t number, std::size_t mode) {
+              DepthFrame frame;
+              frame.camera = modes()[mode].camera;
+              frame.stamp = static_cast<double>(number) / 30.0;
+              frame.metres_per_unit = modes()[mode].metres_per_unit;
+              const auto pixels = frame.camera.width * frame.camera.height;
+              frame.depth.assign(static_cast<std::size_t>(pixels), 15000);
+              return frame;
+            },
+            modes()) {}
+
+  static std::vector<VirtualMode> modes() {
+    return {{{640, 480, 575.0, 575.0, 319.5, 239.5}, 30, 0.001F},
+            {{320, 240, 287.5, 287.5, 159.5, 119.5}, 60, 0.0001F}};
+  }
+};
+
+TEST_F(Live, TakesTheModeThatIsNamed) {
+  const WallWithModes camera;
+  const auto fast = run_tool(
+      watching(camera, "fast", {"--mode", "320x240@60", "--max-frames", "2", "--overwrite"}));
+  EXPECT_THAT(fast.errors, HasSubstr(", 320x240@60,100um\n"));
+  const auto description = read_text(path("fast/run.yaml"));
+  EXPECT_THAT(description, HasSubstr("mode: 320x240@60"));
+  EXPECT_THAT(description, HasSubstr("{width: 320, height: 240, fx: 287.5"));
+
+  const auto missing = run_tool(watching(camera, "none", {"--mode", "1280x960@30"}));
+  EXPECT_EQ(missing.status, 4);
+  EXPECT_THAT(missing.errors, HasSubstr("it offers 640x480@30,1mm 320x240@60,100um"));
+  const auto wrong = run_tool(watching(camera, "wrong", {"--mode", "VGA"}));
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.errors, HasSubstr("give WIDTHxHEIGHT@RATE"));
+}
+
 TEST_F(Live, GoesOnWhereTheCameraWasUnpluggedAndCountsWhatItMissed) {
   BlockCamera camera(path("block"), kUsual);
   Tool tool(watching(camera, "away", {"--record", path("away.oni"), "--publish", "stdout"}));
@@ -189,9 +228,9 @@ TEST_F(Live, DevicesAreListedWithWhatTheyOffer) {
   EXPECT_EQ(seen.status, 0) << seen.errors;
   EXPECT_THAT(seen.output, HasSubstr("openni2:" + one.uri() +
                                      "\n  device: lockbox, Virtual depth camera\n  depth: opens\n"
-                                     "  mode: 160x120, 30 Hz, 1 mm (taken)\n  focal length: "));
+                                     "  mode: 160x120@30,1mm (taken)\n  focal length: "));
   EXPECT_THAT(seen.output, HasSubstr("openni2:" + other.uri() + '\n'));
-  EXPECT_THAT(seen.output, HasSubstr("160x120, 60 Hz, 0.1 mm (taken)"));
+  EXPECT_THAT(seen.output, HasSubstr("160x120@60,100um (taken)"));
   const auto named = run_tool({"devices", "--uri", one.uri(), "--uri", "openni2:" + other.uri()});
   EXPECT_EQ(named.status, 0) << named.errors;
   EXPECT_EQ(named.output, seen.output);

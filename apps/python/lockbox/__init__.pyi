@@ -156,6 +156,7 @@ def open_source(
     camera_info: Optional[_Path] = None,
     depth_scale: Optional[float] = None,
     realtime: bool = False,
+    mode: Optional[str] = None,
 ) -> Source: ...
 def evaluate(
     estimate: _Path, reference: _Path, model: Optional[Model] = None

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// lockbox-oni-recorder URI FILE: records the depth of an OpenNI2 device until the device is
+// lockbox-oni-recorder URI FILE [MODE]: records the depth of an OpenNI2 device until the device is
 // unplugged, standard input is closed, or the disk is full. The recording grows in FILE.part and
 // takes the place of FILE when it is complete. Started by the capture library.
 #include <OpenNI.h>
@@ -11,10 +11,12 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 #include "growing_name.hpp"
 #include "growing_recording.hpp"
+#include "lockbox/capture/depth_mode.hpp"
 #include "lockbox/capture/virtual_depth_protocol.hpp"
 #include "lockbox/core/error.hpp"
 #include "openni_device.hpp"
@@ -23,6 +25,7 @@
 namespace {
 
 using namespace std::chrono_literals;
+using Mode = std::optional<lockbox::WantedMode>;
 
 bool stop_is_asked_within(int milliseconds) {
   pollfd input{STDIN_FILENO, POLLIN, 0};
@@ -90,10 +93,11 @@ std::uintmax_t reserve(const openni::VideoStream& depth) {
 }
 
 /// Returns false if the disk was full before the device was unplugged or a stop asked for.
-bool record_until_stopped(const std::string& uri, const std::filesystem::path& file) {
+bool record_until_stopped(const std::string& uri, const Mode& mode,
+                          const std::filesystem::path& file) {
   openni::Device device;
   openni::VideoStream depth;
-  lockbox::open_depth(uri, device, depth);
+  lockbox::open_depth(uri, mode, device, depth);
   const std::uintmax_t least_room = reserve(depth);
   bool has_room = true;
   if (lockbox::room_for(file) < least_room) {
@@ -116,10 +120,10 @@ bool record_until_stopped(const std::string& uri, const std::filesystem::path& f
   return has_room;
 }
 
-void record(const std::string& uri, const std::filesystem::path& file) {
+void record(const std::string& uri, const Mode& mode, const std::filesystem::path& file) {
   const std::filesystem::path unfinished = lockbox::growing_name(file);
   try {
-    const bool has_room = record_until_stopped(uri, unfinished);
+    const bool has_room = record_until_stopped(uri, mode, unfinished);
     const int frames = lockbox::complete_frames(unfinished);
     if (frames > 0) {
       std::filesystem::rename(unfinished, file);
@@ -141,8 +145,8 @@ void record(const std::string& uri, const std::filesystem::path& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: lockbox-oni-recorder URI FILE\n");
+  if (argc < 3 || argc > 4) {
+    std::fprintf(stderr, "usage: lockbox-oni-recorder URI FILE [MODE]\n");
     return 2;
   }
   // Signals reach the whole process group; the recording ends when the caller says so, or ends. A
@@ -151,7 +155,7 @@ int main(int argc, char** argv) {
     std::signal(signal, SIG_IGN);
   }
   try {
-    record(argv[1], argv[2]);
+    record(argv[1], argc == 4 ? Mode(lockbox::parse_depth_mode(argv[3])) : std::nullopt, argv[2]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

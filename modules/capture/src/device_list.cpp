@@ -10,11 +10,6 @@
 namespace lockbox {
 namespace {
 
-DepthMode described(const openni::VideoMode& mode) {
-  const bool tenths = mode.getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM;
-  return {mode.getResolutionX(), mode.getResolutionY(), mode.getFps(), tenths ? 1e-4 : 1e-3};
-}
-
 void describe(const openni::DeviceInfo& info, ListedDevice& device) {
   device.vendor = info.getVendor();
   device.name = info.getName();
@@ -23,10 +18,7 @@ void describe(const openni::DeviceInfo& info, ListedDevice& device) {
 }
 
 void describe(const openni::VideoStream& depth, ListedDevice& device) {
-  const auto& modes = depth.getSensorInfo().getSupportedVideoModes();
-  for (int i = 0; i < modes.getSize(); ++i) {
-    if (is_depth_format(modes[i].getPixelFormat())) device.modes.push_back(described(modes[i]));
-  }
+  for (const auto& mode : depth_modes(depth)) device.modes.push_back(mode);
   device.chosen = described(depth.getVideoMode());
   device.camera = camera_of(depth, device.chosen->width, device.chosen->height);
 }
@@ -40,7 +32,7 @@ ListedDevice look_at(const std::string& uri) {
   try {
     openni::Device device;
     openni::VideoStream depth;
-    open_depth(uri, device, depth);
+    open_depth(uri, std::nullopt, device, depth);
     describe(device.getDeviceInfo(), listed);
     describe(depth, listed);
   } catch (const DeviceError& error) {

@@ -10,9 +10,9 @@
 namespace lockbox {
 namespace {
 
-const openni::Device& opened(const std::string& uri, openni::Device& device,
-                             openni::VideoStream& depth) {
-  open_depth(uri, device, depth);
+const openni::Device& opened(const std::string& uri, const std::optional<WantedMode>& mode,
+                             openni::Device& device, openni::VideoStream& depth) {
+  open_depth(uri, mode, device, depth);
   return device;
 }
 
@@ -25,8 +25,8 @@ bool is_same_kind(const openni::DeviceInfo& one, const openni::DeviceInfo& other
 
 }  // namespace
 
-LiveConnection::LiveConnection(const std::string& uri)
-    : unplug_watch_(opened(uri, device_, depth_)) {}
+LiveConnection::LiveConnection(const std::string& uri, const std::optional<WantedMode>& mode)
+    : unplug_watch_(opened(uri, mode, device_, depth_)) {}
 
 LiveConnection::~LiveConnection() {
   depth_.stop();

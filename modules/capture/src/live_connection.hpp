@@ -14,8 +14,8 @@ namespace lockbox {
 
 class LiveConnection {
  public:
-  /// Opens the device with this URI, or the first one if it is empty. Throws DeviceError.
-  explicit LiveConnection(const std::string& uri);
+  /// Opens the device with this URI, or the first one if it is empty, as open_depth() does.
+  LiveConnection(const std::string& uri, const std::optional<WantedMode>& mode);
   ~LiveConnection();
   LiveConnection(const LiveConnection&) = delete;
   LiveConnection& operator=(const LiveConnection&) = delete;

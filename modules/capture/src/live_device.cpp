@@ -8,6 +8,7 @@
 
 #include "continued_frames.hpp"
 #include "live_connection.hpp"
+#include "lockbox/capture/depth_mode.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/readable_text.hpp"
 #include "openni_session.hpp"
@@ -50,8 +51,9 @@ PinholeCamera own_camera(LiveConnection& connection, const SourceOptions& option
 struct LiveDevice::Impl {
   Impl(const std::string& uri, const SourceOptions& source_options)
       : options(source_options), rectification(given_calibration(source_options)) {
-    connection.emplace(uri);
+    connection.emplace(uri, options.mode);
     name = connection->info().getUri();
+    mode = described(connection->depth().getVideoMode());
     camera = own_camera(*connection, options);
     rectification.check_size(camera.width, camera.height, name);
     returned.emplace(connection->info());
@@ -124,7 +126,7 @@ struct LiveDevice::Impl {
     last_try = Clock::now();
     for (const auto& uri : returned->candidates()) {
       try {
-        connection.emplace(uri);
+        connection.emplace(uri, options.mode);
         require_same_camera();
         connection->start();
         frames.reopen();
@@ -148,6 +150,7 @@ struct LiveDevice::Impl {
   std::optional<LiveConnection> connection;  ///< none while the device is away
   std::optional<ReturnOfDevice> returned;
   std::string name;
+  DepthMode mode;
   PinholeCamera camera;
   Clock::time_point last_try;
   ContinuedFrames frames;
@@ -174,7 +177,7 @@ SourceFaults LiveDevice::faults() const {
 }
 
 std::string LiveDevice::description() const {
-  return "OpenNI2 device " + impl_->name;
+  return "OpenNI2 device " + impl_->name + ", " + to_string(impl_->mode);
 }
 
 }  // namespace lockbox

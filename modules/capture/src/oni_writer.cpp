@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "image_limits.hpp"
+#include "lockbox/capture/depth_mode.hpp"
 #include "lockbox/capture/frame_source.hpp"
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_validator.hpp"
@@ -99,8 +100,8 @@ struct OniWriter::Impl {
       require_temporary_folder();
       lock_replaceable(path, lock);
       recorder.emplace(
-          std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(RecorderProcess::kSocket), path,
-          *lock, ends[1]);
+          std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(RecorderProcess::kSocket), "",
+          path, *lock, ends[1]);
     } catch (...) {
       ::close(ends[1]);
       throw;
@@ -213,12 +214,12 @@ std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& ca
 
 namespace {
 
-std::size_t record_device(const std::string& uri, const std::filesystem::path& file,
-                          const RecordingEnd& end) {
+std::size_t record_device(const std::string& uri, const std::optional<WantedMode>& mode,
+                          const std::filesystem::path& file, const RecordingEnd& end) {
   using Seconds = std::chrono::duration<double>;
   std::optional<RecordingLock> lock;
   lock_replaceable(file, lock);
-  RecorderProcess recorder(uri, file, *lock);
+  RecorderProcess recorder(uri, mode ? to_string(*mode) : "", file, *lock);
   const auto start = std::chrono::steady_clock::now();
   while (recorder.is_running() && !end.stop() &&
          Seconds(std::chrono::steady_clock::now() - start).count() < end.seconds) {
@@ -240,7 +241,7 @@ std::size_t record(const std::string& source, const std::filesystem::path& file,
           "a device is recorded as it is: calibration and depth scale (--camera-info, "
           "--depth-scale) are not used");
     }
-    return record_device(source.substr(kLive.size()), file, end);
+    return record_device(source.substr(kLive.size()), options.mode, file, end);
   }
   const std::unique_ptr<FrameSource> recording = open_source(source, options);
   DepthFrame frame;

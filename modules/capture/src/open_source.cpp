@@ -26,6 +26,14 @@ void warn_of_unused_scale(const SourceOptions& options) {
   }
 }
 
+void warn_of_unused_mode(const SourceOptions& options) {
+  if (options.mode && options.warn) {
+    options.warn(
+        "the mode that was given (--mode) is not used: it is for cameras, and a recording is what "
+        "it is");
+  }
+}
+
 std::unique_ptr<FrameSource> open_folder(const std::filesystem::path& folder,
                                          const SourceOptions& options) {
   if (is_there(folder / "depth.txt")) {
@@ -66,6 +74,7 @@ std::unique_ptr<FrameSource> open_source(const std::string& source, const Source
     return std::make_unique<SteadyStamps>(
         std::make_unique<LiveDevice>(source.substr(kLive.size()), options), options.warn);
   }
+  warn_of_unused_mode(options);
   auto recording = std::make_unique<SteadyStamps>(open_recording(source, options), options.warn);
   if (options.realtime) {
     return std::make_unique<RealtimeSource>(std::move(recording), options.stop);

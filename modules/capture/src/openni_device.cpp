@@ -5,6 +5,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "lockbox/capture/depth_mode.hpp"
 #include "lockbox/core/error.hpp"
 #include "openni_session.hpp"
 #include "usb_cameras.hpp"
@@ -44,19 +45,34 @@ auto rank(const openni::VideoMode& mode) {
                          std::abs(mode.getResolutionY() - 480), std::abs(mode.getFps() - 30));
 }
 
+bool is_wanted(const openni::VideoMode& mode, const std::optional<WantedMode>& wanted) {
+  if (!is_depth_format(mode.getPixelFormat())) return false;
+  return !wanted ||
+         (mode.getResolutionX() == wanted->width && mode.getResolutionY() == wanted->height &&
+          mode.getFps() == wanted->frames_per_second &&
+          (!wanted->metres_per_unit ||
+           described(mode).metres_per_unit == *wanted->metres_per_unit));
+}
+
+std::string why_no_mode(const openni::VideoStream& depth, const std::optional<WantedMode>& wanted) {
+  std::string list;
+  for (const auto& mode : depth_modes(depth)) list += (list.empty() ? "" : " ") + to_string(mode);
+  if (list.empty()) return "the device offers no depth images in 1 mm or 0.1 mm";
+  return "the device does not offer the mode " + to_string(*wanted) + " (--mode); it offers " +
+         list;
+}
+
 /// Chosen explicitly: the default of a device may be any unit.
-void choose_mode(const std::string& name, openni::VideoStream& depth) {
+void choose_mode(const std::string& name, const std::optional<WantedMode>& wanted,
+                 openni::VideoStream& depth) {
   const openni::Array<openni::VideoMode>& modes = depth.getSensorInfo().getSupportedVideoModes();
   const openni::VideoMode* best = nullptr;
   for (int i = 0; i < modes.getSize(); ++i) {
-    if (is_depth_format(modes[i].getPixelFormat()) &&
-        (best == nullptr || rank(modes[i]) < rank(*best))) {
+    if (is_wanted(modes[i], wanted) && (best == nullptr || rank(modes[i]) < rank(*best))) {
       best = &modes[i];
     }
   }
-  if (best == nullptr) {
-    throw DeviceError(name + ": the device offers no depth images in 1 mm or 0.1 mm");
-  }
+  if (best == nullptr) throw DeviceError(name + ": " + why_no_mode(depth, wanted));
   if (depth.setVideoMode(*best) != openni::STATUS_OK) {
     throw DeviceError(name + ": the depth mode cannot be set: " + openni_error());
   }
@@ -66,6 +82,20 @@ void choose_mode(const std::string& name, openni::VideoStream& depth) {
 
 bool is_depth_format(openni::PixelFormat format) {
   return format == openni::PIXEL_FORMAT_DEPTH_1_MM || format == openni::PIXEL_FORMAT_DEPTH_100_UM;
+}
+
+DepthMode described(const openni::VideoMode& mode) {
+  const bool tenths = mode.getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_100_UM;
+  return {mode.getResolutionX(), mode.getResolutionY(), mode.getFps(), tenths ? 1e-4 : 1e-3};
+}
+
+std::vector<DepthMode> depth_modes(const openni::VideoStream& depth) {
+  const auto& offered = depth.getSensorInfo().getSupportedVideoModes();
+  std::vector<DepthMode> modes;
+  for (int i = 0; i < offered.getSize(); ++i) {
+    if (is_depth_format(offered[i].getPixelFormat())) modes.push_back(described(offered[i]));
+  }
+  return modes;
 }
 
 std::vector<openni::DeviceInfo> live_devices() {
@@ -86,7 +116,8 @@ std::string absence_text() {
          "; `lockbox devices` lists what is there)";
 }
 
-void open_depth(const std::string& uri, openni::Device& device, openni::VideoStream& depth) {
+void open_depth(const std::string& uri, const std::optional<WantedMode>& wanted,
+                openni::Device& device, openni::VideoStream& depth) {
   require_openni();
   const std::string name = uri.empty() ? first_device() : uri;
   if (device.open(name.c_str()) != openni::STATUS_OK) {
@@ -95,7 +126,7 @@ void open_depth(const std::string& uri, openni::Device& device, openni::VideoStr
   if (depth.create(device, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
     throw DeviceError(name + ": the device has no depth stream: " + openni_error());
   }
-  choose_mode(name, depth);
+  choose_mode(name, wanted, depth);
   depth.setMirroringEnabled(false);
 }
 

@@ -5,8 +5,11 @@
 #include <OpenNI.h>
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "lockbox/capture/frame_source.hpp"
 
 namespace lockbox {
 
@@ -19,10 +22,16 @@ std::vector<openni::DeviceInfo> live_devices();
 /// That there is no device, why, and what to do.
 std::string absence_text();
 
+DepthMode described(const openni::VideoMode& mode);
+
+/// The modes of a depth stream whose depths lockbox reads.
+std::vector<DepthMode> depth_modes(const openni::VideoStream& depth);
+
 /// Opens the device with this URI, or the first live one if it is empty, and creates its depth
-/// stream: un-mirrored where the device can, at 640x480, 30 Hz, 1 mm where there is a choice.
-/// Throws DeviceError.
-void open_depth(const std::string& uri, openni::Device& device, openni::VideoStream& depth);
+/// stream: un-mirrored where the device can, in the mode that is wanted, or as near to 640x480,
+/// 30 Hz, 1 mm as it can. Throws DeviceError.
+void open_depth(const std::string& uri, const std::optional<WantedMode>& wanted,
+                openni::Device& device, openni::VideoStream& depth);
 
 /// Learns when a device is unplugged.
 class UnplugWatch : public openni::OpenNI::DeviceDisconnectedListener {

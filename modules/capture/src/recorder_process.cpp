@@ -29,10 +29,12 @@ struct Pipe {
 
 }  // namespace
 
-RecorderProcess::RecorderProcess(const std::string& uri, const std::filesystem::path& file,
-                                 const RecordingLock& lock, std::optional<int> socket) {
+RecorderProcess::RecorderProcess(const std::string& uri, const std::string& mode,
+                                 const std::filesystem::path& file, const RecordingLock& lock,
+                                 std::optional<int> socket) {
   std::string program = find_component("lockbox-oni-recorder", &kInThisLibrary).string();
   std::string uri_argument = uri;
+  std::string mode_argument = mode;
   std::string file_argument = std::filesystem::absolute(file).string();
   const Pipe control;
   const Pipe errors;
@@ -44,8 +46,8 @@ RecorderProcess::RecorderProcess(const std::string& uri, const std::filesystem::
   if (socket) {  // last: kSocket may be the number of a pipe
     ::posix_spawn_file_actions_adddup2(&actions, *socket, kSocket);
   }
-  std::array<char*, 4> arguments{program.data(), uri_argument.data(), file_argument.data(),
-                                 nullptr};
+  std::array<char*, 5> arguments{program.data(), uri_argument.data(), file_argument.data(),
+                                 mode_argument.empty() ? nullptr : mode_argument.data(), nullptr};
   const int failure =
       ::posix_spawn(&process_, program.c_str(), &actions, nullptr, arguments.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);

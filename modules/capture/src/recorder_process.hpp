@@ -17,10 +17,11 @@ class RecorderProcess {
   /// The number under which the process inherits `socket`.
   static constexpr int kSocket = 3;
 
-  /// Records the device with this URI into a file, whose lock it shares. Throws InputError if the
-  /// helper is missing, DeviceError if it does not start.
-  RecorderProcess(const std::string& uri, const std::filesystem::path& file,
-                  const RecordingLock& lock, std::optional<int> socket = std::nullopt);
+  /// Records the device with this URI, in this mode (empty: the usual one), into a file, whose lock
+  /// it shares. Throws InputError if the helper is missing, DeviceError if it does not start.
+  RecorderProcess(const std::string& uri, const std::string& mode,
+                  const std::filesystem::path& file, const RecordingLock& lock,
+                  std::optional<int> socket = std::nullopt);
 
   /// Stops and waits.
   ~RecorderProcess();

@@ -23,6 +23,8 @@ constexpr auto kHeldByFolders =
     "; a depth folder can (docs/file-formats.md): write into one, or leave these frames where they "
     "are, every command takes them from there, too";
 
+constexpr auto kClosed = "the virtual depth camera was closed by its user";
+
 std::uint32_t unit_of(float metres_per_unit) {
   if (metres_per_unit == 0.001F) {
     return 1000;
@@ -45,8 +47,8 @@ std::string pixel_text(double coordinate) {
   return readable_number(coordinate, kDigits);
 }
 
-VirtualDepthHeader header_of(const PinholeCamera& camera, int frames_per_second,
-                             float metres_per_unit) {
+VirtualDepthHeader header_of(const VirtualMode& mode) {
+  const PinholeCamera& camera = mode.camera;
   if (std::abs(camera.cx - 0.5 * (camera.width - 1)) > kBesideTheMiddle ||
       std::abs(camera.cy - 0.5 * (camera.height - 1)) > kBesideTheMiddle) {
     throw InputError("camera", "its principal point (" + pixel_text(camera.cx) + ", " +
@@ -58,22 +60,56 @@ VirtualDepthHeader header_of(const PinholeCamera& camera, int frames_per_second,
   VirtualDepthHeader header;
   header.width = static_cast<std::uint32_t>(camera.width);
   header.height = static_cast<std::uint32_t>(camera.height);
-  header.frames_per_second = static_cast<std::uint32_t>(frames_per_second);
+  header.frames_per_second = static_cast<std::uint32_t>(mode.frames_per_second);
   header.horizontal_field_of_view = field_of_view(camera.width, camera.fx);
   header.vertical_field_of_view = field_of_view(camera.height, camera.fy);
-  header.unit = unit_of(metres_per_unit);
+  header.unit = unit_of(mode.metres_per_unit);
   return header;
+}
+
+/// The header, and what says the other modes.
+std::vector<char> beginning_of(const std::vector<VirtualMode>& modes) {
+  VirtualDepthHeader header = header_of(modes.front());
+  header.version = 2;
+  const auto more = static_cast<std::uint32_t>(modes.size() - 1);
+  std::vector<char> bytes;
+  const auto add = [&bytes](const auto& value) {
+    const auto* const from = reinterpret_cast<const char*>(&value);
+    bytes.insert(bytes.end(), from, from + sizeof(value));
+  };
+  add(header);
+  add(more);
+  for (std::size_t i = 1; i < modes.size(); ++i) {
+    const VirtualDepthHeader other = header_of(modes[i]);
+    if (other.horizontal_field_of_view != header.horizontal_field_of_view ||
+        other.vertical_field_of_view != header.vertical_field_of_view) {
+      throw InputError("camera", "its modes have different fields of view, and a device has one");
+    }
+    add(VirtualDepthMode{other.width, other.height, other.frames_per_second, other.unit});
+  }
+  return bytes;
 }
 
 }  // namespace
 
 VirtualDepthSender::VirtualDepthSender(int socket, const PinholeCamera& camera,
                                        int frames_per_second, float metres_per_unit, bool hold)
-    : socket_(socket), camera_(camera) {
+    : socket_(socket), modes_{{camera, frames_per_second, metres_per_unit}}, mode_(0) {
   try {
-    VirtualDepthHeader header = header_of(camera, frames_per_second, metres_per_unit);
+    VirtualDepthHeader header = header_of(modes_.front());
     header.hold = hold ? 1 : 0;
     send_bytes(&header, sizeof(header));
+  } catch (...) {
+    ::close(socket_);
+    throw;
+  }
+}
+
+VirtualDepthSender::VirtualDepthSender(int socket, std::vector<VirtualMode> modes)
+    : socket_(socket), modes_(std::move(modes)) {
+  try {
+    const auto beginning = beginning_of(modes_);
+    send_bytes(beginning.data(), beginning.size());
   } catch (...) {
     ::close(socket_);
     throw;
@@ -88,12 +124,26 @@ VirtualDepthSender::~VirtualDepthSender() {
 }
 
 VirtualDepthSender::VirtualDepthSender(VirtualDepthSender&& other) noexcept
-    : socket_(std::exchange(other.socket_, -1)), camera_(other.camera_) {}
+    : socket_(std::exchange(other.socket_, -1)),
+      modes_(std::move(other.modes_)),
+      mode_(other.mode_) {}
+
+std::optional<std::size_t> VirtualDepthSender::mode() {
+  pollfd descriptor{socket_, POLLIN, 0};
+  if (mode_ || ::poll(&descriptor, 1, 0) <= 0) return mode_;
+  std::uint32_t number = 0;
+  if (::recv(socket_, &number, sizeof(number), MSG_WAITALL) != ssize_t{sizeof(number)} ||
+      number >= modes_.size()) {
+    throw DeviceError(kClosed);
+  }
+  mode_ = number;
+  return mode_;
+}
 
 void VirtualDepthSender::send(const DepthFrame& frame) {
-  if (!(frame.camera == camera_)) {
+  if (!mode() || !(frame.camera == modes_[*mode()].camera)) {
     throw InputError("frame " + std::to_string(frame.index),
-                     "has another camera than the first; a device has one");
+                     "has another camera than the mode of the device");
   }
   const auto timestamp = static_cast<std::uint64_t>(std::llround(frame.stamp * 1e6));
   send_bytes(&timestamp, sizeof(timestamp));
@@ -114,7 +164,7 @@ void VirtualDepthSender::send_bytes(const void* bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t count = ::send(socket_, from, size, MSG_NOSIGNAL);
     if (count <= 0) {
-      throw DeviceError("the virtual depth camera was closed by its user");
+      throw DeviceError(kClosed);
     }
     from += count;
     size -= static_cast<std::size_t>(count);
@@ -154,11 +204,19 @@ std::string VirtualDepthServer::uri() const {
 
 VirtualDepthSender VirtualDepthServer::accept(const PinholeCamera& camera, int frames_per_second,
                                               float metres_per_unit) {
+  return {connected(), camera, frames_per_second, metres_per_unit};
+}
+
+VirtualDepthSender VirtualDepthServer::accept(std::vector<VirtualMode> modes) {
+  return {connected(), std::move(modes)};
+}
+
+int VirtualDepthServer::connected() const {
   const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
   if (connection < 0) {
     throw DeviceError(path_.string() + ": no connection (" + std::strerror(errno) + ")");
   }
-  return {connection, camera, frames_per_second, metres_per_unit};
+  return connection;
 }
 
 }  // namespace lockbox

@@ -14,15 +14,21 @@ namespace {
 
 constexpr int kPatience = 5000;  // milliseconds for a producer that stalls within a message
 constexpr std::uint32_t kMaximumSize = 4096;  // pixels
+constexpr std::uint32_t kMostModes = 64;
+constexpr std::uint32_t kSeveralModes = 2;  // the version that has them
 
 std::string problem_of(const VirtualDepthHeader& header) {
   const VirtualDepthHeader expected;
   if (std::memcmp(header.magic, expected.magic, sizeof(header.magic)) != 0 ||
-      header.version != expected.version) {
+      header.version < expected.version || header.version > kSeveralModes) {
     return "the producer speaks another protocol";
   }
-  if (header.width == 0 || header.width > kMaximumSize || header.height == 0 ||
-      header.height > kMaximumSize || (header.unit != 1000 && header.unit != 100)) {
+  return {};
+}
+
+std::string problem_of(const VirtualDepthMode& mode) {
+  if (mode.width == 0 || mode.width > kMaximumSize || mode.height == 0 ||
+      mode.height > kMaximumSize || (mode.unit != 1000 && mode.unit != 100)) {
     return "the producer's image size or unit is impossible";
   }
   return {};
@@ -39,8 +45,34 @@ Connection::Connection(const std::string& uri) {
     return;
   }
   error_ = read(&header_, sizeof(header_))
-               ? problem_of(header_)
+               ? read_header()
                : "the producer at " + address + " sends nothing; does another program use it?";
+}
+
+/// What follows the header, too. Returns what is wrong.
+std::string Connection::read_header() {
+  if (const std::string problem = problem_of(header_); !problem.empty()) return problem;
+  modes_ = {{header_.width, header_.height, header_.frames_per_second, header_.unit}};
+  std::uint32_t more = 0;
+  if (header_.version == kSeveralModes && !read(&more, sizeof(more))) more = kMostModes;
+  if (more >= kMostModes) return "the producer's modes are impossible";
+  modes_.resize(1 + more);
+  if (more > 0 && !read(&modes_[1], more * sizeof(VirtualDepthMode))) {
+    return "the producer's modes are impossible";
+  }
+  for (const auto& mode : modes_) {
+    if (const std::string problem = problem_of(mode); !problem.empty()) return problem;
+  }
+  return {};
+}
+
+void Connection::choose(std::size_t mode) {
+  if (is_chosen_) return;
+  is_chosen_ = true;
+  mode_ = mode;
+  if (header_.version != kSeveralModes) return;
+  const auto number = static_cast<std::uint32_t>(mode);
+  ::send(socket_, &number, sizeof(number), MSG_NOSIGNAL);  // if it is gone, the feed notices
 }
 
 Connection::~Connection() {
@@ -61,7 +93,7 @@ bool Connection::connect(const std::string& address) {
 }
 
 std::size_t Connection::frame_bytes() const {
-  return std::size_t{header_.width} * header_.height * sizeof(std::uint16_t);
+  return std::size_t{modes_[mode_].width} * modes_[mode_].height * sizeof(std::uint16_t);
 }
 
 Connection::Wait Connection::wait(int milliseconds) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "lockbox/capture/virtual_depth_protocol.hpp"
 
@@ -22,6 +23,14 @@ class Connection {
   bool is_open() const { return error_.empty(); }
   const std::string& error() const { return error_; }
   const VirtualDepthHeader& header() const { return header_; }
+
+  /// One at least, the first that of the header.
+  const std::vector<VirtualDepthMode>& modes() const { return modes_; }
+
+  /// Tells the producer in which of its modes frames are wanted. Only the first call counts.
+  void choose(std::size_t mode);
+
+  bool is_chosen() const { return is_chosen_; }
   std::size_t frame_bytes() const;
 
   enum class Wait { ready, nothing, closed };
@@ -35,9 +44,13 @@ class Connection {
  private:
   bool connect(const std::string& address);
   bool read(void* bytes, std::size_t size);
+  std::string read_header();
 
   int socket_ = -1;
   VirtualDepthHeader header_;
+  std::vector<VirtualDepthMode> modes_;
+  std::size_t mode_ = 0;  ///< that was chosen
+  bool is_chosen_ = false;
   std::string error_;
 };
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "return_watch.hpp"
 #include "stream.hpp"
@@ -27,8 +28,10 @@ class Device : public oni::driver::DeviceBase {
   Device(const std::string& uri, const std::function<void()>& on_end)
       : connection_(uri), feed_(connection_, on_end) {
     for (std::size_t i = 0; i < kSensors.size(); ++i) {
-      modes_[i] = video_mode_of(kSensors[i], connection_.header());
-      sensors_[i] = {kSensors[i], 1, &modes_[i]};
+      for (const auto& mode : connection_.modes()) {
+        modes_[i].push_back(video_mode_of(kSensors[i], mode));
+      }
+      sensors_[i] = {kSensors[i], static_cast<int>(modes_[i].size()), modes_[i].data()};
     }
   }
 
@@ -36,12 +39,13 @@ class Device : public oni::driver::DeviceBase {
 
   OniStatus getSensorInfoList(OniSensorInfo** sensors, int* count) override {
     *sensors = sensors_.data();
-    *count = static_cast<int>(sensors_.size());
+    *count = sensor_count();
     return ONI_STATUS_OK;
   }
 
   oni::driver::StreamBase* createStream(OniSensorType type) override {
-    const bool is_offered = std::find(kSensors.begin(), kSensors.end(), type) != kSensors.end();
+    const auto end = kSensors.begin() + sensor_count();
+    const bool is_offered = std::find(kSensors.begin(), end, type) != end;
     return is_offered ? new Stream(type, feed_) : nullptr;
   }
 
@@ -65,9 +69,14 @@ class Device : public oni::driver::DeviceBase {
  private:
   static constexpr std::array kSensors = {ONI_SENSOR_DEPTH, ONI_SENSOR_COLOR, ONI_SENSOR_IR};
 
+  /// Pictures are made of depths of one size: a camera that offers several has depth only.
+  int sensor_count() const {
+    return connection_.modes().size() > 1 ? 1 : static_cast<int>(kSensors.size());
+  }
+
   Connection connection_;
   Feed feed_;
-  std::array<OniVideoMode, kSensors.size()> modes_{};
+  std::array<std::vector<OniVideoMode>, kSensors.size()> modes_;
   std::array<OniSensorInfo, kSensors.size()> sensors_{};
 };
 

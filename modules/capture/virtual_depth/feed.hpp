@@ -32,7 +32,7 @@ class Feed {
   Feed(const Feed&) = delete;
   Feed& operator=(const Feed&) = delete;
 
-  const VirtualDepthHeader& header() const { return connection_.header(); }
+  Connection& connection() { return connection_; }
 
   /// No more than so many frames are taken in all.
   void set_limit(int frames) { limit_ = frames; }

@@ -23,14 +23,14 @@ OniStatus answer(const T& value, void* data, int* size) {
   return ONI_STATUS_OK;
 }
 
-OniPixelFormat pixel_format_of(OniSensorType type, const VirtualDepthHeader& header) {
+OniPixelFormat pixel_format_of(OniSensorType type, std::uint32_t unit) {
   switch (type) {
     case ONI_SENSOR_COLOR:
       return ONI_PIXEL_FORMAT_RGB888;
     case ONI_SENSOR_IR:
       return ONI_PIXEL_FORMAT_GRAY16;
     default:
-      return header.unit == 1000 ? ONI_PIXEL_FORMAT_DEPTH_1_MM : ONI_PIXEL_FORMAT_DEPTH_100_UM;
+      return unit == 1000 ? ONI_PIXEL_FORMAT_DEPTH_1_MM : ONI_PIXEL_FORMAT_DEPTH_100_UM;
   }
 }
 
@@ -55,13 +55,13 @@ void fill_rows(std::span<const std::uint16_t> depth, int width, bool mirrored, v
 
 }  // namespace
 
-OniVideoMode video_mode_of(OniSensorType type, const VirtualDepthHeader& header) {
-  return {pixel_format_of(type, header), static_cast<int>(header.width),
-          static_cast<int>(header.height), static_cast<int>(header.frames_per_second)};
+OniVideoMode video_mode_of(OniSensorType type, const VirtualDepthMode& mode) {
+  return {pixel_format_of(type, mode.unit), static_cast<int>(mode.width),
+          static_cast<int>(mode.height), static_cast<int>(mode.frames_per_second)};
 }
 
 Stream::Stream(OniSensorType type, Feed& feed)
-    : type_(type), feed_(feed), mode_(video_mode_of(type, feed.header())) {}
+    : type_(type), feed_(feed), mode_(video_mode_of(type, feed.connection().modes().front())) {}
 
 Stream::~Stream() {
   stop();
@@ -69,6 +69,7 @@ Stream::~Stream() {
 
 OniStatus Stream::start() {
   stop();
+  feed_.connection().choose(mode_index_);
   feed_.add(*this);
   return ONI_STATUS_OK;
 }
@@ -119,6 +120,20 @@ void Stream::fill_cropped(std::span<const std::uint16_t> depth, const OniCroppin
   frame.stride = row_bytes;
 }
 
+/// False if there is no such mode, or another one was begun with.
+bool Stream::choose(const OniVideoMode& mode) {
+  const auto& modes = feed_.connection().modes();
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const OniVideoMode offered = video_mode_of(type_, modes[i]);
+    if (std::memcmp(&offered, &mode, sizeof(mode)) != 0) continue;
+    if (feed_.connection().is_chosen() && i != mode_index_) return false;
+    mode_ = offered;
+    mode_index_ = i;
+    return true;
+  }
+  return false;
+}
+
 OniCropping Stream::cropping() {
   const std::lock_guard lock(mutex_);
   return cropping_;
@@ -162,7 +177,7 @@ void Stream::take(std::span<const std::uint16_t> depth, std::uint64_t timestamp)
 }
 
 OniStatus Stream::getProperty(int id, void* data, int* size) {
-  const VirtualDepthHeader& header = feed_.header();
+  const VirtualDepthHeader& header = feed_.connection().header();
   switch (id) {
     case ONI_STREAM_PROPERTY_VIDEO_MODE:
       return answer(mode_, data, size);
@@ -187,8 +202,8 @@ OniStatus Stream::getProperty(int id, void* data, int* size) {
   }
 }
 
-/// The device is what it is: setting a property to its value succeeds, all else but the limit,
-/// mirroring and cropping fails.
+/// The device is what it is: setting a property to its value succeeds, all else but the limit, the
+/// mode, mirroring and cropping fails.
 OniStatus Stream::setProperty(int id, const void* data, int size) {
   if (id == kVirtualDepthLimit && size == static_cast<int>(sizeof(int))) {
     int limit = 0;
@@ -200,6 +215,11 @@ OniStatus Stream::setProperty(int id, const void* data, int size) {
     OniBool mirrored = FALSE;
     std::memcpy(&mirrored, data, sizeof(mirrored));
     mirrored_ = mirrored != FALSE;
+  }
+  if (id == ONI_STREAM_PROPERTY_VIDEO_MODE && size == static_cast<int>(sizeof(OniVideoMode))) {
+    OniVideoMode asked{};
+    std::memcpy(&asked, data, sizeof(asked));
+    choose(asked);
   }
   if (id == ONI_STREAM_PROPERTY_CROPPING && size == static_cast<int>(sizeof(OniCropping))) {
     OniCropping asked{};

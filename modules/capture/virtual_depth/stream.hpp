@@ -19,7 +19,8 @@ namespace lockbox::virtual_depth {
 
 /// The producer's depth, or a colour (RGB) or infrared (16-bit grey) image made of it: pictures
 /// that follow from the depth of the same frame, for those who record and play such streams. Images
-/// can be mirrored and cropped, as those of real devices; they are cropped last.
+/// can be mirrored and cropped, as those of real devices; they are cropped last. The mode can be
+/// chosen until it is started first.
 class Stream : public oni::driver::StreamBase, private Listener {
  public:
   Stream(OniSensorType type, Feed& feed);
@@ -39,12 +40,14 @@ class Stream : public oni::driver::StreamBase, private Listener {
                     OniFrame& frame);
   int pixel_bytes() const;
   int stride() const;
+  bool choose(const OniVideoMode& mode);
   OniCropping cropping();
   void set_cropping(const OniCropping& cropping);
 
   OniSensorType type_;
   Feed& feed_;
   OniVideoMode mode_;
+  std::size_t mode_index_ = 0;
   std::atomic<bool> mirrored_{false};
   std::mutex mutex_;  ///< of the cropping
   OniCropping cropping_{};
@@ -52,6 +55,6 @@ class Stream : public oni::driver::StreamBase, private Listener {
   int frame_index_ = 0;
 };
 
-OniVideoMode video_mode_of(OniSensorType type, const VirtualDepthHeader& header);
+OniVideoMode video_mode_of(OniSensorType type, const VirtualDepthMode& mode);
 
 }  // namespace lockbox::virtual_depth

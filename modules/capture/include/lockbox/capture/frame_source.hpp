@@ -48,12 +48,31 @@ class FrameSource {
   virtual std::string description() const = 0;
 };
 
+/// A mode of a live camera's depth images.
+struct DepthMode {
+  int width = 0;                   ///< pixels
+  int height = 0;                  ///< pixels
+  int frames_per_second = 0;       ///< nominal
+  double metres_per_unit = 0.001;  ///< 0.001 or 0.0001
+  bool operator==(const DepthMode&) const = default;
+};
+
+/// The mode that a live camera is to deliver.
+struct WantedMode {
+  int width = 0;                          ///< pixels
+  int height = 0;                         ///< pixels
+  int frames_per_second = 0;              ///< nominal
+  std::optional<double> metres_per_unit;  ///< 0.001 or 0.0001; nothing: the former where there is
+                                          ///< a choice
+};
+
 /// How a source is opened and played. What does not concern its kind is not used.
 struct SourceOptions {
   std::optional<PinholeCamera> camera;               ///< overrides the source's own intrinsics
   std::optional<std::filesystem::path> camera_info;  ///< ROS camera calibration YAML
   std::optional<double> depth_scale;                 ///< units per metre, folders
-  bool realtime = false;                             ///< play recordings at recorded speed
+  std::optional<WantedMode> mode;  ///< of a live device; nothing: nearest to 640x480, 30 Hz, 1 mm
+  bool realtime = false;           ///< play recordings at recorded speed
   double patience = 5.0;  ///< seconds that next() waits for a live device that is away or silent
   std::function<void(const std::string&)> warn;  ///< told what looks wrong but is usable
   /// Asked again and again, every half a second at least, while next() waits for a device or for

@@ -10,8 +10,9 @@ namespace lockbox {
 /// frames, which shows as gaps in the index, and is counted.
 class LiveDevice : public FrameSource {
  public:
-  /// Opens the device with this URI, or the first one if it is empty, un-mirrored and, where there
-  /// is a choice, at 640x480, 30 Hz, 1 mm. Throws DeviceError.
+  /// Opens the device with this URI, or the first one if it is empty, un-mirrored and in
+  /// options.mode, or as near to 640x480, 30 Hz, 1 mm as it can. Throws DeviceError, also if it
+  /// does not offer that mode.
   explicit LiveDevice(const std::string& uri, const SourceOptions& options = {});
   ~LiveDevice() override;
 

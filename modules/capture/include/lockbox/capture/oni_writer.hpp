@@ -63,9 +63,9 @@ struct RecordingEnd {
 };
 
 /// Records the depth of a live device (`openni2:` or `openni2:<uri>`) as it comes, or that of a
-/// recording of any kind, from its beginning, opened with these options; those of a device are not
-/// used. Returns the number of frames, which is 1 at least. Throws InputError or DeviceError; the
-/// latter, with the recording complete, if the disk is full.
+/// recording of any kind, from its beginning, opened with these options, of which only the mode
+/// holds for a device. Returns the number of frames, which is 1 at least. Throws InputError or
+/// DeviceError; the latter, with the recording complete, if the disk is full.
 std::size_t record(const std::string& source, const std::filesystem::path& file,
                    const RecordingEnd& end, const SourceOptions& options = {});
 

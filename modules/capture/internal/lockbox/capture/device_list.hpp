@@ -6,17 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "lockbox/capture/frame_source.hpp"
 #include "lockbox/core/depth_frame.hpp"
 
 namespace lockbox {
-
-struct DepthMode {
-  int width;               ///< pixels
-  int height;              ///< pixels
-  int frames_per_second;   ///< nominal
-  double metres_per_unit;  ///< 0.001 or 0.0001
-  bool operator==(const DepthMode&) const = default;
-};
 
 struct ListedDevice {
   std::string uri;  ///< for `openni2:<uri>`
@@ -27,7 +20,7 @@ struct ListedDevice {
   /// Why its depth stream does not open, and what to do; then all below is empty.
   std::optional<std::string> problem;
   std::vector<DepthMode> modes;
-  std::optional<DepthMode> chosen;      ///< the one that LiveDevice takes
+  std::optional<DepthMode> chosen;      ///< the one that LiveDevice takes unasked
   std::optional<PinholeCamera> camera;  ///< of that mode, if the device tells its field of view
 };
 

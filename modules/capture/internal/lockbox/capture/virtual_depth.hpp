@@ -6,11 +6,20 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "lockbox/core/depth_frame.hpp"
 
 namespace lockbox {
+
+/// A way in which a virtual camera can deliver frames.
+struct VirtualMode {
+  PinholeCamera camera;
+  int frames_per_second;
+  float metres_per_unit;
+};
 
 /// The producer's end of a connection.
 class VirtualDepthSender {
@@ -20,9 +29,17 @@ class VirtualDepthSender {
   /// device delivers nothing until its user sets kVirtualDepthLimit.
   VirtualDepthSender(int socket, const PinholeCamera& camera, int frames_per_second,
                      float metres_per_unit, bool hold = false);
+
+  /// The same for a camera of which the user chooses one of these modes (one at least), all of the
+  /// same field of view.
+  VirtualDepthSender(int socket, std::vector<VirtualMode> modes);
   ~VirtualDepthSender();
   VirtualDepthSender(VirtualDepthSender&& other) noexcept;
   VirtualDepthSender& operator=(VirtualDepthSender&&) = delete;
+
+  /// The mode that the user has chosen, in which frames are to be sent. Nothing until the device is
+  /// started. Throws DeviceError if it was closed.
+  std::optional<std::size_t> mode();
 
   /// Waits until the device has taken the frame: nothing is lost, however slow the other end is.
   /// Throws DeviceError if the device was closed. Stamps must not be negative.
@@ -35,7 +52,8 @@ class VirtualDepthSender {
   void send_bytes(const void* bytes, std::size_t size);
 
   int socket_;
-  PinholeCamera camera_;
+  std::vector<VirtualMode> modes_;
+  std::optional<std::size_t> mode_;  ///< nothing: not chosen yet
 };
 
 /// Listens on a Unix socket for the driver to open the device.
@@ -55,8 +73,11 @@ class VirtualDepthServer {
   /// Waits until the device is opened. Throws DeviceError after close().
   VirtualDepthSender accept(const PinholeCamera& camera, int frames_per_second,
                             float metres_per_unit);
+  VirtualDepthSender accept(std::vector<VirtualMode> modes);
 
  private:
+  int connected() const;
+
   std::filesystem::path path_;
   int socket_ = -1;
 };

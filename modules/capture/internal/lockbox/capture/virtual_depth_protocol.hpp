@@ -2,6 +2,10 @@
 // What a producer of depth frames and the virtual device driver say to each other, over a stream
 // socket: one header, then frames, each a u64 timestamp in microseconds and width * height depths
 // of u16, row by row; all little-endian. The end of the stream is the device being unplugged.
+//
+// A camera with several modes says version 2, and behind the header how many more it has (u32) and
+// those (VirtualDepthMode). When its depth is started first, the driver sends the number of the
+// mode that was chosen (u32; 0: that of the header), once. The frames come in that mode.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +25,7 @@ inline constexpr int kVirtualDepthLimit = 0x4C420001;
 
 struct VirtualDepthHeader {
   char magic[8] = {'L', 'B', 'X', 'D', 'E', 'P', 'T', 'H'};
-  std::uint32_t version = 1;
+  std::uint32_t version = 1;            ///< 2: more modes follow
   std::uint32_t width = 0;              ///< pixels
   std::uint32_t height = 0;             ///< pixels
   std::uint32_t frames_per_second = 0;  ///< nominal
@@ -31,5 +35,14 @@ struct VirtualDepthHeader {
   std::uint32_t hold = 0;               ///< 1: kVirtualDepthLimit begins at 0; 0: no limit
 };
 static_assert(sizeof(VirtualDepthHeader) == 40);
+
+/// One more mode. The field of view is that of the header.
+struct VirtualDepthMode {
+  std::uint32_t width = 0;              ///< pixels
+  std::uint32_t height = 0;             ///< pixels
+  std::uint32_t frames_per_second = 0;  ///< nominal
+  std::uint32_t unit = 1000;            ///< micrometres: 1000 or 100
+};
+static_assert(sizeof(VirtualDepthMode) == 16);
 
 }  // namespace lockbox
