@@ -8,7 +8,10 @@ import pathlib
 import subprocess
 import sys
 
+import pytest
+
 import lockbox
+from document import code_blocks
 
 FOLDER = pathlib.Path(lockbox.__file__).parent
 
@@ -70,3 +73,52 @@ def test_everything_is_explained_in_sentences():
             getattr(item, member) for member in public(vars(item))]
         for member in members:
             assert member.__doc__ and member.__doc__.rstrip().endswith("."), (name, member)
+
+
+USE = '''
+import numpy as np
+from numpy.typing import NDArray
+import lockbox
+
+model = lockbox.load_model("cabinet")
+state = model.rest_state
+state.joints = {"door": 0.5}
+depth, body = model.render(state, np.eye(3), (48, 64))
+distances: NDArray[np.float32] = model.signed_distance(model.bodies[0], np.zeros((4, 3)))
+tracker = lockbox.Tracker(model, np.eye(3), initial_state=state, locked_joints=["door"])
+for frame in lockbox.open_source("openni2:", mode="320x240@60"):
+    result = tracker.track(frame)
+    sigma: float = result.sigma["door"]
+    other = tracker.track(frame.depth, time=frame.time)
+    base: NDArray[np.float64] = other.alternatives[0].state.base
+summary = lockbox.evaluate("run/states.csv", "groundtruth.csv")
+'''
+
+
+def mypy(folder, *files):
+    """What it says of the files, checked with nothing left open."""
+    pytest.importorskip("mypy", reason="Debian's package mypy is not installed")
+    return subprocess.run([sys.executable, "-B", "-m", "mypy", "--strict", "--cache-dir",
+                           folder / "cache", *files], capture_output=True, text=True)
+
+
+def test_type_checker_takes_the_stubs_and_programs_that_use_them(tmp_path, docs):
+    files = [FOLDER / "__init__.pyi"]
+    for number, block in enumerate([USE] + code_blocks(docs / "python.md", "python")):
+        files.append(tmp_path / f"block{number}.py")
+        files[-1].write_text(block)
+    checked = mypy(tmp_path, *files)
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+
+
+def test_type_checker_finds_wrong_uses(tmp_path):
+    wrong = ["lockbox.load_model(3)", "model.render(state, np.eye(3))",
+             'lockbox.open_source("a.oni", mode=60)', "tracker.track()", "model.joint",
+             'result.sigma = {}']
+    files = []
+    for number, line in enumerate(wrong):
+        files.append(tmp_path / f"wrong{number}.py")
+        files[-1].write_text(USE + line + "\n")
+    checked = mypy(tmp_path, *files)
+    for number, line in enumerate(wrong):
+        assert f"wrong{number}.py:{len(USE.splitlines()) + 1}: error:" in checked.stdout, line
