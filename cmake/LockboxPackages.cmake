@@ -20,7 +20,7 @@ endif()
 # Of one build: each package works with the others of the same version only.
 set(same "(= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_TOOL_PACKAGE_DEPENDS "${library_package} ${same}, lockbox-data ${same}")
-set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "gnuplot-nox, lockbox-dev, python3-lockbox")
+set(CPACK_DEBIAN_TOOL_PACKAGE_SUGGESTS "ffmpeg, gnuplot-nox, lockbox-dev, python3-lockbox")
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_RECOMMENDS "lockbox-data ${same}")
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/triggers
                                                  ${PROJECT_BINARY_DIR}/debian/shlibs)

@@ -149,6 +149,16 @@ CLI::Validator picture_name() {
   return ends_in(".png", "pictures");
 }
 
+CLI::Validator video_name() {
+  return {[](std::string& text) -> std::string {
+            const std::string extension = lower_extension(text);
+            return extension == ".mp4" || extension == ".mkv"
+                       ? ""
+                       : in_quotes(text) + " does not end in .mp4 or .mkv, as videos do";
+          },
+          ""};
+}
+
 CLI::Validator table_name() {
   return ends_in(".csv", "tables");
 }

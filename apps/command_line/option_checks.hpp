@@ -16,6 +16,7 @@ CLI::Validator between(double least, double most);
 CLI::Validator one_of(const std::vector<std::string>& names);
 CLI::Validator suggested(const std::vector<std::string>& names);  ///< refuses nothing
 CLI::Validator picture_name();                                    ///< ends in .png
+CLI::Validator video_name();                                      ///< ends in .mp4 or .mkv
 CLI::Validator table_name();                                      ///< ends in .csv
 CLI::Validator recording_name();  ///< ends in .oni, or no source would know it again
 CLI::Validator folder_name();     ///< neither that of a file of a known kind nor `-`

@@ -10,14 +10,21 @@
 namespace lockbox::app {
 namespace {
 
+std::optional<std::size_t> find_column(const std::vector<std::string>& columns,
+                                       const std::string& name) {
+  const auto column = std::find(columns.begin(), columns.end(), name);
+  if (column == columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(column - columns.begin());
+}
+
 /// Where the deviations of the joints stand, as `lockbox track` writes them.
 std::vector<std::size_t> find_sigma_columns(const KinematicTree& tree,
                                             const std::vector<std::string>& columns) {
   std::vector<std::size_t> found;
   for (const Joint& joint : tree.joints) {
-    const auto column = std::find(columns.begin(), columns.end(), joint.name + ".sigma");
-    if (column == columns.end()) return {};
-    found.push_back(static_cast<std::size_t>(column - columns.begin()));
+    const auto column = find_column(columns, joint.name + ".sigma");
+    if (!column) return {};
+    found.push_back(*column);
   }
   return found;
 }
@@ -25,11 +32,14 @@ std::vector<std::size_t> find_sigma_columns(const KinematicTree& tree,
 }  // namespace
 
 RecordedRun::RecordedRun(const ArticulatedModel& model, std::optional<RecordedFrames> frames,
-                         StatesFile file)
+                         StatesFile file, std::vector<Eigen::MatrixXd> covariances)
     : model_(model),
       frames_(std::move(frames)),
       states_(std::move(file.states)),
-      sigma_columns_(find_sigma_columns(model.tree, file.extra_columns)) {
+      sigma_columns_(find_sigma_columns(model.tree, file.extra_columns)),
+      belief_column_(find_column(file.extra_columns, "belief")),
+      alternatives_column_(find_column(file.extra_columns, "alternatives")),
+      covariances_(std::move(covariances)) {
   for (const auto& state : states_) stamps_.push_back(state.stamp);
 }
 
@@ -47,11 +57,16 @@ std::optional<RecordedRun::Moment> RecordedRun::at(std::size_t index) {
   }
   const DepthFrame* const frame = frames_->at(index);
   if (frame == nullptr) return std::nullopt;
-  if (const State* const state = state_at(frame->stamp)) {
-    return Moment{frame, estimate_of(*state), frame->stamp, state->status};
+  Moment moment = at_time(frame->stamp);
+  moment.frame = frame;
+  return moment;
+}
+
+RecordedRun::Moment RecordedRun::at_time(double stamp) const {
+  if (const State* const state = state_at(stamp)) {
+    return {nullptr, estimate_of(*state), stamp, state->status};
   }
-  return Moment{frame, unknown_configuration(model_.tree), frame->stamp,
-                states_.empty() ? "" : "no state"};
+  return {nullptr, unknown_configuration(model_.tree), stamp, states_.empty() ? "" : "no state"};
 }
 
 RecordedRun::Moment RecordedRun::start() const {
@@ -64,6 +79,13 @@ ShownEstimate RecordedRun::estimate_of(const State& state) const {
   for (const std::size_t column : sigma_columns_) {
     estimate.sigma.push_back(std::strtod(state.extra[column].c_str(), nullptr));
   }
+  if (belief_column_ && state.known) {
+    const auto& alternatives = alternatives_column_ ? state.extra[*alternatives_column_] : "";
+    estimate.belief =
+        belief_line(std::strtod(state.extra[*belief_column_].c_str(), nullptr), alternatives);
+  }
+  const auto row = static_cast<std::size_t>(&state - states_.data());
+  if (row < covariances_.size()) estimate.covariance = covariances_[row];
   return estimate;
 }
 

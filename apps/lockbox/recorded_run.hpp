@@ -23,8 +23,10 @@ class RecordedRun {
     std::string word;  ///< on the state
   };
 
-  /// file: empty if there is none; a single state holds for all frames.
-  RecordedRun(const ArticulatedModel& model, std::optional<RecordedFrames> frames, StatesFile file);
+  /// file: empty if there is none; a single state holds for all frames. covariances: of its rows,
+  /// as far as they are told.
+  RecordedRun(const ArticulatedModel& model, std::optional<RecordedFrames> frames, StatesFile file,
+              std::vector<Eigen::MatrixXd> covariances = {});
 
   /// Whether there is nothing but the model.
   bool is_model_alone() const { return !frames_ && states_.empty(); }
@@ -33,6 +35,9 @@ class RecordedRun {
 
   /// Nothing if the recording turns out to end before. Valid until the next call.
   std::optional<Moment> at(std::size_t index);
+
+  /// The state that belongs to a frame of this time (seconds), without the frame.
+  Moment at_time(double stamp) const;
 
  private:
   Moment start() const;
@@ -44,6 +49,9 @@ class RecordedRun {
   std::vector<State> states_;
   std::vector<double> stamps_;              ///< of the states
   std::vector<std::size_t> sigma_columns_;  ///< by joint, of State::extra; empty if one is missing
+  std::optional<std::size_t> belief_column_;
+  std::optional<std::size_t> alternatives_column_;
+  std::vector<Eigen::MatrixXd> covariances_;
 };
 
 }  // namespace lockbox::app

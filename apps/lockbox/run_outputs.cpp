@@ -18,6 +18,13 @@ std::vector<double> joint_sigmas(const KinematicTree& tree, const TrackingResult
   return sigmas;
 }
 
+ShownEstimate shown(const KinematicTree& tree, const TrackingResult& result) {
+  ShownEstimate estimate(result.configuration, joint_sigmas(tree, result));
+  estimate.covariance = result.covariance;
+  estimate.belief = belief_line(result.belief, alternatives_text(result.alternatives));
+  return estimate;
+}
+
 }  // namespace
 
 RunOutputs::RunOutputs(const ArticulatedModel& model, RunDescription description,
@@ -47,7 +54,7 @@ void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result,
   if (recording_) recording_->write(frame);
   if (snapshots_) snapshots_->add(frame, result.configuration);
   if (view_) {
-    view_->show(frame, {result.configuration, joint_sigmas(tree_, result)},
+    view_->show(frame, shown(tree_, result),
                 frame_title(frame.index, frame.stamp, to_string(result.status)));
   }
 }

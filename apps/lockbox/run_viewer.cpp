@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 #include "command_line/interruption.hpp"
 #include "lockbox/core/readable_text.hpp"
@@ -18,17 +19,23 @@ constexpr double kLongestPause = 1.0;  // seconds between two frames, however fa
 }  // namespace
 
 RunViewer::RunViewer(const ArticulatedModel& model, RecordedRun& run, const Playback& playback,
-                     const SceneChoices& choices, const WindowOptions& options)
-    : model_(model), run_(run), playback_(playback), choices_(choices), options_(options) {}
+                     const SceneChoices& choices, const WindowOptions& options,
+                     std::optional<RunBeside> beside)
+    : model_(model),
+      run_(run),
+      playback_(playback),
+      choices_(choices),
+      options_(options),
+      beside_(std::move(beside)) {}
 
 void RunViewer::play() {
   const std::string playback_help = run_.size() > 1 ? kPlaybackHelp : "";
   if (run_.is_model_alone()) posed_ = moment().estimate.configuration;
-  SceneComposer composer(model_, playback_help + kSceneHelp);
-  const auto window = open_scene_window(composer.parts(), options_);
+  Composers composers{{model_, playback_help + kSceneHelp}, {model_, ""}};
+  const auto window = open_scene_window(composers.run.parts(), options_);
   const Interruption interruption;
   aim(*window);
-  draw(*window, composer);
+  draw(*window, composers);
   while (window->is_open() && !interruption.requested()) {
     bool has_changed = false;
     for (const auto& key : window->poll()) {
@@ -40,7 +47,7 @@ void RunViewer::play() {
       has_changed = true;
     }
     if (has_changed) {
-      draw(*window, composer);
+      draw(*window, composers);
     } else {
       std::this_thread::sleep_for(kPollInterval);
     }
@@ -48,13 +55,30 @@ void RunViewer::play() {
 }
 
 RgbImage RunViewer::picture() {
-  SceneComposer composer(model_, "");
+  Composers composers{{model_, ""}, {model_, ""}};
+  const auto window = open_for_pictures(composers);
+  draw(*window, composers);
+  return window->picture();
+}
+
+void RunViewer::draw_all(const TakePicture& take) {
+  Composers composers{{model_, ""}, {model_, ""}};
+  const auto window = open_for_pictures(composers);
+  const Interruption interruption;
+  while (!interruption.requested()) {
+    draw(*window, composers);
+    take(window->picture(), playback_.position(), moment().stamp);
+    if (!run_.at(playback_.position() + 1)) break;
+    playback_.advance();
+  }
+}
+
+std::unique_ptr<SceneWindow> RunViewer::open_for_pictures(const Composers& composers) {
   WindowOptions options = options_;
   options.visible = false;
-  const auto window = open_scene_window(composer.parts(), options);
+  auto window = open_scene_window(composers.run.parts(), options);
   aim(*window);
-  draw(*window, composer);
-  return window->picture();
+  return window;
 }
 
 RecordedRun::Moment RunViewer::moment() {
@@ -98,11 +122,30 @@ bool RunViewer::handle(const SliderMove& move) {
   return true;
 }
 
-void RunViewer::draw(SceneWindow& window, SceneComposer& composer) {
+void RunViewer::draw(SceneWindow& window, Composers& composers) {
   auto now = moment();
   drawn_ = Clock::now();
   if (posed_) now.estimate.configuration = *posed_;
-  DisplayedScene& scene = composer.compose(now.frame, now.estimate, title(now), choices_);
+  DisplayedScene& scene = composers.run.compose(now.frame, now.estimate, title(now), choices_);
+  if (choices_.beside && beside_) {
+    const auto other = beside_->run->at_time(now.stamp);
+    SceneChoices choices = choices_;
+    choices.help = false;
+    const std::string name = beside_->name + "   " + other.word;
+    add_sliders(now, scene);
+    window.show_beside(scene, composers.other.compose(now.frame, other.estimate, name, choices));
+  } else if (choices_.beside && now.frame != nullptr) {
+    DisplayedScene& measured = composers.other.compose(
+        now.frame, unknown_configuration(model_.tree), kMeasuredTitle, choices_.measured_only());
+    add_sliders(now, measured);
+    window.show_beside(measured, scene);
+  } else {
+    add_sliders(now, scene);
+    window.show(scene);
+  }
+}
+
+void RunViewer::add_sliders(const RecordedRun::Moment& now, DisplayedScene& scene) const {
   if (posed_) {
     scene.sliders = joint_sliders(model_.tree, *posed_);
     if (!scene.sliders.empty()) scene.status = title(now);
@@ -111,7 +154,6 @@ void RunViewer::draw(SceneWindow& window, SceneComposer& composer) {
     scene.seek_bar = {"", "%.0f", 0.0, static_cast<double>(playback_.frames() - 1),
                       static_cast<double>(playback_.position())};
   }
-  window.show(scene);
 }
 
 std::string RunViewer::title(const RecordedRun::Moment& moment) const {

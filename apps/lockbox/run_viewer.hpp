@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -11,12 +13,19 @@
 
 namespace lockbox::app {
 
+/// Another run that is shown beside the first, with the same frames.
+struct RunBeside {
+  const RecordedRun* run;
+  std::string name;
+};
+
 /// A recorded run in a window.
 class RunViewer {
  public:
-  /// Model and run are referred to. The view is chosen for the frame at which playback stands.
+  /// Model and runs are referred to. The view is chosen for the frame at which playback stands.
   RunViewer(const ArticulatedModel& model, RecordedRun& run, const Playback& playback,
-            const SceneChoices& choices, const WindowOptions& options);
+            const SceneChoices& choices, const WindowOptions& options,
+            std::optional<RunBeside> beside = std::nullopt);
 
   /// Plays until the window is closed, or until Ctrl-C. Throws InputError if there is no display.
   void play();
@@ -25,6 +34,12 @@ class RunViewer {
   /// is no display.
   RgbImage picture();
 
+  /// What draw_all() gives away.
+  using TakePicture = std::function<void(const RgbImage& picture, std::size_t frame, double stamp)>;
+
+  /// The pictures of all frames from the one at which playback stands, until Ctrl-C.
+  void draw_all(const TakePicture& take);
+
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -32,7 +47,14 @@ class RunViewer {
   bool is_next_due() const;
   void aim(SceneWindow& window);
   bool handle(const SliderMove& move);
-  void draw(SceneWindow& window, SceneComposer& composer);
+  struct Composers {
+    SceneComposer run;
+    SceneComposer other;  ///< of the other one of two scenes
+  };
+
+  std::unique_ptr<SceneWindow> open_for_pictures(const Composers& composers);
+  void draw(SceneWindow& window, Composers& composers);
+  void add_sliders(const RecordedRun::Moment& now, DisplayedScene& scene) const;
   std::string title(const RecordedRun::Moment& moment) const;
 
   const ArticulatedModel& model_;
@@ -41,6 +63,7 @@ class RunViewer {
   SceneChoices choices_;
   std::optional<Configuration> posed_;  ///< by the user, a model that is shown alone
   WindowOptions options_;
+  std::optional<RunBeside> beside_;
   Clock::time_point drawn_;
 };
 

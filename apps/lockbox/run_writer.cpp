@@ -52,18 +52,6 @@ void write_covariance_header(std::ofstream& stream, const KinematicTree& tree) {
   stream << '\n' << std::flush;
 }
 
-/// kind:probability, separated by semicolons.
-std::string alternatives_text(const std::vector<Alternative>& alternatives) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(3);
-  for (const Alternative& alternative : alternatives) {
-    if (&alternative != &alternatives.front()) text << ';';
-    text << to_string(alternative.kind) << ':' << alternative.probability;
-  }
-  return text.str();
-}
-
 /// Whether it holds nothing but the header of a states file.
 bool is_without_rows(const std::filesystem::path& file) {
   std::ifstream stream(file);
@@ -74,6 +62,17 @@ bool is_without_rows(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string alternatives_text(const std::vector<Alternative>& alternatives) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(3);
+  for (const Alternative& alternative : alternatives) {
+    if (&alternative != &alternatives.front()) text << ';';
+    text << to_string(alternative.kind) << ':' << alternative.probability;
+  }
+  return text.str();
+}
 
 bool require_no_rows(const std::filesystem::path& folder, bool overwrite) {
   const auto file = folder / "states.csv";

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "lockbox/model/kinematic_tree.hpp"
 #include "lockbox/tracking/tracker.hpp"
@@ -12,6 +14,9 @@ namespace lockbox::app {
 /// Throws InputError if the folder holds the rows of a run, unless it is to be overwritten. True if
 /// it holds a run without a row, which nobody misses.
 bool require_no_rows(const std::filesystem::path& folder, bool overwrite);
+
+/// kind:probability, separated by semicolons.
+std::string alternatives_text(const std::vector<Alternative>& alternatives);
 
 /// Writes what a run estimates, flushed frame by frame: a crash loses nothing computed before it.
 ///   states.csv      one row a frame (docs/file-formats.md)

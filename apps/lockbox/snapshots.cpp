@@ -30,9 +30,13 @@ void Snapshots::add(const DepthFrame& frame, const Configuration& configuration)
     camera_ = frame.camera;
     painter_->paint(configuration, kOpacity, picture);
   }
+  write_png(folder_ / name_of(count_ - 1), picture);
+}
+
+std::string Snapshots::name_of(std::size_t frame) {
   std::ostringstream name;
-  name << "frame_" << std::setw(6) << std::setfill('0') << count_ - 1 << ".png";
-  write_png(folder_ / name.str(), picture);
+  name << "frame_" << std::setw(6) << std::setfill('0') << frame << ".png";
+  return name.str();
 }
 
 }  // namespace lockbox::app

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "lockbox/core/depth_frame.hpp"
 #include "lockbox/visualization/model_painter.hpp"
@@ -13,6 +14,9 @@ namespace lockbox::app {
 class Snapshots {
  public:
   static constexpr auto kFirst = "frame_000000.png";
+
+  /// Of the picture of this frame.
+  static std::string name_of(std::size_t frame);
 
   /// Makes the folder. The tree is referred to.
   Snapshots(const std::filesystem::path& folder, const KinematicTree& tree, std::size_t interval,

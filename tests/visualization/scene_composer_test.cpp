@@ -47,7 +47,7 @@ TEST_F(SceneComposerTest, PutsMeasuredPixelsIntoSpace) {
 
 TEST_F(SceneComposerTest, ColorsErrorsBlueBeforeRedBehindGreyBeyond) {
   SceneChoices choices;
-  choices.errors = true;
+  choices.coloring = Coloring::errors;
   const DisplayedScene& scene = compose(one_metre_away(), choices);
   const auto before = color_of(scene, 0);
   const auto behind = color_of(scene, 1);
@@ -61,11 +61,49 @@ TEST_F(SceneComposerTest, ColorsErrorsBlueBeforeRedBehindGreyBeyond) {
 
 TEST_F(SceneComposerTest, ShowsTheCloudAloneWhileThePoseIsNotKnown) {
   SceneChoices choices;
-  choices.errors = true;
+  choices.coloring = Coloring::errors;
   const DisplayedScene& scene = compose(unknown_configuration(model_.tree), choices);
   EXPECT_THAT(scene.points, SizeIs(3));
   EXPECT_THAT(scene.T_camera_body, IsEmpty());
   EXPECT_THAT(scene.scale, IsEmpty());
+}
+
+TEST_F(SceneComposerTest, TakesColoursBackWithTheKeyThatAskedForThem) {
+  SceneChoices choices;
+  for (const auto& [key, coloring] :
+       {std::pair{"e", Coloring::errors}, std::pair{"b", Coloring::bodies},
+        std::pair{"t", Coloring::terms}, std::pair{"u", Coloring::uncertainty}}) {
+    EXPECT_TRUE(choices.handle(key));
+    EXPECT_EQ(choices.coloring, coloring);
+  }
+  EXPECT_TRUE(choices.handle("u"));
+  EXPECT_EQ(choices.coloring, Coloring::plain);
+  EXPECT_TRUE(choices.handle("s"));
+  EXPECT_TRUE(choices.beside);
+}
+
+TEST_F(SceneComposerTest, OfWhatWasMeasuredHasNoModel) {
+  SceneChoices choices;
+  choices.coloring = Coloring::errors;
+  choices.help = true;
+  const DisplayedScene& scene = compose(one_metre_away(), choices.measured_only());
+  EXPECT_THAT(scene.points, SizeIs(3));
+  EXPECT_THAT(scene.T_camera_body, IsEmpty());
+  EXPECT_THAT(scene.scale, IsEmpty());
+  EXPECT_THAT(scene.overlay, IsEmpty());
+}
+
+TEST_F(SceneComposerTest, SaysHowFarTheEstimateIsBelieved) {
+  ShownEstimate estimate(one_metre_away());
+  estimate.belief = "belief 97 %";
+  EXPECT_THAT(composer_.compose(nullptr, estimate, "title", {}).status,
+              HasSubstr("title\nbelief 97 %"));
+}
+
+TEST(BeliefLine, NamesTheAlternatives) {
+  EXPECT_EQ(belief_line(0.97, ""), "belief 97 %");
+  EXPECT_EQ(belief_line(0.6, "flip:0.25;elsewhere:0.1"),
+            "belief 60 %; or flip 25 %, elsewhere 10 %");
 }
 
 TEST_F(SceneComposerTest, LeavesOutWhatTheUserHasSwitchedOff) {

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -112,6 +113,69 @@ TEST_F(SceneWindowTest, TakesPointsOfAnyNumber) {
     window->show(scene);
     EXPECT_EQ(color_at(window->picture(), 100, 80) == std::vector<int>({255, 255, 255}), count > 0);
   }
+}
+
+TEST_F(SceneWindowTest, DrawsTwoScenesSideBySide) {
+  const auto window = open(false);
+  window->show_beside(block_at(0.0), {});
+  EXPECT_TRUE(is_red(window->picture(), 50, 80));
+  EXPECT_FALSE(is_red(window->picture(), 150, 80));
+  window->show_beside({}, block_at(0.0));
+  EXPECT_FALSE(is_red(window->picture(), 50, 80));
+  EXPECT_TRUE(is_red(window->picture(), 150, 80));
+  window->show(block_at(0.0));
+  EXPECT_TRUE(is_red(window->picture(), 100, 80)) << "and one again";
+  EXPECT_FALSE(is_red(window->picture(), 150, 80));
+}
+
+TEST_F(SceneWindowTest, DrawsPartsInTheColoursOfTheirVertices) {
+  const auto window = open(false);
+  DisplayedScene scene = block_at(0.0);
+  for (std::size_t i = 0; i < block_.vertices.size(); ++i) {
+    scene.part_rgb.resize(1);
+    for (const int channel : {0, 200, 0}) {
+      scene.part_rgb[0].push_back(static_cast<std::uint8_t>(channel));
+    }
+  }
+  window->show(scene);
+  EXPECT_THAT(color_at(window->picture(), 100, 80), ElementsAre(0, testing::Gt(90), 0));
+  window->show(block_at(0.0));
+  EXPECT_TRUE(is_red(window->picture(), 100, 80)) << "its own again";
+}
+
+/// Bright pixels of a line of text in a window that is otherwise dark.
+std::ptrdiff_t text_pixels(SceneWindow& window) {
+  DisplayedScene scene;
+  scene.status = "HHHHHHHH";
+  window.show(scene);
+  const RgbImage image = window.picture();
+  return std::count_if(image.rgb.begin(), image.rgb.end(), [](int value) { return value > 150; });
+}
+
+TEST_F(SceneWindowTest, WritesAsLargeAsTheDisplayAsks) {
+  WindowOptions options;
+  options.width = 400;
+  options.height = 300;
+  const auto pixels_at = [&](double scale) {
+    options.scale = scale;
+    return text_pixels(*open_scene_window({{&block_, {1.0F, 0.0F, 0.0F}, 0}}, options));
+  };
+  const auto usual = pixels_at(0.0);
+  EXPECT_EQ(usual, pixels_at(1.0)) << "the display asks for nothing";
+  EXPECT_GT(pixels_at(2.0), 2 * usual);
+  user_.set_resources("Xft.dpi:\t192\n");
+  EXPECT_GT(pixels_at(0.0), 2 * usual);
+  user_.set_resources("");
+}
+
+TEST_F(SceneWindowTest, FitsOnTheScreen) {
+  user_.set_resources("Xft.dpi:\t288\n");
+  const auto window = open_scene_window({{&block_, {1.0F, 0.0F, 0.0F}, 0}}, {});
+  user_.set_resources("");
+  const auto [width, height] = user_.screen_size();
+  const RgbImage image = window->picture();
+  EXPECT_EQ(image.width, std::min(width, 3 * 1280));
+  EXPECT_EQ(image.height, std::min(height, 3 * 800));
 }
 
 TEST_F(SceneWindowTest, ReportsKeysByName) {

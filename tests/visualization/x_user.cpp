@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "x_user.hpp"
 
+#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
 #include <thread>
 
@@ -50,8 +52,13 @@ void wait_for(const std::string& problem, Condition condition) {
 
 }  // namespace
 
-XUser::XUser(const std::string& display)
-    : display_(XOpenDisplay(display.empty() ? nullptr : display.c_str())) {
+XUser::XUser(const std::string& display) {
+  // A server whose last client has just left starts anew, and refuses others meanwhile.
+  const char* const name = display.empty() ? std::getenv("DISPLAY") : display.c_str();
+  for (int tries = 0; display_ == nullptr && name != nullptr && tries < 50; ++tries) {
+    if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    display_ = XOpenDisplay(name);
+  }
   // Windows may go between two questions about them.
   XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
 }
@@ -122,6 +129,18 @@ std::vector<unsigned char> XUser::picture() const {
   }
   XDestroyImage(image);
   return rgb;
+}
+
+void XUser::set_resources(const std::string& lines) {
+  XChangeProperty(display_, DefaultRootWindow(display_), XA_RESOURCE_MANAGER, XA_STRING, 8,
+                  PropModeReplace, reinterpret_cast<const unsigned char*>(lines.data()),
+                  static_cast<int>(lines.size()));
+  XSync(display_, False);
+}
+
+std::pair<int, int> XUser::screen_size() const {
+  const int screen = DefaultScreen(display_);
+  return {DisplayWidth(display_, screen), DisplayHeight(display_, screen)};
 }
 
 void XUser::close() {

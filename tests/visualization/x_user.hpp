@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 struct _XDisplay;
@@ -41,6 +42,12 @@ class XUser {
 
   /// What the window shows, three bytes a pixel, row by row.
   std::vector<unsigned char> picture() const;
+
+  /// What programs that start from now on are asked for, as `xrdb` sets it.
+  void set_resources(const std::string& lines);
+
+  /// Width and height, pixels.
+  std::pair<int, int> screen_size() const;
 
   /// As with the button of its frame.
   void close();

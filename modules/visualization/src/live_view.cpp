@@ -39,7 +39,10 @@ struct Moment {
 /// The thread of the window, and what it is handed.
 class LiveView::Loop {
  public:
-  explicit Loop(const ArticulatedModel& model) : composer_(model, kSceneHelp) {
+  explicit Loop(const ArticulatedModel& model)
+      : composer_(model, kSceneHelp),
+        measured_(model, ""),
+        unknown_(unknown_configuration(model.tree)) {
     std::promise<void> opened;
     std::promise<void> ended;
     auto is_opened = opened.get_future();
@@ -120,7 +123,14 @@ class LiveView::Loop {
     is_new |= take_over();
     if (!is_new || !has_shown_) return;
     if (is_first) window.look(camera_near_sensor(now_.frame));
-    window.show(composer_.compose(&now_.frame, now_.estimate, now_.title, choices_));
+    const auto& scene = composer_.compose(&now_.frame, now_.estimate, now_.title, choices_);
+    if (choices_.beside) {
+      window.show_beside(
+          measured_.compose(&now_.frame, unknown_, kMeasuredTitle, choices_.measured_only()),
+          scene);
+    } else {
+      window.show(scene);
+    }
   }
 
   bool take_over() {
@@ -133,6 +143,8 @@ class LiveView::Loop {
   }
 
   SceneComposer composer_;
+  SceneComposer measured_;  ///< the left one of two scenes
+  const ShownEstimate unknown_;
   SceneChoices choices_;
   Moment now_;  ///< the thread's own
   bool has_shown_ = false;

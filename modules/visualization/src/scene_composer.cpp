@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/visualization/scene_composer.hpp"
 
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/visualization/depth_picture.hpp"
 #include "lockbox/visualization/joint_panel.hpp"
-#include "lockbox/visualization/model_distance.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr float kErrorRange = 0.01F;  // metres to both sides; what is farther off is grey
-constexpr double kFinePoint = 1.0;    // pixels: lets the model show between the points
-constexpr double kDensePoint = 2.0;
-constexpr double kSeeThrough = 0.35;  // opacity of the model among errors
-constexpr auto kScaleTitle = "mm to model\n+ before it\n- behind it\ngrey: more";
-constexpr std::uint8_t kGreyBeyond = 95;  // of points that are not near the model
+constexpr double kFinePoint = 1.0;  // pixels: lets the model show between the points
 
 }  // namespace
 
@@ -34,14 +27,24 @@ bool SceneChoices::handle(const std::string& key) {
     points = !points;
   } else if (key == "m") {
     model = !model;
-  } else if (key == "e") {
-    errors = !errors;
+  } else if (key == "s") {
+    beside = !beside;
   } else if (key == "h") {
     help = !help;
+  } else if (const auto asked = coloring_of_key(key)) {
+    coloring = coloring == *asked ? Coloring::plain : *asked;
   } else {
     return false;
   }
   return true;
+}
+
+SceneChoices SceneChoices::measured_only() const {
+  SceneChoices choices = *this;
+  choices.model = false;
+  choices.coloring = Coloring::plain;
+  choices.help = false;
+  return choices;
 }
 
 std::vector<ScenePart> SceneComposer::parts() const {
@@ -58,8 +61,8 @@ DisplayedScene& SceneComposer::compose(const DepthFrame* frame, const ShownEstim
                                        const std::string& title, const SceneChoices& choices) {
   place_model(estimate.configuration);
   const bool is_known = !T_camera_body_.empty();
-  const bool with_errors = choices.errors && is_known;
   scene_.status = title;
+  if (!estimate.belief.empty()) scene_.status += '\n' + estimate.belief;
   if (is_known) {
     scene_.status += joint_panel(model_.tree, estimate.configuration, estimate.sigma);
   }
@@ -69,12 +72,14 @@ DisplayedScene& SceneComposer::compose(const DepthFrame* frame, const ShownEstim
   scene_.point_rgb.clear();
   if (frame != nullptr && choices.points) {
     place_points(*frame);
-    if (with_errors) color_points_by_distance();
   }
-  scene_.point_size = with_errors ? kDensePoint : kFinePoint;
-  scene_.scale_title = kScaleTitle;
-  scene_.scale = with_errors ? distance_scale(kErrorRange) : std::vector<ScaleColor>{};
-  scene_.model_opacity = with_errors ? kSeeThrough : 1.0;
+  scene_.point_size = kFinePoint;
+  scene_.model_opacity = 1.0;
+  scene_.scale.clear();
+  scene_.is_scale_logarithmic = false;
+  scene_.legend.clear();
+  scene_.part_rgb.clear();
+  colors_.paint(choices.coloring, frame, estimate, T_camera_body_, scene_);
   scene_.sliders.clear();
   scene_.seek_bar.reset();
   scene_.T_camera_body = choices.model ? T_camera_body_ : std::vector<Eigen::Isometry3d>{};
@@ -100,18 +105,6 @@ void SceneComposer::place_points(const DepthFrame& frame) {
       const auto pixel =
           greys.rgb.begin() + std::ptrdiff_t{3} * (std::ptrdiff_t{v} * frame.camera.width + u);
       scene_.point_rgb.insert(scene_.point_rgb.end(), pixel, pixel + 3);
-    }
-  }
-}
-
-void SceneComposer::color_points_by_distance() {
-  model_distances(model_, T_camera_body_, scene_.points, kErrorRange, distances_);
-  for (std::size_t i = 0; i < distances_.size(); ++i) {
-    const bool is_near = std::abs(distances_[i]) <= kErrorRange;
-    const Eigen::Vector3f color = distance_color(distances_[i], kErrorRange);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-      const float value = 255.0F * color(static_cast<Eigen::Index>(channel));
-      scene_.point_rgb[3 * i + channel] = is_near ? static_cast<std::uint8_t>(value) : kGreyBeyond;
     }
   }
 }

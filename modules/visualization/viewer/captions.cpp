@@ -5,21 +5,35 @@
 #include <vtkLookupTable.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace lockbox {
 namespace {
 
-constexpr int kStatusSize = 14;  // pixels
-constexpr int kSmallSize = 13;
-constexpr int kOverlaySize = 16;
+// Pixels at scale 1.
+constexpr double kStatusSize = 14.0;
+constexpr double kSmallSize = 13.0;
+constexpr double kOverlaySize = 16.0;
+constexpr double kLegendStep = 19.0;  // from line to line
+constexpr double kScaleRoom = 115.0;  // of the colour scale and its texts, up to the right margin
+constexpr double kScaleWidth = 90.0;
+constexpr std::size_t kMostLegendLines = 28;
+
+constexpr int kDecades = 4;  // labels of a logarithmic scale, which goes over three of them
+constexpr int kLinearLabels = 5;
+
+/// Of Courier, as a share of the size of its letters.
+constexpr double kLetterWidth = 0.62;
 
 void place(vtkTextActor& text, double x, double y) {
   text.GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text.SetPosition(x, y);
 }
 
-void style(vtkTextProperty& look, int size, double grey) {
+void style(vtkTextProperty& look, double size, double grey) {
   look.SetFontFamilyToCourier();
-  look.SetFontSize(size);
+  look.SetFontSize(static_cast<int>(std::lround(size)));
   look.SetColor(grey, grey, grey);
   look.ItalicOff();
   look.BoldOff();
@@ -35,25 +49,23 @@ void show(vtkTextActor& text, const std::string& lines) {
 
 }  // namespace
 
-Captions::Captions(vtkRenderer& renderer) {
-  style(*status_->GetTextProperty(), kStatusSize, 0.95);
+Captions::Captions(vtkRenderer& renderer, double scale)
+    : renderer_(renderer), scale_factor_(scale) {
+  style(*status_->GetTextProperty(), scale * kStatusSize, 0.95);
   status_->GetTextProperty()->SetVerticalJustificationToTop();
   place(*status_, 0.012, 0.982);
-  style(*help_->GetTextProperty(), kSmallSize, 0.65);
+  style(*help_->GetTextProperty(), scale * kSmallSize, 0.65);
   place(*help_, 0.012, 0.015);
-  style(*overlay_->GetTextProperty(), kOverlaySize, 0.95);
+  style(*overlay_->GetTextProperty(), scale * kOverlaySize, 0.95);
   overlay_->GetTextProperty()->SetBackgroundOpacity(0.85);
   overlay_->GetTextProperty()->SetVerticalJustificationToCentered();
   overlay_->GetTextProperty()->SetFrame(true);
   overlay_->GetTextProperty()->SetFrameColor(0.5, 0.5, 0.5);
   place(*overlay_, 0.3, 0.5);
-  style(*scale_->GetTitleTextProperty(), kSmallSize, 0.9);
-  style(*scale_->GetLabelTextProperty(), kSmallSize, 0.9);
+  style(*scale_->GetTitleTextProperty(), scale * kSmallSize, 0.9);
+  style(*scale_->GetLabelTextProperty(), scale * kSmallSize, 0.9);
   scale_->SetUnconstrainedFontSize(true);
-  scale_->SetLabelFormat("%+.0f");
-  scale_->SetVerticalTitleSeparation(kSmallSize / 2);
-  scale_->SetPosition(0.91, 0.3);
-  scale_->SetWidth(0.07);
+  scale_->SetVerticalTitleSeparation(static_cast<int>(scale * kSmallSize / 2.0));
   scale_->SetHeight(0.4);
   scale_->VisibilityOff();
   for (vtkProp* prop : {static_cast<vtkProp*>(status_), static_cast<vtkProp*>(help_),
@@ -67,6 +79,40 @@ void Captions::set(const DisplayedScene& scene) {
   show(*help_, scene.help);
   show(*overlay_, scene.overlay);
   set_scale(scene);
+  set_legend(scene.legend);
+}
+
+void Captions::add_legend_line() {
+  LegendLine& line = legend_.emplace_back();
+  for (vtkTextActor* const text : {line.patch.Get(), line.name.Get()}) {
+    style(*text->GetTextProperty(), scale_factor_ * kSmallSize, 0.95);
+    text->GetTextProperty()->SetVerticalJustificationToTop();
+    renderer_.AddViewProp(text);
+  }
+}
+
+void Captions::set_legend(const std::vector<LegendEntry>& legend) {
+  const std::size_t lines = std::min(legend.size(), kMostLegendLines);
+  std::size_t letters = 0;
+  for (std::size_t i = 0; i < lines; ++i) letters = std::max(letters, legend[i].name.size());
+  const int* const size = renderer_.GetSize();  // pixels
+  const double letter = scale_factor_ * kSmallSize * kLetterWidth;
+  const double margin = scale_factor_ * kSmallSize;
+  const double name_at = size[0] - margin - letter * static_cast<double>(letters);
+  while (legend_.size() < lines) add_legend_line();
+  for (std::size_t i = 0; i < legend_.size(); ++i) {
+    const auto& [patch, name] = legend_[i];
+    show(*patch, i < lines ? "MM" : "");
+    show(*name, i < lines ? legend[i].name : "");
+    if (i >= lines) continue;
+    const Eigen::Vector3d color = legend[i].color.cast<double>();
+    patch->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
+    patch->GetTextProperty()->SetBackgroundColor(color.x(), color.y(), color.z());
+    patch->GetTextProperty()->SetBackgroundOpacity(1.0);
+    const double top = size[1] - margin - scale_factor_ * kLegendStep * static_cast<double>(i);
+    patch->SetPosition(name_at - 3.0 * letter, top);
+    name->SetPosition(name_at, top);
+  }
 }
 
 void Captions::set_scale(const DisplayedScene& scene) {
@@ -74,12 +120,18 @@ void Captions::set_scale(const DisplayedScene& scene) {
   if (scene.scale.empty()) return;
   vtkNew<vtkLookupTable> table;
   table->SetNumberOfTableValues(static_cast<vtkIdType>(scene.scale.size()));
+  if (scene.is_scale_logarithmic) table->SetScaleToLog10();
   table->SetTableRange(scene.scale.front().value, scene.scale.back().value);
   for (std::size_t i = 0; i < scene.scale.size(); ++i) {
     const Eigen::Vector3d color = scene.scale[i].color.cast<double>();
     table->SetTableValue(static_cast<vtkIdType>(i), color.x(), color.y(), color.z());
   }
+  const double width = renderer_.GetSize()[0];
+  scale_->SetPosition(1.0 - scale_factor_ * kScaleRoom / width, 0.3);
+  scale_->SetWidth(scale_factor_ * kScaleWidth / width);
   scale_->SetLookupTable(table);
+  scale_->SetNumberOfLabels(scene.is_scale_logarithmic ? kDecades : kLinearLabels);
+  scale_->SetLabelFormat(scene.is_scale_logarithmic ? "%.2g" : "%+.0f");
   scale_->SetTitle(scene.scale_title.c_str());
 }
 

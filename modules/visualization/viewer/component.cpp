@@ -14,7 +14,9 @@ __attribute__((visibility("default"))) lockbox::SceneWindow* lockbox_open_window
   const lockbox::DisplayConnection display;
   problem = display.problem();
   if (!problem.empty()) return nullptr;
-  return new lockbox::VtkWindow(parts, options);
+  lockbox::WindowOptions scaled = options;
+  if (options.scale <= 0.0) scaled.scale = options.visible ? display.scale() : 1.0;
+  return new lockbox::VtkWindow(parts, scaled);
 } catch (const std::exception& error) {
   problem = error.what();
   return nullptr;

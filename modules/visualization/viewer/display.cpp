@@ -4,6 +4,7 @@
 #include <X11/Xlib.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace lockbox {
@@ -34,6 +35,14 @@ DisplayConnection::DisplayConnection() {
   } else if (XQueryExtension(display_.get(), "GLX", &opcode, &event, &error) == 0) {
     problem_ = std::string("the X display ") + name + " has no OpenGL (GLX)" + kAdvice;
   }
+}
+
+double DisplayConnection::scale() const {
+  constexpr double kUsual = 96.0;  // dots per inch
+  constexpr double kLargest = 4.0;
+  const char* const dots = XGetDefault(display_.get(), "Xft", "dpi");
+  if (dots == nullptr) return 1.0;
+  return std::clamp(std::strtod(dots, nullptr) / kUsual, 1.0, kLargest);
 }
 
 void flush(_XDisplay* display) {

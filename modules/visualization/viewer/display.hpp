@@ -20,6 +20,10 @@ class DisplayConnection {
   /// Empty if windows with OpenGL can be opened; else the reason, and what to do.
   const std::string& problem() const { return problem_; }
 
+  /// By how much texts are to be larger than on displays of 96 dots per inch, as the display's
+  /// resource Xft.dpi says: 1 to 4; 1 if it says nothing.
+  double scale() const;
+
  private:
   struct Close {
     void operator()(_XDisplay* display) const;

@@ -4,10 +4,14 @@
 #include <vtkCellArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
 
 namespace lockbox {
 namespace {
@@ -28,6 +32,7 @@ vtkNew<vtkPolyData> to_poly_data(const TriangleMesh& mesh) {
 vtkSmartPointer<vtkActor> make_actor(const ScenePart& part) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(to_poly_data(*part.mesh));
+  mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetUserMatrix(vtkNew<vtkMatrix4x4>());
@@ -47,6 +52,19 @@ ModelActors::ModelActors(const std::vector<ScenePart>& parts, vtkRenderer& rende
     actors_.push_back(make_actor(part));
     body_of_actor_.push_back(part.body);
     renderer.AddActor(actors_.back());
+  }
+}
+
+void ModelActors::color(const std::vector<std::vector<std::uint8_t>>& part_rgb) {
+  for (std::size_t i = 0; i < actors_.size(); ++i) {
+    auto* const mapper = vtkPolyDataMapper::SafeDownCast(actors_[i]->GetMapper());
+    mapper->SetScalarVisibility(part_rgb.empty() ? 0 : 1);
+    if (part_rgb.empty()) continue;
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetNumberOfComponents(3);
+    colors->SetNumberOfTuples(static_cast<vtkIdType>(part_rgb[i].size() / 3));
+    std::copy(part_rgb[i].begin(), part_rgb[i].end(), colors->GetPointer(0));
+    mapper->GetInput()->GetPointData()->SetScalars(colors);
   }
 }
 

@@ -20,6 +20,9 @@ class ModelActors {
   /// Without poses the model is hidden.
   void place(const std::vector<Eigen::Isometry3d>& T_camera_body, double opacity);
 
+  /// By part, three bytes a vertex; empty: its own colour.
+  void color(const std::vector<std::vector<std::uint8_t>>& part_rgb);
+
  private:
   std::vector<vtkSmartPointer<vtkActor>> actors_;
   std::vector<std::size_t> body_of_actor_;

@@ -35,7 +35,7 @@ PointActor::PointActor(vtkRenderer& renderer) {
   renderer.AddActor(actor_);
 }
 
-void PointActor::set(const DisplayedScene& scene) {
+void PointActor::set(const DisplayedScene& scene, double scale) {
   const auto count = static_cast<vtkIdType>(scene.points.size());
   if (points_->GetNumberOfPoints() != count) {
     points_->SetNumberOfPoints(count);
@@ -48,7 +48,7 @@ void PointActor::set(const DisplayedScene& scene) {
   std::copy(scene.point_rgb.begin(), scene.point_rgb.end(), colors_->GetPointer(0));
   points_->Modified();
   colors_->Modified();
-  actor_->GetProperty()->SetPointSize(static_cast<float>(scene.point_size));
+  actor_->GetProperty()->SetPointSize(static_cast<float>(scale * scene.point_size));
   actor_->SetVisibility(count > 0 ? 1 : 0);
 }
 

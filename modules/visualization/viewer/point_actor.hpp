@@ -17,7 +17,8 @@ class PointActor {
  public:
   explicit PointActor(vtkRenderer& renderer);
 
-  void set(const DisplayedScene& scene);
+  /// scale: of the points' size.
+  void set(const DisplayedScene& scene, double scale);
 
  private:
   vtkNew<vtkPoints> points_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtk_window.hpp"
 
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkMath.h>
@@ -12,27 +13,23 @@
 namespace lockbox {
 namespace {
 
-constexpr double kTopOfBackground[] = {0.16, 0.18, 0.22};
-constexpr double kBottomOfBackground[] = {0.05, 0.06, 0.08};
-constexpr int kSamplesOfPictures = 8;  // a pixel; smooths edges
+constexpr int kSamplesOfPictures = 8;   // a pixel; smooths edges
+constexpr double kUsualWidth = 1280.0;  // pixels at scale 1
+constexpr double kUsualHeight = 800.0;
 
 }  // namespace
 
 VtkWindow::VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& options)
     : on_loss_(options.on_display_lost),
       title_(options.title),
-      model_(parts, *renderer_),
-      points_(*renderer_),
-      captions_(*renderer_),
+      left_(parts, options.scale),
+      right_(parts, options.scale),
       sliders_(*interactor_) {
-  renderer_->GradientBackgroundOn();
-  renderer_->SetBackground(kBottomOfBackground);
-  renderer_->SetBackground2(kTopOfBackground);
+  right_.renderer().SetActiveCamera(left_.renderer().GetActiveCamera());
   window_->SetMultiSamples(options.visible ? 0 : kSamplesOfPictures);
   window_->SetOffScreenRendering(options.visible ? 0 : 1);
-  window_->SetSize(options.width, options.height);
-  window_->AddRenderer(renderer_);
-  model_.place({}, 1.0);  // where it is, the first scene says
+  choose_size(options);
+  window_->AddRenderer(&left_.renderer());
   if (options.visible) listen();
   aim();
   window_->Render();
@@ -46,6 +43,17 @@ VtkWindow::~VtkWindow() {
   window_->Finalize();
   // The interactor keeps the connection: without this the window stays on the screen.
   if (auto* const display = static_cast<_XDisplay*>(window_->GetGenericDisplayId())) flush(display);
+}
+
+void VtkWindow::choose_size(const WindowOptions& options) {
+  int width = options.width > 0 ? options.width : static_cast<int>(kUsualWidth * options.scale);
+  int height = options.height > 0 ? options.height : static_cast<int>(kUsualHeight * options.scale);
+  if (options.visible && options.width <= 0) {
+    const int* const screen = window_->GetScreenSize();
+    width = std::min(width, screen[0]);
+    height = std::min(height, screen[1]);
+  }
+  window_->SetSize(width, height);
 }
 
 void VtkWindow::listen() {
@@ -65,7 +73,7 @@ void VtkWindow::look(const SceneCamera& camera) {
 }
 
 void VtkWindow::aim() {
-  vtkCamera& view = *renderer_->GetActiveCamera();
+  vtkCamera& view = *left_.renderer().GetActiveCamera();
   view.SetPosition(camera_.eye.data());
   view.SetFocalPoint(camera_.target.data());
   view.SetViewUp(camera_.up.data());
@@ -73,12 +81,48 @@ void VtkWindow::aim() {
 }
 
 void VtkWindow::show(const DisplayedScene& scene) {
-  points_.set(scene);
-  model_.place(scene.T_camera_body, scene.model_opacity);
-  captions_.set(scene);
+  split(false);
+  left_.set(scene);
+  draw(scene);
+}
+
+void VtkWindow::show_beside(const DisplayedScene& left, const DisplayedScene& right) {
+  split(true);
+  left_.set(left);
+  right_.set(right);
+  draw(left);
+}
+
+void VtkWindow::split(bool is_split) {
+  if (is_split == is_split_) return;
+  is_split_ = is_split;
+  left_.extend(0.0, is_split ? 0.5 : 1.0);
+  right_.extend(0.5, 1.0);
+  if (is_split) {
+    window_->AddRenderer(&right_.renderer());
+  } else {
+    window_->RemoveRenderer(&right_.renderer());
+  }
+}
+
+/// Both panes have one camera, which has to reach as far as the deeper one needs.
+void VtkWindow::reset_clipping() {
+  double bounds[6];
+  left_.renderer().ComputeVisiblePropBounds(bounds);
+  vtkBoundingBox all(bounds);
+  if (is_split_) {
+    right_.renderer().ComputeVisiblePropBounds(bounds);
+    all.AddBounds(bounds);
+  }
+  if (!all.IsValid()) return;
+  all.GetBounds(bounds);
+  left_.renderer().ResetCameraClippingRange(bounds);
+}
+
+void VtkWindow::draw(const DisplayedScene& with_sliders) {
   const bool is_visible = window_->GetOffScreenRendering() == 0;
-  if (is_visible) sliders_.set(scene);
-  renderer_->ResetCameraClippingRange();
+  if (is_visible) sliders_.set(with_sliders);
+  reset_clipping();
   window_->Render();
   if (is_visible) tell_rate();
 }
@@ -101,7 +145,7 @@ std::vector<std::string> VtkWindow::poll() {
   auto keys = style_->take_keys();
   if (std::find(keys.begin(), keys.end(), "r") != keys.end()) {
     aim();
-    renderer_->ResetCameraClippingRange();
+    reset_clipping();
     window_->Render();
   }
   return keys;

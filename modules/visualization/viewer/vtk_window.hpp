@@ -6,24 +6,24 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
-#include "captions.hpp"
 #include "display.hpp"
 #include "frame_rate.hpp"
 #include "key_style.hpp"
 #include "lockbox/visualization/scene_window.hpp"
-#include "model_actors.hpp"
-#include "point_actor.hpp"
+#include "scene_pane.hpp"
 #include "sliders.hpp"
 
 namespace lockbox {
 
 class VtkWindow : public SceneWindow {
  public:
+  /// options: with a scale.
   VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& options);
   ~VtkWindow() override;
 
   void look(const SceneCamera& camera) override;
   void show(const DisplayedScene& scene) override;
+  void show_beside(const DisplayedScene& left, const DisplayedScene& right) override;
   std::vector<std::string> poll() override;
   std::vector<SliderMove> take_moves() override { return sliders_.take_moves(); }
   bool is_open() const override;
@@ -31,6 +31,10 @@ class VtkWindow : public SceneWindow {
 
  private:
   void aim();
+  void choose_size(const WindowOptions& options);
+  void split(bool is_split);
+  void draw(const DisplayedScene& with_sliders);
+  void reset_clipping();
   void listen();
   void note_exit();
   void tell_rate();
@@ -41,13 +45,12 @@ class VtkWindow : public SceneWindow {
   bool tells_rate_ = false;
   SceneCamera camera_;
   bool closed_ = false;
-  vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkRenderWindow> window_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
   vtkNew<KeyStyle> style_;
-  ModelActors model_;
-  PointActor points_;
-  Captions captions_;
+  ScenePane left_;
+  ScenePane right_;  ///< in the window only where two scenes are shown
+  bool is_split_ = false;
   Sliders sliders_;
 };
 

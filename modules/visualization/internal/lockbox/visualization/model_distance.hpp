@@ -21,6 +21,15 @@ void model_distances(const ArticulatedModel& model,
                      const std::vector<Eigen::Vector3f>& p_camera, float limit,
                      std::vector<float>& distances);
 
+/// What nearest_bodies() gives where no body is within the limit.
+inline constexpr int kNoBody = -1;
+
+/// The index of the body that is nearest to each point, as model_distances() has them.
+void nearest_bodies(const ArticulatedModel& model,
+                    const std::vector<Eigen::Isometry3d>& T_camera_body,
+                    const std::vector<Eigen::Vector3f>& p_camera, float limit,
+                    std::vector<int>& bodies);
+
 /// Red behind the surface (negative), white on it, blue in front; the colours end at +-limit.
 /// Red, green, blue in [0, 1].
 Eigen::Vector3f distance_color(float distance, float limit);

@@ -7,40 +7,43 @@
 
 #include "lockbox/core/depth_frame.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/visualization/coloring.hpp"
 #include "lockbox/visualization/scene_window.hpp"
+#include "lockbox/visualization/shown_estimate.hpp"
 
 namespace lockbox {
-
-/// What is known of the model in a frame.
-struct ShownEstimate {
-  ShownEstimate() = default;
-  ShownEstimate(Configuration where, std::vector<double> deviations = {})
-      : configuration(std::move(where)), sigma(std::move(deviations)) {}
-
-  Configuration configuration;  ///< NaN while it is not known
-  std::vector<double> sigma;    ///< of the joints, by index, radians or metres; empty: not told
-};
 
 /// What of a scene the user wants to see.
 struct SceneChoices {
   bool points = true;
   bool model = true;
-  bool errors = false;  ///< points by their distance to the model, which becomes translucent
+  Coloring coloring = Coloring::plain;
+  bool beside = false;  ///< two scenes side by side
   bool help = false;    ///< the keys
 
-  /// Toggles what a key (its name in X11) stands for: `p`, `m`, `e`, `h`. False if it is none of
-  /// them.
+  /// Toggles what a key (its name in X11) stands for: `p`, `m`, `s`, `h`, and those of
+  /// coloring_of_key(). False if it is none of them.
   bool handle(const std::string& key);
+
+  /// What the left one of two scenes shows where they show the same frame: what was measured.
+  SceneChoices measured_only() const;
 };
 
 /// Explains the keys of SceneChoices and of the window.
 inline constexpr char kSceneHelp[] =
     "  e             errors: colours say how far points are from the model\n"
+    "  b             bodies: which one is nearest to each point\n"
+    "  t             terms: which term of the registration points enter\n"
+    "  u             uncertainty of where the model's surface is\n"
+    "  s             side by side\n"
     "  m, p          model, points on and off\n"
     "  r             the view from near the sensor\n"
     "  mouse         turns; with shift it moves, the wheel zooms\n"
     "  h             this help on and off\n"
     "  q             close\n";
+
+/// The status of a scene of measured_only().
+inline constexpr char kMeasuredTitle[] = "as it was measured";
 
 /// The first line of a status: number and stamp (seconds) of a frame, a word on its estimate.
 std::string frame_title(std::size_t index, double stamp, const std::string& word);
@@ -51,7 +54,7 @@ class SceneComposer {
   /// The model is referred to, not copied. help: the lines that explain the keys where they are
   /// asked for; empty: nothing is said of keys.
   SceneComposer(const ArticulatedModel& model, std::string help)
-      : model_(model), help_(std::move(help)) {}
+      : model_(model), help_(std::move(help)), colors_(model) {}
 
   /// The model's parts, for the window.
   std::vector<ScenePart> parts() const;
@@ -64,12 +67,11 @@ class SceneComposer {
  private:
   void place_model(const Configuration& configuration);
   void place_points(const DepthFrame& frame);
-  void color_points_by_distance();
 
   const ArticulatedModel& model_;
   std::string help_;
   std::vector<Eigen::Isometry3d> T_camera_body_;  ///< empty while they are not known
-  std::vector<float> distances_;
+  SceneColors colors_;
   DisplayedScene scene_;
 };
 

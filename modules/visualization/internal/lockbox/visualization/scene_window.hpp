@@ -29,6 +29,12 @@ struct ScaleColor {
   Eigen::Vector3f color;  ///< red, green, blue in [0, 1]
 };
 
+/// What a colour stands for.
+struct LegendEntry {
+  std::string name;
+  Eigen::Vector3f color;  ///< red, green, blue in [0, 1]
+};
+
 /// A quantity that the user sets with the mouse.
 struct SceneSlider {
   std::string name;
@@ -51,11 +57,15 @@ struct DisplayedScene {
   double point_size = 1.0;                       ///< pixels of the window
   std::vector<Eigen::Isometry3d> T_camera_body;  ///< by body; empty: the model is not shown
   double model_opacity = 1.0;
+  /// By part, three bytes a vertex; empty: the parts have their own colours.
+  std::vector<std::vector<std::uint8_t>> part_rgb;
   std::string status;                   ///< lines for the upper left corner
   std::string help;                     ///< a line for the lower left corner
   std::string overlay;                  ///< lines over the middle of the picture
   std::string scale_title;              ///< of the colour scale
   std::vector<ScaleColor> scale;        ///< values at equal steps; empty: no scale is shown
+  bool is_scale_logarithmic = false;    ///< then its values are at equal ratios
+  std::vector<LegendEntry> legend;      ///< for the upper right corner
   std::vector<SceneSlider> sliders;     ///< on the left; not in pictures
   std::optional<SceneSlider> seek_bar;  ///< at the bottom; not in pictures
 };
@@ -79,6 +89,9 @@ class SceneWindow {
   /// Draws the scene, which may change or go afterwards.
   virtual void show(const DisplayedScene& scene) = 0;
 
+  /// Draws two side by side, seen from the same place. Sliders are those of the left one.
+  virtual void show_beside(const DisplayedScene& left, const DisplayedScene& right) = 0;
+
   /// Handles what the user did since the last call (the mouse turns, shifts and zooms the view) and
   /// returns the keys that were pressed, by their names in X11. Does not wait.
   virtual std::vector<std::string> poll() = 0;
@@ -95,8 +108,11 @@ class SceneWindow {
 
 struct WindowOptions {
   std::string title = "lockbox";
-  int width = 1280;  ///< pixels
-  int height = 800;
+  int width = 0;   ///< pixels; 0: 1280, times the scale, and no more than the display has
+  int height = 0;  ///< pixels; 0: 800, likewise
+  /// Of texts and points; 0: of a visible window that of the display (its resource Xft.dpi, over
+  /// 96), of others 1.
+  double scale = 0.0;
   bool visible = true;  ///< else only for picture(), with smooth edges
   /// Called if the display goes, in the thread of the window, which then stops for good: it must
   /// not be waited for. Without it the process ends, as is usual with X.

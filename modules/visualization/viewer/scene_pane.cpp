@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene_pane.hpp"
+
+namespace lockbox {
+namespace {
+
+constexpr double kTopOfBackground[] = {0.16, 0.18, 0.22};
+constexpr double kBottomOfBackground[] = {0.05, 0.06, 0.08};
+
+}  // namespace
+
+ScenePane::ScenePane(const std::vector<ScenePart>& parts, double scale)
+    : model_(parts, *renderer_), points_(*renderer_), captions_(*renderer_, scale), scale_(scale) {
+  renderer_->GradientBackgroundOn();
+  renderer_->SetBackground(kBottomOfBackground);
+  renderer_->SetBackground2(kTopOfBackground);
+  model_.place({}, 1.0);  // where it is, the first scene says
+}
+
+void ScenePane::set(const DisplayedScene& scene) {
+  points_.set(scene, scale_);
+  model_.place(scene.T_camera_body, scene.model_opacity);
+  model_.color(scene.part_rgb);
+  captions_.set(scene);
+}
+
+void ScenePane::extend(double left, double right) {
+  renderer_->SetViewport(left, 0.0, right, 1.0);
+}
+
+}  // namespace lockbox
