@@ -168,6 +168,18 @@ TEST_F(Live, GoesOnWhereTheCameraWasUnpluggedAndCountsWhatItMissed) {
   EXPECT_EQ(OniPlayer(path("away.oni")).frame_count(), rows("away"));
 }
 
+TEST_F(Live, SaysThatARecordingAloneEndsWhereTheCameraIsUnplugged) {
+  BlockCamera camera(path("block"), kUsual);
+  Tool tool({"record", "--source", "openni2:" + camera.uri(), "--output", path("alone.oni")});
+  while (camera.sent() < 20) std::this_thread::sleep_for(20ms);
+  std::this_thread::sleep_for(500ms);
+  camera.unplug();
+  const auto result = tool.wait();
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("was unplugged, and the recording ends there"));
+  EXPECT_GT(OniPlayer(path("alone.oni")).frame_count(), 1U);
+}
+
 TEST_F(Live, GoesOnWhereTheCameraHasStalled) {
   BlockCamera camera(path("block"), kUsual);
   Tool tool(watching(camera, "stalled"));

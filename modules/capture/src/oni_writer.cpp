@@ -214,18 +214,24 @@ std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& ca
 
 namespace {
 
-std::size_t record_device(const std::string& uri, const std::optional<WantedMode>& mode,
-                          const std::filesystem::path& file, const RecordingEnd& end) {
+std::size_t record_device(const std::string& uri, const std::filesystem::path& file,
+                          const RecordingEnd& end, const SourceOptions& options) {
   using Seconds = std::chrono::duration<double>;
   std::optional<RecordingLock> lock;
   lock_replaceable(file, lock);
-  RecorderProcess recorder(uri, mode ? to_string(*mode) : "", file, *lock);
+  RecorderProcess recorder(uri, options.mode ? to_string(*options.mode) : "", file, *lock);
   const auto start = std::chrono::steady_clock::now();
   while (recorder.is_running() && !end.stop() &&
          Seconds(std::chrono::steady_clock::now() - start).count() < end.seconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
+  const bool is_unplugged = !recorder.is_running();
   recorder.finish();
+  if (is_unplugged && options.warn) {
+    options.warn(
+        "the device was unplugged, and the recording ends there (one that goes on when it is back "
+        "is made by `lockbox track --record`)");
+  }
   cut_tail(file);
   return validate_oni(file).frame_count;
 }
@@ -241,7 +247,7 @@ std::size_t record(const std::string& source, const std::filesystem::path& file,
           "a device is recorded as it is: calibration and depth scale (--camera-info, "
           "--depth-scale) are not used");
     }
-    return record_device(source.substr(kLive.size()), options.mode, file, end);
+    return record_device(source.substr(kLive.size()), file, end, options);
   }
   const std::unique_ptr<FrameSource> recording = open_source(source, options);
   DepthFrame frame;
