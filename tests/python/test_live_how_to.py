@@ -1,64 +1,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The commands of docs/how-to/live.md, as they stand there, on a virtual camera made of what
-docs/file-formats.md says of it."""
+"""The commands of docs/how-to/live.md, as they stand there, on a virtual camera."""
 
 import os
 import pathlib
 import re
 import signal
-import socket
-import struct
 import subprocess
-import threading
 import time
 
 import pytest
 
 from document import code_blocks
+from virtual_camera import virtual_camera
 
-MODES = [(640, 480, 30, 1000), (320, 240, 60, 1000)]  # width, height, frames a second, unit
 SOURCES = pathlib.Path(__file__).parents[2] / "modules" / "capture" / "src"
-
-
-def serve(server):
-    """A wall, 1.5 m away, for one user after the other."""
-    while True:
-        try:
-            connection = server.accept()[0]
-        except OSError:
-            return  # closed
-        try:
-            width, height, rate, unit = MODES[0]
-            connection.sendall(struct.pack("<8sIIIIffII", b"LBXDEPTH", 2, width, height, rate,
-                                           1.0, 0.79, unit, 0))
-            connection.sendall(struct.pack("<I4I", 1, *MODES[1]))
-            chosen = connection.recv(4)
-            if len(chosen) < 4:
-                continue  # looked at only
-            width, height, rate, unit = MODES[struct.unpack("<I", chosen)[0]]
-            wall = struct.pack("<H", 1500) * (width * height)
-            for number in range(10**6):
-                connection.sendall(struct.pack("<Q", number * 1000000 // rate) + wall)
-                time.sleep(1 / rate)
-        except OSError:
-            pass  # its user has enough
-        finally:
-            connection.close()
 
 
 @pytest.fixture
 def environment(tool, tmp_path):
-    path = tmp_path / "camera"
-    server = socket.socket(socket.AF_UNIX)
-    server.bind(str(path))
-    server.listen()
-    thread = threading.Thread(target=serve, args=(server,), daemon=True)
-    thread.start()
-    yield {**os.environ, "LOCKBOX_VIRTUAL_DEPTH": str(path),
-           "PATH": f"{pathlib.Path(tool).parent}:{os.environ['PATH']}"}
-    server.shutdown(socket.SHUT_RDWR)
-    server.close()
-    thread.join()
+    with virtual_camera(tmp_path / "camera") as path:
+        yield {**os.environ, "LOCKBOX_VIRTUAL_DEPTH": str(path),
+               "PATH": f"{pathlib.Path(tool).parent}:{os.environ['PATH']}"}
 
 
 @pytest.fixture
