@@ -15,8 +15,9 @@ namespace {
 constexpr double kStatusSize = 14.0;
 constexpr double kSmallSize = 13.0;
 constexpr double kOverlaySize = 16.0;
-constexpr double kLegendStep = 19.0;  // from line to line
-constexpr double kScaleRoom = 115.0;  // of the colour scale and its texts, up to the right margin
+constexpr double kLegendStep = 19.0;    // from line to line
+constexpr double kLegendBottom = 0.09;  // of the height: above the seek bar
+constexpr double kScaleRoom = 115.0;    // of the colour scale and its texts, up to the right margin
 constexpr double kScaleWidth = 90.0;
 constexpr std::size_t kMostLegendLines = 28;
 
@@ -109,7 +110,8 @@ void Captions::set_legend(const std::vector<LegendEntry>& legend) {
     patch->GetTextProperty()->SetColor(color.x(), color.y(), color.z());
     patch->GetTextProperty()->SetBackgroundColor(color.x(), color.y(), color.z());
     patch->GetTextProperty()->SetBackgroundOpacity(1.0);
-    const double top = size[1] - margin - scale_factor_ * kLegendStep * static_cast<double>(i);
+    const double top =
+        kLegendBottom * size[1] + scale_factor_ * kLegendStep * static_cast<double>(lines - i);
     patch->SetPosition(name_at - 3.0 * letter, top);
     name->SetPosition(name_at, top);
   }

@@ -65,7 +65,7 @@ struct DisplayedScene {
   std::string scale_title;              ///< of the colour scale
   std::vector<ScaleColor> scale;        ///< values at equal steps; empty: no scale is shown
   bool is_scale_logarithmic = false;    ///< then its values are at equal ratios
-  std::vector<LegendEntry> legend;      ///< for the upper right corner
+  std::vector<LegendEntry> legend;      ///< for the lower right corner
   std::vector<SceneSlider> sliders;     ///< on the left; not in pictures
   std::optional<SceneSlider> seek_bar;  ///< at the bottom; not in pictures
 };
