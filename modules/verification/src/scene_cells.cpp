@@ -56,6 +56,12 @@ double SceneCells::deviation(double inverse_depth, const Sight& sight) const {
   return std::hypot(deviation(inverse_depth), noise_ * std::sqrt(sight.variances()));
 }
 
+int SceneCells::outline_reach(double inverse_depth) const {
+  const double cells_a_metre = camera_.fx * inverse_depth;
+  return static_cast<int>(std::ceil(evidence::kOutlineTolerance * cells_a_metre +
+                                    evidence::kOutlinePixels * width() / 640.0));
+}
+
 double SceneCells::density(int u, int v) const {
   const double cell = at(u, v);
   double sum = 0.0;

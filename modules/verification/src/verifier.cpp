@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cell_judgement.hpp"
 #include "contour_lines.hpp"
 #include "evidence_constants.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
@@ -18,21 +19,6 @@
 
 namespace lockbox {
 namespace {
-
-enum class Seen : std::uint8_t { nothing, explained, occluder, behind };
-
-/// What the model shows within the tolerance of an outline around a cell, 1/metre.
-struct Around {
-  double farthest;
-  double nearest;
-  bool is_at_outline;  ///< it shows nothing in some of these cells
-
-  /// How much nearer a measurement is than all of them; negative: farther; 0: among them.
-  double beyond(double inverse_depth) const {
-    if (inverse_depth > nearest) return inverse_depth - nearest;
-    return std::min(0.0, inverse_depth - farthest);
-  }
-};
 
 /// Cells at a contour, to each side, that it tells by: those within the reach of a sight.
 constexpr double kBand = 5.0;
@@ -68,12 +54,6 @@ struct Sums {
   }
 };
 
-/// What lies on the scene's own surface errs, too.
-double of_misfit(double misfit) {
-  constexpr double kUsual = 2.0;  // standard deviations
-  return -0.5 * std::max(0.0, misfit * misfit - kUsual * kUsual) / evidence::kFace;
-}
-
 }  // namespace
 
 struct Verifier::Workspace {
@@ -81,14 +61,8 @@ struct Verifier::Workspace {
 
   void draw(const Configuration& configuration);
   Evidence sum_up();
-  void judge_row(int v);
-  void tell_hidden_bodies();
   double chance_of_a_line() const;
   void compare_row(int v);
-  double shown(int u, int v) const { return static_cast<double>(cells[image.index(u, v)]); }
-  int outline_reach(double inverse_depth) const;
-  Around around(int u, int v) const;
-  Seen judge(int u, int v, Evidence& sum) const;
   void compare_lines(int u, int v, Sums& sum) const;
   bool is_in_sight(int u, int v, const Eigen::Vector2f& direction) const;
   double of_occluder(int u, int v) const;
@@ -98,8 +72,8 @@ struct Verifier::Workspace {
   Executor executor{1};
   std::optional<SceneCells> scene;
   std::unique_ptr<DepthRenderer> renderer;
-  RenderedDepth image;
-  std::vector<float> cells;  ///< what the model shows, 1/metre; 0: nothing
+  ShownModel shown;
+  CellJudgement judgement;
   ContourLines scene_lines;
   ContourLines model_lines;
   ContourLines faint_lines;  ///< of the model, those that are hardly ones, too
@@ -107,11 +81,7 @@ struct Verifier::Workspace {
   ContourLines blurred_lines;  ///< of the model, those that a sensor's window leaves
   std::vector<Eigen::Isometry3d> poses;
   std::vector<RenderItem> items;
-  std::vector<Seen> seen;
-  std::vector<int> explained_cells;   ///< by body
-  std::vector<int> hidden_cells;      ///< by body
-  std::vector<std::uint8_t> is_mute;  ///< by body: what shows of it may be anything
-  std::vector<Sums> sums;             ///< by row
+  std::vector<Sums> sums;  ///< by row
 };
 
 Verifier::Verifier(const KinematicTree& tree) : workspace_(std::make_unique<Workspace>(tree)) {}
@@ -139,64 +109,32 @@ void Verifier::Workspace::draw(const Configuration& configuration) {
   forward_kinematics(tree, configuration, poses);
   items.clear();
   for (std::size_t b = 0; b < poses.size(); ++b) items.push_back(body_item(tree, b, poses[b]));
-  renderer->render(items, image);
-  cells.resize(image.id.size());
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    cells[cell] = image.id[cell] == kNothing ? 0.0F : 1.0F / image.depth[cell];
+  renderer->render(items, shown.image);
+  const RenderedDepth& image = shown.image;
+  shown.cells.resize(image.id.size());
+  for (std::size_t cell = 0; cell < image.id.size(); ++cell) {
+    shown.cells[cell] = image.id[cell] == kNothing ? 0.0F : 1.0F / image.depth[cell];
   }
-  model_lines.find(*scene, cells, 1.0, executor);
+  model_lines.find(*scene, shown.cells, 1.0, executor);
   model_lines.join_lines(*scene);
-  faint_lines.find(*scene, cells, evidence::kFaint, executor);
-  blurred_lines.find(*scene, window.smear(cells, scene->width(), executor), 1.0, executor);
+  faint_lines.find(*scene, shown.cells, evidence::kFaint, executor);
+  blurred_lines.find(*scene, window.smear(shown.cells, scene->width(), executor), 1.0, executor);
 }
 
 Evidence Verifier::Workspace::sum_up() {
-  seen.assign(image.id.size(), Seen::nothing);
+  Evidence evidence = judgement.judge(*scene, shown, tree.bodies.size(), executor);
   sums.assign(static_cast<std::size_t>(scene->height()), {});
-  const ImageWindow& drawn = image.drawn;
-  const auto rows = static_cast<std::size_t>(std::max(0, drawn.height));
+  const ImageWindow& drawn = shown.image.drawn;
   constexpr std::size_t kRows = 8;  // a chunk
-  executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) judge_row(drawn.top + static_cast<int>(i));
-  });
-  tell_hidden_bodies();
+  const auto rows = static_cast<std::size_t>(std::max(0, drawn.height));
   executor.for_each_chunk(rows, kRows, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) compare_row(drawn.top + static_cast<int>(i));
   });
   Sums all;
   for (const Sums& row : sums) all += row;
-  all.evidence.matched = beyond_chance(all.evidence.matched, all.unmatched, chance_of_a_line());
-  return all.evidence;
-}
-
-void Verifier::Workspace::judge_row(int v) {
-  Evidence& sum = sums[static_cast<std::size_t>(v)].evidence;
-  for (int u = image.drawn.left; u < image.drawn.right(); ++u) {
-    if (!(shown(u, v) > 0.0) || !(scene->at(u, v) > 0.0)) continue;
-    ++sum.cells;
-    seen[image.index(u, v)] = judge(u, v, sum);
-  }
-}
-
-/// The base is what is sought, however little of it is seen.
-void Verifier::Workspace::tell_hidden_bodies() {
-  explained_cells.assign(tree.bodies.size(), 0);
-  hidden_cells.assign(tree.bodies.size(), 0);
-  const ImageWindow& drawn = image.drawn;
-  for (int v = drawn.top; v < drawn.bottom(); ++v) {
-    for (int u = drawn.left; u < drawn.right(); ++u) {
-      const std::size_t cell = image.index(u, v);
-      if (seen[cell] == Seen::nothing) continue;
-      const auto body = static_cast<std::size_t>(image.id[cell]);
-      explained_cells[body] += seen[cell] == Seen::explained ? 1 : 0;
-      hidden_cells[body] += seen[cell] == Seen::occluder ? 1 : 0;
-    }
-  }
-  is_mute.assign(tree.bodies.size(), 0);
-  for (std::size_t b = 1; b < is_mute.size(); ++b) {
-    const double all = explained_cells[b] + hidden_cells[b];
-    is_mute[b] = explained_cells[b] < evidence::kLeastSeen * all ? 1 : 0;
-  }
+  evidence += all.evidence;
+  evidence.matched = beyond_chance(evidence.matched, all.unmatched, chance_of_a_line());
+  return evidence;
 }
 
 /// The share of places and directions, on what is seen of the object, at which the model has a
@@ -206,11 +144,11 @@ double Verifier::Workspace::chance_of_a_line() const {
   // As if one had been seen, and one not: few cells know no chance of 0 or 1 (Laplace).
   std::size_t matched = 1;
   std::size_t all = 2;
-  const ImageWindow& drawn = image.drawn;
+  const ImageWindow& drawn = shown.image.drawn;
   for (int v = drawn.top; v < drawn.top + drawn.height; v += kApart) {
     for (int u = drawn.left; u < drawn.right(); u += kApart) {
-      if (seen[image.index(u, v)] != Seen::explained) continue;
-      const int reach = outline_reach(shown(u, v));
+      if (judgement.at(shown.index(u, v)) != Seen::explained) continue;
+      const int reach = scene->outline_reach(shown.at(u, v));
       all += kSights.size();
       for (const Sight& sight : kSights)
         matched += model_lines.passes(*scene, u, v, reach, sight.way());
@@ -221,34 +159,11 @@ double Verifier::Workspace::chance_of_a_line() const {
 
 void Verifier::Workspace::compare_row(int v) {
   Sums& sum = sums[static_cast<std::size_t>(v)];
-  for (int u = image.drawn.left; u < image.drawn.right(); ++u) {
-    if (seen[image.index(u, v)] == Seen::nothing) continue;
+  for (int u = shown.image.drawn.left; u < shown.image.drawn.right(); ++u) {
+    if (judgement.at(shown.index(u, v)) == Seen::nothing) continue;
     sum.evidence.occluded += of_occluder(u, v);
     compare_lines(u, v, sum);
   }
-}
-
-/// Cells by which an outline may be off, all told.
-int Verifier::Workspace::outline_reach(double inverse_depth) const {
-  const double cells_a_metre = scene->camera().fx * inverse_depth;
-  return static_cast<int>(std::ceil(evidence::kOutlineTolerance * cells_a_metre +
-                                    evidence::kOutlinePixels * scene->width() / 640.0));
-}
-
-Around Verifier::Workspace::around(int u, int v) const {
-  const double here = shown(u, v);
-  const int reach = outline_reach(here);
-  Around found{here, here, false};
-  for (int dv = -reach; dv <= reach; ++dv) {
-    for (int du = -reach; du <= reach; ++du) {
-      if (du * du + dv * dv > reach * reach || !scene->contains(u + du, v + dv)) continue;
-      const double there = shown(u + du, v + dv);
-      found.is_at_outline |= !(there > 0.0);
-      if (there > 0.0) found.farthest = std::min(found.farthest, there);
-      found.nearest = std::max(found.nearest, there);
-    }
-  }
-  return found;
 }
 
 /// Whether what was measured beyond a contour is known, and does not hide what the model has there.
@@ -259,8 +174,9 @@ bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direc
     const int at_u = u + static_cast<int>(std::lround(static_cast<float>(beyond) * way.x()));
     const int at_v = v + static_cast<int>(std::lround(static_cast<float>(beyond) * way.y()));
     if (!scene->contains(at_u, at_v) || !(scene->at(at_u, at_v) > 0.0)) return false;
-    const bool is_hidden = shown(at_u, at_v) > 0.0 ? seen[image.index(at_u, at_v)] == Seen::occluder
-                                                   : scene->at(at_u, at_v) > nearest;
+    const bool is_hidden = shown.at(at_u, at_v) > 0.0
+                               ? judgement.at(shown.index(at_u, at_v)) == Seen::occluder
+                               : scene->at(at_u, at_v) > nearest;
     if (is_hidden) return false;
   }
   return true;
@@ -269,12 +185,12 @@ bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direc
 /// Each line of the scene tells for the model in so far as the model has it, too, and each line of
 /// the model against it in so far as the scene goes on there.
 void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
-  const std::size_t cell = image.index(u, v);
-  if (seen[cell] != Seen::explained) return;
-  if (is_mute[static_cast<std::size_t>(image.id[cell])] != 0) return;
+  const std::size_t cell = shown.index(u, v);
+  if (judgement.at(cell) != Seen::explained) return;
+  if (!judgement.tells(shown.image.id[cell])) return;
   const Eigen::Vector2f& of_scene = scene_lines.direction(cell);
   const Eigen::Vector2f& of_model = model_lines.direction(cell);
-  const int reach = outline_reach(shown(u, v));
+  const int reach = scene->outline_reach(shown.at(u, v));
   if (!of_scene.isZero()) {
     const int length = scene_lines.cells_of_line(cell);
     const double share = worth(length) / length;
@@ -294,37 +210,14 @@ void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
   }
 }
 
-/// Adds what one cell says, unless it is hidden.
-Seen Verifier::Workspace::judge(int u, int v, Evidence& sum) const {
-  const double cell = scene->at(u, v);
-  const double here = shown(u, v);
-  const double deviation = scene->deviation(here);
-  const double misfit = (cell - here) / deviation;
-  if (std::abs(misfit) < evidence::kAgree) {
-    sum.misfit += of_misfit(misfit);
-    return Seen::explained;
-  }
-  const Around near = around(u, v);
-  const double beyond = near.beyond(cell);
-  if (std::abs(beyond) < evidence::kAgree * deviation) {
-    sum.misfit += of_misfit(beyond / deviation);
-    return Seen::explained;
-  }
-  if (beyond > 0.0) return Seen::occluder;
-  if (near.is_at_outline) return Seen::explained;  // what lies beside the model
-  const double anywhere = evidence::kOutliers / evidence::kInverseRange;
-  sum.seen_through += std::min(0.0, std::log(anywhere / scene->density(u, v))) / evidence::kWindow;
-  return Seen::behind;
-}
-
 /// Of an occluder's cell.
 double Verifier::Workspace::of_occluder(int u, int v) const {
-  if (seen[image.index(u, v)] != Seen::occluder) return 0.0;
+  if (judgement.at(shown.index(u, v)) != Seen::occluder) return 0.0;
   double nats = 0.0;
   for (const auto& [du, dv] :
        {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0), std::pair(0, -1)}) {
     if (!scene->contains(u + du, v + dv)) continue;
-    const Seen there = seen[image.index(u + du, v + dv)];
+    const Seen there = judgement.at(shown.index(u + du, v + dv));
     if (there == Seen::explained || there == Seen::behind) nats -= evidence::kOccluderEdge;
   }
   return nats;
