@@ -41,7 +41,7 @@ lockbox=$root/usr/bin/lockbox
 "$lockbox" track --model rigid_block --source "$folder/block.oni" --quiet \
   --initial-state "$folder/groundtruth.csv" --output "$folder/run"
 [[ $(wc --lines <"$folder/run/states.csv") == 4 ]] || fail "not a row for each frame"
-"$lockbox" experiment --help | grep --quiet convergence || fail "there are no experiments"
+[[ $("$lockbox" experiment --help) == *convergence* ]] || fail "there are no experiments"
 gzip --test "$root"/usr/share/man/man1/lockbox{,-track}.1.gz
 [[ -s $root/usr/share/bash-completion/completions/lockbox ]] || fail "there is no completion"
 if [[ -d $root/usr/lib/python3 ]]; then
