@@ -51,6 +51,7 @@ std::vector<std::string> encoder_arguments(const std::filesystem::path& file, in
 /// not for it. Returns 0, or why it does not start.
 int start_encoder(std::vector<std::string> words, int input, pid_t& process) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;

@@ -110,7 +110,7 @@ TEST(CameraInfo, AMatrixOfAnotherResolutionIsToldWithTheFactor) {
     std::vector<std::string> texts;
     SourceOptions options;
     options.warn = [&texts](const std::string& text) { texts.push_back(text); };
-    DepthFolderSource(folder / "sequence", options);
+    const DepthFolderSource source(folder / "sequence", options);
     return texts;
   };
   EXPECT_THAT(warnings({160, 120, 288, 288, 159.5, 119.5}), ElementsAre(HasSubstr("by 0.5")));

@@ -72,7 +72,7 @@ TEST(FrameGrabber, CloudsAreOrganizedAndInTheOpticalFrame) {
   const DepthFrame frame = synthetic_frame(0);
   for (int v = 0; v < 120; v += 7) {
     for (int u = 0; u < 160; u += 7) {
-      const pcl::PointXYZ& point = (*cloud)(u, v);
+      const pcl::PointXYZ& point = cloud->at(u, v);
       const double z = frame.metres(u, v);
       if (z == 0.0) {
         EXPECT_TRUE(std::isnan(point.x) && std::isnan(point.y) && std::isnan(point.z));

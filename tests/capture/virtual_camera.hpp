@@ -21,7 +21,7 @@ namespace lockbox {
 class VirtualCamera {
  public:
   /// frame: what it sees, by the number of frames that were sent since it exists.
-  VirtualCamera(std::function<DepthFrame(std::uint64_t)> frame, int frames_per_second,
+  VirtualCamera(const std::function<DepthFrame(std::uint64_t)>& frame, int frames_per_second,
                 float metres_per_unit = 0.001F)
       : frame_([frame](std::uint64_t number, std::size_t) { return frame(number); }),
         modes_{{frame(0).camera, frames_per_second, metres_per_unit}} {

@@ -139,6 +139,7 @@ TEST_F(SearchStages, SearchAlongSingleUnknownsComesNearer) {
 TEST_F(SearchStages, TheBestAreKeptAndNoPlaceCrowdsOutTheOthers) {
   const ModelLevers levers = model_levers(model_.tree);
   std::vector<Hypothesis> hypotheses;
+  hypotheses.reserve(7);
   for (int i = 0; i < 5; ++i) {  // in one place, 5 cm from the next
     hypotheses.push_back({displaced(0.05 * i), all_, 100.0 - i});
   }

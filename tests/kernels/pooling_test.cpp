@@ -81,7 +81,7 @@ TEST_F(PooledDeviationTest, OfNothingAreNone) {
 
 TEST_F(PooledDeviationTest, EveryInstructionSetAndWidthSaysTheSame) {
   measure(0.002F);
-  for (const std::size_t width : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64}) {
+  for (const std::size_t width : {1U, 2U, 3U, 4U, 6U, 8U, 12U, 16U, 24U, 32U, 64U}) {
     double sum = 0.0;
     double count = 0.0;
     for (std::size_t row = 0; row < 5; ++row) {

@@ -177,14 +177,15 @@ TEST(SmallHoles, StayWhereThereAreTooMany) {
 TEST(SmallHoles, StayWhereTheirBordersMeet) {
   // Two triangles that share a vertex only.
   TriangleMesh mesh = make_sphere(0.05);
-  const auto [a, b, c] = mesh.triangles[1000];
+  const auto first = mesh.triangles[1000];
   std::size_t removed = 0;
   std::erase_if(mesh.triangles, [&](const auto& triangle) {
-    const auto shared = std::count_if(triangle.begin(), triangle.end(),
-                                      [&](std::uint32_t v) { return v == a || v == b || v == c; });
+    const auto shared = std::count_if(triangle.begin(), triangle.end(), [&](std::uint32_t v) {
+      return std::find(first.begin(), first.end(), v) != first.end();
+    });
     const bool is_first = shared == 3;
     const bool is_second = shared == 1 && removed == 0 &&
-                           std::find(triangle.begin(), triangle.end(), a) != triangle.end();
+                           std::find(triangle.begin(), triangle.end(), first[0]) != triangle.end();
     removed += is_second ? 1 : 0;
     return is_first || is_second;
   });

@@ -25,8 +25,10 @@ class PclIndicesTest : public PclRegistrationTest {
   /// Of every fourth row and column; not an image of which the camera could not be told.
   Cloud::Ptr smaller() const {
     const auto small = pcl::make_shared<Cloud>(scan->width / 4, scan->height / 4);
-    for (std::uint32_t v = 0; v < small->height; ++v) {
-      for (std::uint32_t u = 0; u < small->width; ++u) small->at(u, v) = scan->at(4 * u, 4 * v);
+    const auto width = static_cast<int>(small->width);
+    const auto height = static_cast<int>(small->height);
+    for (int v = 0; v < height; ++v) {
+      for (int u = 0; u < width; ++u) small->at(u, v) = scan->at(4 * u, 4 * v);
     }
     return small;
   }

@@ -132,7 +132,7 @@ TEST_F(AlignmentTest, FromAPredictionMakesNoMoreIterationsThanAllowed) {
 TEST_F(AlignmentTest, FromANearPredictionTakesTwoIterations) {
   const TiledCloud seen = cloud_of(measured(model, truth, "primesense", 7));
   for (const double off : {0.001, 0.0035}) {
-    for (const std::size_t budget : {1000, 20000}) {
+    for (const std::size_t budget : {1000U, 20000U}) {
       Configuration start = truth;
       start.q[0] += off;
       RegistrationOptions options;

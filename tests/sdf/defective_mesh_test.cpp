@@ -86,7 +86,7 @@ TEST(DefectiveMesh, InsideOutIsTurned) {
 TEST(DefectiveMesh, AFewMissingTrianglesDoNotMatter) {
   const TriangleMesh good = make_sphere(0.015);
   TriangleMesh mesh = good;
-  for (const std::size_t t : {400U, 200U, 7U}) {
+  for (const std::ptrdiff_t t : {400, 200, 7}) {
     mesh.triangles.erase(mesh.triangles.begin() + t);
   }
   const SignedDistanceField field = field_of(mesh, 0.002);

@@ -159,7 +159,7 @@ TEST_F(BlockAveragesTest, WhatStandsBeforeAFaceIsNotPartOfIt) {
 
 TEST_F(BlockAveragesTest, OfASmallBudgetAreNotMoreThanThat) {
   const TiledCloud cloud = seen("ideal");
-  for (const std::size_t budget : {500, 1000, 2000}) {
+  for (const std::size_t budget : {500U, 1000U, 2000U}) {
     const BlockAverages points = pooled(cloud, truth, budget);
     EXPECT_LE(points.valid_points(), budget);
     EXPECT_GT(pixels_of(points), 10.0 * static_cast<double>(points.valid_points()));

@@ -28,8 +28,8 @@ const std::array<Eigen::Vector3f, 7> kDistinct = {
 
 /// After seven bodies the same colours come again, darker.
 Eigen::Vector3f color_of_body(std::size_t body) {
-  const auto round = static_cast<float>(body / kDistinct.size());
-  return kDistinct[body % kDistinct.size()] * std::pow(0.6F, round);
+  const std::size_t round = body / kDistinct.size();
+  return kDistinct[body % kDistinct.size()] * std::pow(0.6F, static_cast<float>(round));
 }
 
 struct TermColor {
