@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <numbers>
 
 #include "../initialization/seen_model.hpp"
 #include "../temporary_folder.hpp"
@@ -70,19 +71,48 @@ constexpr auto kMarkedBox = R"(<robot name="marked_box"><link name="box">
   <visual><origin xyz="0.08 0.05 -0.06"/><geometry><box size="0.06 0.04 0.02"/></geometry></visual>
 </link></robot>)";
 
-TEST(Alternatives, AreSaidWhereTheObjectMayAsWellBeTurned) {
-  const TemporaryFolder folder;
-  std::ofstream(folder.path() / "box.urdf") << kMarkedBox;
-  const ArticulatedModel model = load_model(folder.path() / "box.urdf", with_cache());
-  Configuration truth = rest_configuration(model.tree);
-  truth.T_camera_base = facing_pose(0.8) * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY()) *
-                        Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX());
+class MarkedBox : public ::testing::Test {
+ protected:
+  MarkedBox() {
+    std::ofstream(folder_.path() / "box.urdf") << kMarkedBox;
+    model = load_model(folder_.path() / "box.urdf", with_cache());
+  }
+
+  /// Its back is hidden: it may as well be turned.
+  Configuration ambiguous() const {
+    Configuration configuration = rest_configuration(model.tree);
+    configuration.T_camera_base = facing_pose(0.8) *
+                                  Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY()) *
+                                  Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX());
+    return configuration;
+  }
+
+  /// Which does not turn with the box.
+  static Scene wall() {
+    Scene scene;
+    scene.planes.push_back(
+        {SceneFrame::world, {0.0, 0.0, 1.4}, -Eigen::Vector3d::UnitZ(), {8.0, 8.0}});
+    return scene;
+  }
+
+  static TrackerOptions with_short_searches() {
+    TrackerOptions options = on_one_thread();
+    options.search_limit = 1.0;  // a round tells
+    return options;
+  }
+
+  ArticulatedModel model;
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(MarkedBox, MayAsWellBeTurnedWhichIsSaid) {
+  const Configuration truth = ambiguous();
   Configuration elsewhere = truth;  // too far, and turned too much, to be followed
   elsewhere.T_camera_base = Eigen::Translation3d(-0.35, 0.1, 0.2) * truth.T_camera_base *
                             Eigen::AngleAxisd(1.4, Eigen::Vector3d::UnitZ());
-  TrackerOptions options = on_one_thread();
-  options.search_limit = 1.0;  // a round tells
-  Tracker tracker(model, options);
+  Tracker tracker(model, with_short_searches());
   tracker.start(truth);
   ASSERT_EQ(tracker.process(at_time(seen_frame(model, truth, wall_behind(0.6)), 1)).status,
             TrackingStatus::tracking);
@@ -99,6 +129,38 @@ TEST(Alternatives, AreSaidWhereTheObjectMayAsWellBeTurned) {
   const Eigen::Isometry3d turn =
       found.configuration.T_camera_base.inverse() * other.configuration.T_camera_base;
   EXPECT_GT(Eigen::AngleAxisd(turn.linear()).angle(), 2.5);
+}
+
+TEST_F(MarkedBox, IsReportedBeforeItIsSureAndTrustedOnceTheViewTells) {
+  const Configuration truth = ambiguous();
+  Tracker tracker(model, with_short_searches());
+  const TrackingResult first = tracker.process(at_time(seen_frame(model, truth, wall(), 1), 1));
+  ASSERT_EQ(first.status, TrackingStatus::uncertain);
+  EXPECT_LT(
+      (first.configuration.T_camera_base.translation() - truth.T_camera_base.translation()).norm(),
+      0.02);
+  EXPECT_LT(first.belief, 0.9);
+  EXPECT_FALSE(first.alternatives.empty());
+  Configuration turned = truth;  // its back is seen now
+  turned.T_camera_base =
+      turned.T_camera_base * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitY());
+  TrackingResult found;
+  for (int i = 2; i < 20 && found.status != TrackingStatus::tracking; ++i) {
+    found = tracker.process(at_time(seen_frame(model, turned, wall(), i), i));
+  }
+  EXPECT_EQ(found.status, TrackingStatus::tracking);
+  EXPECT_TRUE(found.configuration.T_camera_base.isApprox(turned.T_camera_base, 0.02));
+}
+
+TEST_F(MarkedBox, IsForgottenNotLostWhereItWasNeverSure) {
+  Tracker tracker(model, with_short_searches());
+  DepthFrame frame = seen_frame(model, ambiguous(), wall(), 1);
+  ASSERT_EQ(tracker.process(at_time(frame, 1)).status, TrackingStatus::uncertain);
+  std::fill(frame.depth.begin(), frame.depth.end(), std::uint16_t{0});
+  const TrackingResult& gone = tracker.process(at_time(frame, 2));
+  EXPECT_EQ(gone.status, TrackingStatus::initializing);
+  EXPECT_EQ(gone.belief, 0.0);
+  EXPECT_FALSE(gone.configuration.T_camera_base.matrix().allFinite());
 }
 
 }  // namespace

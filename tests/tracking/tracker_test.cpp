@@ -188,6 +188,8 @@ TEST_F(TrackerTest, APartThatContradictsIsDoubtedAloneWhereTheObjectIsBelieved) 
   const std::vector<bool> known = known_unknowns(registered, model.tree, options());
   EXPECT_EQ(std::count(known.begin(), known.end(), false), 1);
   std::swap(registered.body_agreement.front(), registered.body_agreement.back());
+  EXPECT_EQ(judge(registered, options()), TrackingStatus::tracking) << "the base itself";
+  registered.belief = 0.9;
   EXPECT_EQ(judge(registered, options()), TrackingStatus::uncertain) << "the base itself";
 }
 

@@ -74,16 +74,38 @@ void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
   alternatives_.clear();
   const std::vector<Candidate> candidates =
       initializer().find_part(cloud_, guess, rounds_a_frame(options_), progress_);
+  // What is believed less is not what the most convincing one is mistaken for.
+  const double least_belief =
+      candidates.empty() ? 0.0 : (1.0 - options_.convincing_belief) * candidates.front().belief;
+  std::optional<RegistrationResult> likeliest;
   for (const Candidate& candidate : candidates) {
-    if (candidate.evidence < least_evidence()) return;
-    if (ends_search(candidate)) {
-      if (candidate.rival_distance > options_.most_rival_distance) {
-        doubt_base(candidate.rival_distance, *best_);
-        note_alternatives(candidate, candidates);
-      }
+    if (candidate.evidence < least_evidence() || candidate.belief < least_belief) break;
+    const RegistrationResult found = registered(candidate, narrow());
+    if (ends_search(candidate, found)) {
+      doubt_if_rivalled(candidate, candidates);
       return;
     }
+    if (!likeliest) likeliest = found;
   }
+  // None is sure: that for which the image speaks most.
+  if (!likeliest || judge(*likeliest, options_) == TrackingStatus::lost) return;
+  best_ = likeliest;
+  doubt_if_rivalled(candidates.front(), candidates);
+}
+
+RegistrationResult Acquisition::registered(const Candidate& candidate, const AlignOptions& how) {
+  RegistrationResult found = registration_.align(cloud_, candidate.configuration, how);
+  found.belief = candidate.belief;
+  doubt_joints(candidate.margins, found);
+  return found;
+}
+
+/// What the search could not tell from it may be right as well.
+void Acquisition::doubt_if_rivalled(const Candidate& answer,
+                                    const std::vector<Candidate>& candidates) {
+  if (answer.rival_distance <= options_.most_rival_distance) return;
+  doubt_base(answer.rival_distance, *best_);
+  note_alternatives(answer, candidates);
 }
 
 /// Those that alone would make the base uncertain.
@@ -118,19 +140,13 @@ SearchFailure Acquisition::explain(const DepthFrame& frame) {
 /// Wrong answers drift off when gates open. Right ones may, too, along the table they stand on;
 /// then iterations within narrow gates, few as in any frame, keep them where the search has put
 /// them.
-bool Acquisition::ends_search(const Candidate& candidate) {
-  const Configuration& sought = candidate.configuration;
-  RegistrationResult found = registration_.align(cloud_, sought, narrow());
-  found.belief = candidate.belief;
-  doubt_joints(candidate.margins, found);
+bool Acquisition::ends_search(const Candidate& candidate, const RegistrationResult& found) {
   const bool stays = consider(found);
   if (!stays && candidate.belief < options_.convincing_belief) return false;
   // An answer before it may explain more, while something contradicts that: then neither is sure.
   if (stays && judge(*best_, options_) != TrackingStatus::tracking) return true;
-  RegistrationResult kept =
-      registration_.align(cloud_, sought, {0.0, options_.registration.max_iterations});
-  kept.belief = candidate.belief;
-  doubt_joints(candidate.margins, kept);
+  const RegistrationResult kept =
+      registered(candidate, {0.0, options_.registration.max_iterations});
   const bool is_kept = judge(kept, options_) == TrackingStatus::tracking;
   if (is_kept) best_ = kept;
   return stays || is_kept;

@@ -28,12 +28,26 @@ bool is_contradicted(const Agreement& body, const TrackerOptions& options) {
   return lies_in_front || is_seen_through;
 }
 
+std::vector<int> contradicted_bodies(const RegistrationResult& registered,
+                                     const TrackerOptions& options) {
+  const Agreement& whole = registered.agreement;
+  const bool is_whole =
+      whole.explained >= options.least_explained && whole.consent() >= options.least_agreement;
+  std::vector<int> bodies;
+  if (!is_whole) bodies.push_back(0);
+  for (std::size_t b = is_whole ? 0 : 1; b < registered.body_agreement.size(); ++b) {
+    if (is_contradicted(registered.body_agreement[b], options))
+      bodies.push_back(static_cast<int>(b));
+  }
+  return bodies;
+}
+
 std::vector<int> contradicted_variables(const RegistrationResult& registered,
                                         const KinematicTree& tree, const TrackerOptions& options) {
   std::vector<int> variables;
-  for (std::size_t b = 0; b < registered.body_agreement.size(); ++b) {
-    const int joint = tree.bodies[b].parent_joint;
-    if (joint < 0 || !is_contradicted(registered.body_agreement[b], options)) continue;
+  for (const int body : contradicted_bodies(registered, options)) {
+    const int joint = tree.bodies[static_cast<std::size_t>(body)].parent_joint;
+    if (joint < 0) continue;
     const int variable = tree.joints[static_cast<std::size_t>(joint)].variable;
     if (!options.registration.is_locked(variable)) variables.push_back(variable);
   }
@@ -72,19 +86,8 @@ double conviction(const RegistrationResult& registered, const TrackerOptions& op
 }
 
 bool agrees(const RegistrationResult& registered, const TrackerOptions& options) {
-  const auto& bodies = registered.body_agreement;
-  const bool is_believed = registered.belief >= options.convincing_belief;
-  return agrees_but_for_parts(registered, options) &&
-         (is_believed || std::none_of(bodies.begin(), bodies.end(), [&](const Agreement& body) {
-            return is_contradicted(body, options);
-          }));
-}
-
-bool agrees_but_for_parts(const RegistrationResult& registered, const TrackerOptions& options) {
-  const Agreement& whole = registered.agreement;
-  const auto& bodies = registered.body_agreement;
-  return whole.explained >= options.least_explained && whole.consent() >= options.least_agreement &&
-         (bodies.empty() || !is_contradicted(bodies.front(), options));
+  return registered.belief >= options.convincing_belief ||
+         contradicted_bodies(registered, options).empty();
 }
 
 bool rests(const RegistrationResult& registered, const TrackerOptions& options) {

@@ -102,6 +102,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
       rival_distance_ > 0.0 ? with_rival_sought(frame, followed) : followed;
   const bool was_believed = status_ == TrackingStatus::tracking;
   report(found);
+  if (status_ == TrackingStatus::lost && !guess_) forget();
   if (is_known() && size_record_.is_due())
     size_record_.add(registration_.measure_size(found.configuration));
   is_kept_ = status_ == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
@@ -118,23 +119,24 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
   }
 }
 
-/// Parts contradict the image that did so a frame ago, when all else was believed.
+/// Bodies contradict the image that did so a frame ago, when all else was believed.
 bool Tracker::Loop::is_doubted_as_before(const RegistrationResult& registered) const {
   if (doubted_.empty() || frames_doubted_ >= kFramesToDoubtParts) return false;
-  const std::vector<int> now = contradicted_variables(registered, model_.tree, options_);
+  const std::vector<int> now = contradicted_bodies(registered, options_);
   return !now.empty() && std::includes(doubted_.begin(), doubted_.end(), now.begin(), now.end());
 }
 
+/// A base that contradicts the image may be on its way elsewhere: then the image is asked again.
 const RegistrationResult& Tracker::Loop::with_doubts_kept(const Configuration& prediction,
                                                           const RegistrationResult& registered) {
   best_ = come_to_rest(prediction, registered);
-  best_.belief = belief_;
+  best_.belief = doubted_.front() == 0 ? belief_by_image(best_.configuration) : belief_;
   return best_;
 }
 
 /// Asks the image whether it is the object, if that decides.
 void Tracker::Loop::verify(RegistrationResult& found) {
-  if (agrees(found, options_) || !agrees_but_for_parts(found, options_)) return;
+  if (agrees(found, options_) || judge(found, options_) == TrackingStatus::lost) return;
   found.belief = belief_by_image(found.configuration);
   frames_doubted_ = 0;
 }
@@ -212,7 +214,8 @@ const RegistrationResult& Tracker::Loop::with_leap_followed(const DepthFrame& fr
     seek_contradicted_joints(best_);
   }
   verify(best_);
-  if (is_hidden && !options_.background_search) {  // by itself, when the estimate lies behind it
+  if (is_hidden && guess_ && !options_.background_search) {
+    // By itself, when the estimate lies behind it.
     keep_better(acquisition_.find_near(frame, *guess_), options_, best_);
   }
   if (!is_settled(best_)) {

@@ -70,6 +70,7 @@ class Tracker::Loop {
   double belief_by_image(const Configuration& configuration);
   void report_status();
   void report_nothing();
+  void forget();
 
   const ArticulatedModel& model_;
   TrackerOptions options_;
@@ -97,7 +98,7 @@ class Tracker::Loop {
   double base_turning_sigma_ = 0.0;     ///< likewise
   RegistrationResult best_;             ///< of several tries at the same frame
   double belief_ = 0.0;                 ///< of what was last reported, where it was asked for
-  std::vector<int> doubted_;            ///< variables whose parts contradicted that, in order
+  std::vector<int> doubted_;            ///< bodies that contradicted that, in order
   int frames_doubted_ = 0;              ///< since the image was asked
   int frames_without_belief_ = 0;       ///< since it was asked for the belief that is reported
   std::vector<int> frames_in_sight_;    ///< by variable: consecutive, up to the present

@@ -39,8 +39,7 @@ void Tracker::Loop::report(const RegistrationResult& registered) {
   belief_ = registered.belief;
   doubted_.clear();
   if (status_ == TrackingStatus::tracking) {
-    doubted_ = contradicted_variables(registered, model_.tree, options_);
-    std::sort(doubted_.begin(), doubted_.end());
+    doubted_ = contradicted_bodies(registered, options_);
   }
   rival_distance_ = registered.rival_distance;
   base_turning_sigma_ = registered.base_turning_sigma;
@@ -91,6 +90,16 @@ void Tracker::Loop::report_nothing() {
   result_.explained = TrackingResult::kNothingFound;
   result_.contradicted = TrackingResult::kNothingFound;
   result_.occluded = TrackingResult::kNothingFound;
+}
+
+/// What was never sure is not lost: it is sought as at the start.
+void Tracker::Loop::forget() {
+  status_ = TrackingStatus::initializing;
+  result_.configuration = unknown_configuration(model_.tree);
+  std::fill(result_.observable.begin(), result_.observable.end(), false);
+  result_.covariance.resize(0, 0);
+  result_.sigma.resize(0);
+  report_nothing();
 }
 
 }  // namespace lockbox

@@ -41,8 +41,8 @@ void Tracker::Loop::search(const DepthFrame& frame) {
   const SearchScope near_first = is_kept_ ? SearchScope::given_first : SearchScope::near_first;
   const auto found = sought(frame, options_.search_anywhere ? near_first : SearchScope::near);
   const bool is_first = status_ != TrackingStatus::lost && !guess_;
-  // The first estimate must be believable.
-  if (!found || (is_first && judge(*found, options_) != TrackingStatus::tracking)) {
+  // What was never found is not lost.
+  if (!found || (is_first && judge(*found, options_) == TrackingStatus::lost)) {
     report_nothing();
     return;
   }
@@ -89,7 +89,8 @@ const RegistrationResult& Tracker::Loop::with_rival_sought(const DepthFrame& fra
   best_ = followed;
   if (!(best_.rival_distance > 0.0)) doubt_base(rival_distance_, best_);
   const auto found = sought(frame, SearchScope::anywhere);
-  if (found && judge(*found, options_) == TrackingStatus::tracking) {
+  if (found &&
+      (judge(*found, options_) == TrackingStatus::tracking || found->belief > result_.belief)) {
     best_ = *found;
   }
   return best_;

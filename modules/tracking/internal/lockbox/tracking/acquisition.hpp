@@ -75,7 +75,9 @@ class Acquisition {
   void note_alternatives(const Candidate& answer, const std::vector<Candidate>& candidates);
   bool is_found() const;
   SearchFailure explain(const DepthFrame& frame);
-  bool ends_search(const Candidate& candidate);
+  RegistrationResult registered(const Candidate& candidate, const AlignOptions& how);
+  bool ends_search(const Candidate& candidate, const RegistrationResult& found);
+  void doubt_if_rivalled(const Candidate& answer, const std::vector<Candidate>& candidates);
   void doubt_joints(const JointMargins& margins, RegistrationResult& registered) const;
   bool find_from(const DepthFrame& frame, const Configuration& guess, SearchScope scope);
   bool consider(const RegistrationResult& found);

@@ -16,12 +16,9 @@ namespace lockbox {
 double conviction(const RegistrationResult& registered, const TrackerOptions& options);
 
 /// Whether enough of the model is explained, and nothing that is seen contradicts it, of any body,
-/// however small it is beside the others; of one that joints move only if it is not believed to be
-/// the object. It may still not be determined where it is.
+/// however small it is beside the others; or whether it is believed to be the object though some of
+/// it does: objects differ from their models. It may still not be determined where it is.
 bool agrees(const RegistrationResult& registered, const TrackerOptions& options);
-
-/// Whether it would agree if it were believed: nothing but parts that joints move contradict it.
-bool agrees_but_for_parts(const RegistrationResult& registered, const TrackerOptions& options);
 
 /// By unknown: whether the frame determines it well enough to be reported as known, and nothing
 /// contradicts what it moves.
@@ -46,6 +43,10 @@ bool is_contradicted(const Agreement& body, const TrackerOptions& options);
 /// it moves is hidden, and what stands before that may pass for it at many positions.
 bool is_doubtful(const RegistrationResult& registered, int variable, const JointMargins& margins,
                  const KinematicTree& tree, const TrackerOptions& options);
+
+/// In order; the first one, the base, also where the whole is hardly explained, or contradicted.
+std::vector<int> contradicted_bodies(const RegistrationResult& registered,
+                                     const TrackerOptions& options);
 
 /// The joint variables, but for locked ones, that move a body which is contradicted.
 std::vector<int> contradicted_variables(const RegistrationResult& registered,
