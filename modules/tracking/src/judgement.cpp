@@ -85,9 +85,12 @@ double conviction(const RegistrationResult& registered, const TrackerOptions& op
   return agreement.conviction();
 }
 
+bool is_believed(const RegistrationResult& registered, const TrackerOptions& options) {
+  return registered.belief >= options.convincing_belief;
+}
+
 bool agrees(const RegistrationResult& registered, const TrackerOptions& options) {
-  return registered.belief >= options.convincing_belief ||
-         contradicted_bodies(registered, options).empty();
+  return is_believed(registered, options) || contradicted_bodies(registered, options).empty();
 }
 
 bool rests(const RegistrationResult& registered, const TrackerOptions& options) {
@@ -95,7 +98,9 @@ bool rests(const RegistrationResult& registered, const TrackerOptions& options) 
 }
 
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options) {
-  return agrees(registered, options) && registered.outline.continued() <= options.most_continued;
+  return is_believed(registered, options) ||
+         (contradicted_bodies(registered, options).empty() &&
+          registered.outline.continued() <= options.most_continued);
 }
 
 TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions& options) {

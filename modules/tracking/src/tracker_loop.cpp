@@ -136,7 +136,7 @@ const RegistrationResult& Tracker::Loop::with_doubts_kept(const Configuration& p
 
 /// Asks the image whether it is the object, if that decides.
 void Tracker::Loop::verify(RegistrationResult& found) {
-  if (agrees(found, options_) || judge(found, options_) == TrackingStatus::lost) return;
+  if (is_believable(found, options_) || judge(found, options_) == TrackingStatus::lost) return;
   found.belief = belief_by_image(found.configuration);
   frames_doubted_ = 0;
 }

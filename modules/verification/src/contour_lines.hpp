@@ -35,10 +35,10 @@ class ContourLines {
   /// where nothing is known.
   const Eigen::Vector2f& direction(std::size_t cell) const { return directions_[cell]; }
 
-  /// Of the line through a cell that has a direction, once they are joined.
-  int cells_of_line(std::size_t cell) const {
-    return lengths_[static_cast<std::size_t>(lines_[cell])];
-  }
+  /// The number of the line through a cell that has a direction, once they are joined.
+  std::int32_t line(std::size_t cell) const { return lines_[cell]; }
+  int cells_of_line(std::size_t cell) const { return length(line(cell)); }
+  int length(std::int32_t line) const { return lengths_[static_cast<std::size_t>(line)]; }
 
   /// Whether one with about this direction passes within so many cells.
   bool passes(const SceneCells& scene, int u, int v, int reach,

@@ -11,6 +11,7 @@
 #include "cell_judgement.hpp"
 #include "contour_lines.hpp"
 #include "evidence_constants.hpp"
+#include "faint_steps.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/model_bounds.hpp"
 #include "lockbox/rendering/body_item.hpp"
@@ -45,11 +46,18 @@ double beyond_chance(double matched, double unmatched, double chance) {
 /// Of a row of cells, or of all.
 struct Sums {
   Evidence evidence;
-  double unmatched = 0.0;  ///< nats of the scene's lines that the model has not
+  double unmatched = 0.0;          ///< nats of the scene's lines that the model has not
+  std::vector<UnseenCell> unseen;  ///< of the model's lines
 
+  void clear() {
+    evidence = {};
+    unmatched = 0.0;
+    unseen.clear();
+  }
   Sums& operator+=(const Sums& other) {
     evidence += other.evidence;
     unmatched += other.unmatched;
+    unseen.insert(unseen.end(), other.unseen.begin(), other.unseen.end());
     return *this;
   }
 };
@@ -79,6 +87,7 @@ struct Verifier::Workspace {
   ContourLines faint_lines;  ///< of the model, those that are hardly ones, too
   SensorWindow window;
   ContourLines blurred_lines;  ///< of the model, those that a sensor's window leaves
+  FaintSteps faint_steps;
   std::vector<Eigen::Isometry3d> poses;
   std::vector<RenderItem> items;
   std::vector<Sums> sums;  ///< by row
@@ -123,7 +132,8 @@ void Verifier::Workspace::draw(const Configuration& configuration) {
 
 Evidence Verifier::Workspace::sum_up() {
   Evidence evidence = judgement.judge(*scene, shown, tree.bodies.size(), executor);
-  sums.assign(static_cast<std::size_t>(scene->height()), {});
+  sums.resize(static_cast<std::size_t>(scene->height()));
+  for (Sums& row : sums) row.clear();
   const ImageWindow& drawn = shown.image.drawn;
   constexpr std::size_t kRows = 8;  // a chunk
   const auto rows = static_cast<std::size_t>(std::max(0, drawn.height));
@@ -133,6 +143,11 @@ Evidence Verifier::Workspace::sum_up() {
   Sums all;
   for (const Sums& row : sums) all += row;
   evidence += all.evidence;
+  for (const FaintSteps::Line& line : faint_steps.weigh(all.unseen, *scene, shown, scene_lines)) {
+    const int length = model_lines.length(line.line);
+    const double nats = line.nats / evidence::kLine * worth(length) * line.cells / length;
+    (nats > 0.0 ? evidence.matched : evidence.contradicted) += nats;
+  }
   evidence.matched = beyond_chance(evidence.matched, all.unmatched, chance_of_a_line());
   return evidence;
 }
@@ -204,9 +219,7 @@ void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
   if (!of_model.isZero() && is_in_sight(u, v, of_model) &&
       !scene_lines.passes(*scene, u, v, reach, of_model) &&
       blurred_lines.passes(*scene, u, v, reach, of_model)) {
-    const int length = model_lines.cells_of_line(cell);
-    sum.evidence.contradicted +=
-        std::log(evidence::kFlush) / evidence::kLine * worth(length) / length;
+    sum.unseen.push_back({model_lines.line(cell), u, v, of_model});
   }
 }
 

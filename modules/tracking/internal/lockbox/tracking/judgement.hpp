@@ -15,6 +15,9 @@ namespace lockbox {
 /// for the scene goes on beyond its outline, explains nothing.
 double conviction(const RegistrationResult& registered, const TrackerOptions& options);
 
+/// Whether the image was asked, and speaks for it (lockbox/verification/belief.hpp).
+bool is_believed(const RegistrationResult& registered, const TrackerOptions& options);
+
 /// Whether enough of the model is explained, and nothing that is seen contradicts it, of any body,
 /// however small it is beside the others; or whether it is believed to be the object though some of
 /// it does: objects differ from their models. It may still not be determined where it is.
@@ -28,7 +31,8 @@ std::vector<bool> known_unknowns(const RegistrationResult& registered, const Kin
 /// Whether it has come to rest: what still moves may end anywhere.
 bool rests(const RegistrationResult& registered, const TrackerOptions& options);
 
-/// Whether it agrees, and the surface does not go on beyond the outline, as that of a wall does.
+/// Whether it agrees, and the surface does not go on beyond the outline, as that of a wall does; or
+/// whether it is believed, for evidence knows what outlines say.
 bool is_believable(const RegistrationResult& registered, const TrackerOptions& options);
 
 /// Of a registered configuration: `tracking`, `uncertain` or `lost`. What is not believable, of
