@@ -24,9 +24,11 @@ int rounds_a_frame(const TrackerOptions& options) {
 
 }  // namespace
 
-void keep_better(const RegistrationResult& registered, const TrackerOptions& options,
+bool keep_better(const RegistrationResult& registered, const TrackerOptions& options,
                  RegistrationResult& best) {
-  if (conviction(registered, options) > conviction(best, options)) best = registered;
+  const bool is_better = conviction(registered, options) > conviction(best, options);
+  if (is_better) best = registered;
+  return is_better;
 }
 
 void doubt_base(double rival_distance, RegistrationResult& registered) {

@@ -92,6 +92,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
                           {.spread = predictor_.spread(),
                            .iterations = options_.registration.max_iterations,
                            .is_predicted = status_ == TrackingStatus::tracking});
+  is_found_anew_ = false;
   const bool is_as_before = is_doubted_as_before(registered);
   if (is_as_before) ++frames_doubted_;
   const RegistrationResult& followed = is_as_before ? with_doubts_kept(prediction, registered)
@@ -106,7 +107,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
   if (is_known() && size_record_.is_due())
     size_record_.add(registration_.measure_size(found.configuration));
   is_kept_ = status_ == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
-  if (!was_believed && status_ == TrackingStatus::tracking) {
+  if (is_found_anew_ || (!was_believed && status_ == TrackingStatus::tracking)) {
     predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
   } else {
     predictor_.update(frame.stamp, found.at_rest, found.observable,
@@ -221,7 +222,7 @@ const RegistrationResult& Tracker::Loop::with_leap_followed(const DepthFrame& fr
   if (!is_settled(best_)) {
     const bool anywhere = options_.search_anywhere && frames_searched_ >= kFramesOfDoubt;
     if (const auto found = sought(frame, anywhere ? SearchScope::near_first : SearchScope::near)) {
-      keep_better(*found, options_, best_);
+      is_found_anew_ = keep_better(*found, options_, best_);
     }
   }
   return best_;

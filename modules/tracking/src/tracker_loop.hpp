@@ -106,7 +106,8 @@ class Tracker::Loop {
   std::vector<bool> is_flush_;
   TrackingResult result_;
   std::unique_ptr<BackgroundSearch> background_;  ///< made when it is first needed
-  int answers_passed_ = 0;  ///< of it, in a row: right in their frames, not in the newest
+  bool is_found_anew_ = false;  ///< what is reported is a search's answer, not what was followed
+  int answers_passed_ = 0;      ///< of it, in a row: right in their frames, not in the newest
 };
 
 }  // namespace lockbox

@@ -92,6 +92,7 @@ const RegistrationResult& Tracker::Loop::with_rival_sought(const DepthFrame& fra
   if (found &&
       (judge(*found, options_) == TrackingStatus::tracking || found->belief > result_.belief)) {
     best_ = *found;
+    is_found_anew_ = true;
   }
   return best_;
 }

@@ -19,8 +19,8 @@ namespace lockbox {
 enum class SearchScope { near, anywhere, near_first, given_first };
 
 /// Of two answers in one frame the one with more conviction (judgement.hpp), the earlier one of
-/// equals.
-void keep_better(const RegistrationResult& registered, const TrackerOptions& options,
+/// equals. True if that is registered.
+bool keep_better(const RegistrationResult& registered, const TrackerOptions& options,
                  RegistrationResult& best);
 
 /// It may as well stand so far away: its standard deviations say so.
