@@ -49,6 +49,20 @@ TEST(RoundAxes, AreOneOfACanAndAllOfABallOrOfNothing) {
   EXPECT_EQ(axes_of("").size(), 3U);
 }
 
+/// Wherever its corners lie between the samples of its field.
+TEST(BaseSymmetries, OfACubeAreTwentyFour) {
+  const TemporaryFolder folder;
+  for (const std::string edge : {"0.085", "0.0871", "0.12", "0.33"}) {
+    const ArticulatedModel model =
+        load_model(
+            folder.write("cube.urdf", R"(<robot name="cube"><link name="cube"><visual>
+  <geometry><box size=")" + edge + ' ' + edge +
+                                          ' ' + edge + R"("/></geometry></visual></link></robot>)"),
+            {});
+    EXPECT_EQ(find_base_symmetries(model).size(), 24U) << edge;
+  }
+}
+
 /// A can with a handle, which is an eighth of its surface.
 TEST(BaseSymmetries, OfAMugAreThoseOfMostOfIt) {
   const TemporaryFolder folder;

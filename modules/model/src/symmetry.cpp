@@ -78,8 +78,8 @@ class ModelSurface {
   /// metres.
   template <typename Motion>
   bool is_kept_by(const Motion& motion, double tolerance, double share = 1.0) const {
-    // Fields round edges off by a fraction of their voxel.
-    const double limit = tolerance + 0.25 * resolution_;
+    // Between its samples a field rounds off: a corner in the middle of a voxel reads half of it.
+    const double limit = tolerance + 0.5 * resolution_;
     double moved_away = (1.0 - share) * static_cast<double>(points_.size());
     return std::all_of(points_.begin(), points_.end(), [&](const Eigen::Vector3d& p) {
       return std::abs(distance(motion * p)) < limit || --moved_away >= 0.0;
@@ -136,6 +136,31 @@ Eigen::Affine3d mirrored(const Eigen::Vector3d& centre, const Eigen::Vector3d& n
   return Eigen::Translation3d(centre) * Eigen::Affine3d(mirror) * Eigen::Translation3d(-centre);
 }
 
+bool is_one_of(const std::vector<Eigen::Isometry3d>& motions, const Eigen::Isometry3d& motion) {
+  return std::any_of(motions.begin(), motions.end(),
+                     [&](const Eigen::Isometry3d& other) { return motion.isApprox(other, 1e-3); });
+}
+
+/// One after another they are symmetries, too: quarter turns of a cube about two of its sides make
+/// a third of a turn about its diagonal. What is round has more of them than can be listed.
+void add_products(const ModelSurface& surface, double tolerance, double share,
+                  std::vector<Eigen::Isometry3d>& symmetries) {
+  constexpr std::size_t kMost = 60;  // of a body that is not round, an icosahedron's
+  const std::size_t generators = symmetries.size();
+  for (std::size_t i = 1; i < symmetries.size() && generators <= kMost; ++i) {
+    for (std::size_t j = 1; j < generators; ++j) {
+      const Eigen::Isometry3d product = symmetries[i] * symmetries[j];
+      if (is_one_of(symmetries, product) || !surface.is_kept_by(product, tolerance, share))
+        continue;
+      if (symmetries.size() == kMost) {
+        symmetries.resize(generators);
+        return;
+      }
+      symmetries.push_back(product);
+    }
+  }
+}
+
 std::vector<Eigen::Isometry3d> symmetries_of(const ModelSurface& surface, double tolerance,
                                              double share) {
   std::vector<Eigen::Isometry3d> symmetries{Eigen::Isometry3d::Identity()};
@@ -144,12 +169,11 @@ std::vector<Eigen::Isometry3d> symmetries_of(const ModelSurface& surface, double
     const Eigen::Vector3d centre = share < 1.0 ? surface.centre_about(axis) : surface.centre();
     for (int turn = 1; turn < kTurns; ++turn) {
       const Eigen::Isometry3d motion = turned(centre, axis, turn);
-      const bool known = std::any_of(symmetries.begin(), symmetries.end(), [&](const auto& other) {
-        return motion.isApprox(other, 1e-3);
-      });
-      if (!known && surface.is_kept_by(motion, tolerance, share)) symmetries.push_back(motion);
+      if (is_one_of(symmetries, motion)) continue;
+      if (surface.is_kept_by(motion, tolerance, share)) symmetries.push_back(motion);
     }
   }
+  add_products(surface, tolerance, share, symmetries);
   return symmetries;
 }
 
