@@ -21,13 +21,20 @@ ApparentSize apparent(double across, double along, double sigma_across, double s
   return size;
 }
 
-TEST(SizeRecord, SaysNothingOfTooFewMeasurements) {
+TEST(SizeRecord, IsLessSureOfFewMeasurementsThanTheySay) {
   SizeRecord record;
-  record.add(measurement(1.1, 1.1, 0.001));
-  record.add(measurement(1.1, 1.1, 0.001));
   EXPECT_FALSE(record.mean().covariance.allFinite());
   EXPECT_FALSE(record.mean().is_implausible());
-  record.add(measurement(1.1, 1.1, 0.001));
+  record.add(measurement(1.05, 1.05, 0.001));
+  record.add(measurement(1.05, 1.05, 0.001));
+  EXPECT_FALSE(record.mean().is_implausible());
+  record.add(measurement(1.05, 1.05, 0.001));
+  EXPECT_TRUE(record.mean().is_implausible());
+}
+
+TEST(SizeRecord, KnowsFromOneMeasurementWhatIsATenthTooLarge) {
+  SizeRecord record;
+  record.add(measurement(1.1, 1.1, 0.005));
   EXPECT_TRUE(record.mean().is_implausible());
 }
 

@@ -104,8 +104,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
   const bool was_believed = status_ == TrackingStatus::tracking;
   report(found);
   if (status_ == TrackingStatus::lost && !guess_) forget();
-  if (is_known() && size_record_.is_due())
-    size_record_.add(registration_.measure_size(found.configuration));
+  measure_size(found);
   is_kept_ = status_ == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
   if (is_found_anew_ || (!was_believed && status_ == TrackingStatus::tracking)) {
     predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
@@ -118,6 +117,11 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
     guess_ = found.at_rest;
     frames_searched_ = 0;
   }
+}
+
+void Tracker::Loop::measure_size(const RegistrationResult& found) {
+  if (!is_known() || !size_record_.is_due()) return;
+  size_record_.add(registration_.measure_size(found.configuration));
 }
 
 /// Bodies contradict the image that did so a frame ago, when all else was believed.

@@ -44,6 +44,7 @@ class Tracker::Loop {
   void follow(const DepthFrame& frame);
   /// A joint that comes back into sight is sought until then.
   static constexpr int kFramesToKnowMotion = 2;
+  void measure_size(const RegistrationResult& found);
   void count_frames_in_sight(const RegistrationResult& found);
   Configuration with_hidden_joints_sought(const Configuration& prediction);
   const RegistrationResult& come_to_rest(const Configuration& prediction,

@@ -47,6 +47,7 @@ void Tracker::Loop::search(const DepthFrame& frame) {
     return;
   }
   report(*found);
+  measure_size(*found);
   is_kept_ = status_ == TrackingStatus::tracking || (is_kept_ && agrees(*found, options_));
   if (is_known()) {
     if (status_ == TrackingStatus::tracking) {

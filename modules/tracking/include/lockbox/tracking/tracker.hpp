@@ -39,7 +39,7 @@ std::string to_string(Alternative::Kind kind);
 
 /// How large the object looks, as a multiple of its model: across the optical axis, at the distance
 /// that is measured, and along it (its relief); docs/mathematics.md, "Does the size fit?". Until
-/// that was measured often enough the covariance is infinite.
+/// that was measured the covariance is infinite.
 struct ApparentSize {
   Eigen::Vector2d value = Eigen::Vector2d::Ones();  ///< (across, along)
   /// Of value.

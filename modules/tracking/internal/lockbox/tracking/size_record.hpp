@@ -18,7 +18,7 @@ class SizeRecord {
   bool is_due();
   void add(const SizeMeasurement& size);
 
-  /// Of infinite covariance until there are enough measurements.
+  /// Of infinite covariance until there is a measurement; of few ones more than they say.
   ApparentSize mean() const;
 
  private:
