@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lockbox/initialization/initializer.hpp"
 #include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/model/variable_range.hpp"
 
@@ -236,7 +237,7 @@ std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& le
 }
 
 void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
-                   const std::vector<int>& variables, const std::vector<double>& margins,
+                   const std::vector<int>& variables, std::vector<double>& margins,
                    const StopRequest& stop_request, Configuration& configuration) {
   for (const int variable : variables) {
     stop_if(stop_request);
@@ -244,7 +245,8 @@ void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
                          low_relief.prominence(variable, configuration) > kHardlyStandsOut;
     if (is_told) continue;
     const auto sighting = low_relief.find_anywhere(cloud, configuration, variable);
-    if (sighting) configuration.q[variable] = sighting->position;
+    if (sighting.better) configuration.q[variable] = sighting.better->position;
+    if (!sighting.is_told) margins[static_cast<std::size_t>(variable)] = kNotTold;
   }
 }
 

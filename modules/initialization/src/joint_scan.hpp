@@ -29,9 +29,10 @@ std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& le
 
 /// The same for variables whose parts hardly stand out of the noise, or of which too little is
 /// seen: the likelihood of the image decides. For everything else known to a few millimetres.
-/// margins: of scan_joints(), in pixels of the finer view. Throws Stopped if that is requested.
+/// margins: of scan_joints(), in pixels of the finer view; kNotTold is put where the image does not
+/// tell one position from others. Throws Stopped if that is requested.
 void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
-                   const std::vector<int>& variables, const std::vector<double>& margins,
+                   const std::vector<int>& variables, std::vector<double>& margins,
                    const StopRequest& stop_request, Configuration& configuration);
 
 }  // namespace lockbox

@@ -58,6 +58,7 @@ bool is_doubtful(const RegistrationResult& registered, int variable, const Joint
                  const KinematicTree& tree, const TrackerOptions& options) {
   const auto v = static_cast<std::size_t>(variable);
   if (v >= margins.size()) return false;
+  if (margins[v] == kNotTold) return true;
   const auto joint = static_cast<std::size_t>(tree.variable_joint[v]);
   const auto body = static_cast<std::size_t>(tree.joints[joint].child_body);
   const bool is_hidden = registered.body_agreement[body].explained < options.least_of_sought_body;

@@ -29,6 +29,9 @@ struct InitializerOptions {
 /// By joint variable: by how many pixels, in a view of 320 columns, its position explains more than
 /// any other that is not beside it; infinity where nothing is seen of it, or it was not sought.
 using JointMargins = std::vector<double>;
+/// The margin of a joint that moves what hardly stands out of the noise, where the image does not
+/// tell its position from others.
+inline constexpr double kNotTold = -1.0;
 
 /// One answer to where the model is.
 struct Candidate {

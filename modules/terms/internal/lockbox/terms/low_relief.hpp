@@ -21,6 +21,14 @@ struct JointSighting {
   double variance;
 };
 
+/// What the image says of a joint's whole range.
+struct RangeSighting {
+  /// Nothing where no position is better than that of the configuration by more than noise is.
+  std::optional<JointSighting> better;
+  /// Whether the best position is better than all that are elsewhere by more than these scatter.
+  bool is_told = true;
+};
+
 /// Reuses its buffers. The same for any number of threads. The model must outlive it.
 class LowRelief {
  public:
@@ -38,13 +46,12 @@ class LowRelief {
                                          const Configuration& configuration, int variable,
                                          double before);
 
-  /// Sought over the joint's whole range. Nothing, too, where no position is better than that of
-  /// the configuration by more than noise is.
-  std::optional<JointSighting> find_anywhere(const TiledCloud& cloud,
-                                             const Configuration& configuration, int variable);
+  RangeSighting find_anywhere(const TiledCloud& cloud, const Configuration& configuration,
+                              int variable);
 
  private:
   double distance(int variable, const Configuration& configuration);
+  bool stands_out(std::size_t least, double elsewhere);
   double scatter_around(std::size_t least) const;
   JointSighting settle(std::size_t least) const;
 
@@ -56,6 +63,7 @@ class LowRelief {
   std::vector<Eigen::Isometry3d> poses_;
   std::vector<double> positions_;
   std::span<const double> costs_;  ///< chi^2 by position
+  std::vector<double> elsewhere_;  ///< costs of positions that are no neighbours
 };
 
 }  // namespace lockbox

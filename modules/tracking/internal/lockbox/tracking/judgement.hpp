@@ -43,8 +43,9 @@ TrackingStatus judge(const RegistrationResult& registered, const TrackerOptions&
 /// Whether the camera sees through what the body should hide: much of it, or some patches.
 bool is_contradicted(const Agreement& body, const TrackerOptions& options);
 
-/// Whether a joint that was sought over its whole range may as well stand elsewhere: most of what
-/// it moves is hidden, and what stands before that may pass for it at many positions.
+/// Whether a joint that was sought over its whole range may as well stand elsewhere: what it moves
+/// is lost in the noise, or most of it is hidden, and what stands before that may pass for it at
+/// many positions.
 bool is_doubtful(const RegistrationResult& registered, int variable, const JointMargins& margins,
                  const KinematicTree& tree, const TrackerOptions& options);
 
