@@ -25,7 +25,6 @@ constexpr double kMostlyAlike = 0.75;
 constexpr int kAnchorSteps = 4;  // of a joint between base and a matched side
 
 constexpr bool kHoldJoints = true;
-constexpr Breadth kAll{1, kEachTurn, kEachTurn, kEachTurn, std::nullopt, false};
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
 
 /// Fine steps, with what real objects differ from their models by.
@@ -121,16 +120,6 @@ std::vector<Hypothesis> Initializer::Workspace::known(
   hypotheses.reserve(answers.size());
   for (const Configuration& answer : answers) hypotheses.push_back({answer, all_bodies, 1.0});
   return hypotheses;
-}
-
-std::vector<Hypothesis> Initializer::Workspace::seek_turned(const TiledCloud& cloud,
-                                                            const Configuration& found) {
-  std::vector<Hypothesis> hypotheses;
-  for (const Eigen::Isometry3d& turn : turns) {
-    hypotheses.push_back({held, all_bodies});
-    hypotheses.back().configuration.T_camera_base = found.T_camera_base * turn;
-  }
-  return followed(cloud, std::move(hypotheses), kAll);
 }
 
 /// Flat sides of the model laid onto flat regions of the view.

@@ -102,8 +102,11 @@ struct Initializer::Workspace {
   /// The stages from place up to rank.
   std::vector<Hypothesis> followed(const TiledCloud& cloud, std::vector<Hypothesis> hypotheses,
                                    const Breadth& breadth);
-  /// What else the object may be that was taken for this: turned to where its box is the same.
+  /// What else the object may be that was taken for this: turned to where its box is the same, or
+  /// swung about what is seen most of.
   std::vector<Hypothesis> seek_turned(const TiledCloud& cloud, const Configuration& found);
+  void add_swung(const TiledCloud& cloud, const Configuration& found,
+                 std::vector<Hypothesis>& hypotheses);
   /// Adds what stages sought, made exact, the most convincing first.
   void assess(const TiledCloud& cloud, const std::vector<Hypothesis>& hypotheses,
               const Selection& ranked, std::vector<Candidate>& answers);
