@@ -174,6 +174,8 @@ TEST_F(Mistake, ObjectOutOfView) {
 TEST_F(Mistake, WrongModel) {
   write_text(folder / "other.urdf", R"(<robot name="other"><link name="other"><visual><geometry>
 <cylinder radius="0.03" length="0.7"/></geometry></visual></link></robot>)");
+  const auto inspected = run_tool({"inspect", "--model", folder / "other.urdf"}).output;
+  EXPECT_THAT(inspected, testing::ContainsRegex("other +60\\.00 +60\\.00 +700\\.00\n"));
   const auto result = track(kOneFrame, "other.urdf");
   EXPECT_EQ(result.status, kNeverTracked);
   EXPECT_THAT(result.errors, AllOf(HasSubstr("check these"), HasSubstr("is it this object"),
