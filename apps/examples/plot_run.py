@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Plots a run of `lockbox track`: the base and the joints over time, with three standard deviations.
 

@@ -50,6 +50,20 @@ void print_tree(const KinematicTree& tree) {
   }
 }
 
+/// Of each body, along its own axes.
+void print_sizes(const KinematicTree& tree) {
+  std::cout << std::left << std::setw(24) << "body" << std::right;
+  for (const char* const axis : {"x, mm", "y, mm", "z, mm"}) std::cout << std::setw(12) << axis;
+  std::cout << '\n';
+  for (const Body& body : tree.bodies) {
+    if (body.visuals.empty()) continue;
+    std::cout << std::left << std::setw(24) << body.name << std::right;
+    const Eigen::Vector3d size = kMillimetres * bounds(body.mesh).sizes();
+    std::cout << std::setw(12) << size.x() << std::setw(12) << size.y() << std::setw(12) << size.z()
+              << '\n';
+  }
+}
+
 void print_fields(const ArticulatedModel& model) {
   std::cout << std::left << std::setw(24) << "body" << std::right << std::setw(10) << "voxel"
             << std::setw(12) << "memory" << std::setw(14) << "field volume" << std::setw(14)
@@ -109,6 +123,8 @@ class InspectCommand : public Command {
               << counted(static_cast<std::size_t>(model.tree.variables()), "joint variable")
               << "\n\nKinematic tree\n";
     print_tree(model.tree);
+    std::cout << "\nSizes, along the axes of each body\n";
+    print_sizes(model.tree);
     std::cout << "\nDistance fields\n";
     print_fields(model);
     std::cout << "\nContacts at rest\n";

@@ -32,14 +32,16 @@ std::vector<std::size_t> find_sigma_columns(const KinematicTree& tree,
 }  // namespace
 
 RecordedRun::RecordedRun(const ArticulatedModel& model, std::optional<RecordedFrames> frames,
-                         StatesFile file, std::vector<Eigen::MatrixXd> covariances)
+                         StatesFile file, std::vector<Eigen::MatrixXd> covariances,
+                         AlternativesByStamp alternatives)
     : model_(model),
       frames_(std::move(frames)),
       states_(std::move(file.states)),
       sigma_columns_(find_sigma_columns(model.tree, file.extra_columns)),
       belief_column_(find_column(file.extra_columns, "belief")),
       alternatives_column_(find_column(file.extra_columns, "alternatives")),
-      covariances_(std::move(covariances)) {
+      covariances_(std::move(covariances)),
+      alternatives_(std::move(alternatives)) {
   for (const auto& state : states_) stamps_.push_back(state.stamp);
 }
 
@@ -84,6 +86,8 @@ ShownEstimate RecordedRun::estimate_of(const State& state) const {
     estimate.belief =
         belief_line(std::strtod(state.extra[*belief_column_].c_str(), nullptr), alternatives);
   }
+  const auto found = alternatives_.find(state.stamp);
+  if (found != alternatives_.end()) estimate.alternatives = found->second;
   const auto row = static_cast<std::size_t>(&state - states_.data());
   if (row < covariances_.size()) estimate.covariance = covariances_[row];
   return estimate;

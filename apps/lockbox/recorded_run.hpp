@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "alternatives_file.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/model/states_file.hpp"
 #include "lockbox/visualization/scene_composer.hpp"
@@ -26,7 +27,7 @@ class RecordedRun {
   /// file: empty if there is none; a single state holds for all frames. covariances: of its rows,
   /// as far as they are told.
   RecordedRun(const ArticulatedModel& model, std::optional<RecordedFrames> frames, StatesFile file,
-              std::vector<Eigen::MatrixXd> covariances = {});
+              std::vector<Eigen::MatrixXd> covariances = {}, AlternativesByStamp alternatives = {});
 
   /// Whether there is nothing but the model.
   bool is_model_alone() const { return !frames_ && states_.empty(); }
@@ -52,6 +53,7 @@ class RecordedRun {
   std::optional<std::size_t> belief_column_;
   std::optional<std::size_t> alternatives_column_;
   std::vector<Eigen::MatrixXd> covariances_;
+  AlternativesByStamp alternatives_;
 };
 
 }  // namespace lockbox::app

@@ -22,6 +22,11 @@ ShownEstimate shown(const KinematicTree& tree, const TrackingResult& result) {
   ShownEstimate estimate(result.configuration, joint_sigmas(tree, result));
   estimate.covariance = result.covariance;
   estimate.belief = belief_line(result.belief, alternatives_text(result.alternatives));
+  for (const Alternative& alternative : result.alternatives) {
+    estimate.alternatives.push_back(
+        {alternative_name(to_string(alternative.kind), alternative.probability),
+         alternative.configuration});
+  }
   return estimate;
 }
 

@@ -93,6 +93,9 @@ RunWriter::RunWriter(const std::filesystem::path& folder, const KinematicTree& t
   }
   states_ << ",residual_rms,explained,contradicted,latency_ms,belief,alternatives";
   end_row(states_, folder / "states.csv");
+  alternatives_ = open_for_writing(folder / "alternatives.csv");
+  alternatives_ << states_header(tree) << ",kind,probability";
+  end_row(alternatives_, folder / "alternatives.csv");
   if (with_covariance) {
     covariance_ = open_for_writing(folder / "covariance.csv");
     write_covariance_header(covariance_, tree);
@@ -104,6 +107,7 @@ RunWriter::RunWriter(const std::filesystem::path& folder, const KinematicTree& t
 void RunWriter::write(const TrackingResult& result) {
   write_state(result);
   if (is_known(result)) write_base(result);
+  write_alternatives(result);
   if (covariance_.is_open()) write_covariance(result);
 }
 
@@ -126,6 +130,14 @@ void RunWriter::write_base(const TrackingResult& result) {
         << T.translation().y() << ' ' << T.translation().z() << ' ' << rotation.x() << ' '
         << rotation.y() << ' ' << rotation.z() << ' ' << rotation.w();
   end_row(base_, folder_ / "base.tum");
+}
+
+void RunWriter::write_alternatives(const TrackingResult& result) {
+  for (const Alternative& alternative : result.alternatives) {
+    alternatives_ << states_row(tree_, result.stamp, alternative.configuration) << ','
+                  << to_string(alternative.kind) << ',' << alternative.probability;
+    end_row(alternatives_, folder_ / "alternatives.csv");
+  }
 }
 
 void RunWriter::write_covariance(const TrackingResult& result) {

@@ -21,6 +21,7 @@ std::string alternatives_text(const std::vector<Alternative>& alternatives);
 /// Writes what a run estimates, flushed frame by frame: a crash loses nothing computed before it.
 ///   states.csv      one row a frame (docs/file-formats.md)
 ///   base.tum        the base's pose where it is known, as a TUM trajectory
+///   alternatives.csv  where the object may be as well in a frame, a row each
 ///   covariance.csv  if asked for: the full matrix of each frame, row by row
 class RunWriter {
  public:
@@ -32,6 +33,7 @@ class RunWriter {
  private:
   void write_state(const TrackingResult& result);
   void write_base(const TrackingResult& result);
+  void write_alternatives(const TrackingResult& result);
   void write_covariance(const TrackingResult& result);
 
   std::filesystem::path folder_;
@@ -39,6 +41,7 @@ class RunWriter {
   Configuration unknown_;  ///< in rows of frames of which nothing is known
   std::ofstream states_;
   std::ofstream base_;
+  std::ofstream alternatives_;
   std::ofstream covariance_;
 };
 

@@ -18,12 +18,19 @@ void print_reasons(const Tracker& tracker) {
   }
 }
 
+bool is_misread(const SearchFailure& failure) {
+  return failure.is_mirrored || failure.depth_factor != 1.0;
+}
+
 }  // namespace
 
 void SearchReport::look_at(const Tracker& tracker, const DepthFrame& frame,
                            const RunTotals& totals) {
-  if (is_said_ || !tracker.search_failure()) return;
+  if (!tracker.search_failure()) return;
+  const bool is_news = is_misread(*tracker.search_failure()) && !is_misreading_said_;
+  if (is_said_ && !is_news) return;
   is_said_ = true;  // what follows from now on, the summary tells
+  is_misreading_said_ = is_misreading_said_ || is_news;
   const bool was_found = totals.frames_with(TrackingStatus::tracking) > 0;
   std::cerr << "lockbox: the object was " << (was_found ? "lost, and not found again" : "not found")
             << " up to frame " << frame.index;

@@ -7,11 +7,12 @@
 namespace lockbox::app {
 
 /// Says on standard error that the object was not found, and what may be the reason: as soon as the
-/// first search has failed, and at the end of a run that never was `tracking`.
+/// first search has failed, when images turn out to be mirrored or depths to be in another unit,
+/// and at the end of a run that never was `tracking`.
 class SearchReport {
  public:
   /// quiet: says it only at the end.
-  explicit SearchReport(bool quiet) : is_said_(quiet) {}
+  explicit SearchReport(bool quiet) : is_said_(quiet), is_misreading_said_(quiet) {}
 
   /// After each frame. totals: that frame included.
   void look_at(const Tracker& tracker, const DepthFrame& frame, const RunTotals& totals);
@@ -20,6 +21,7 @@ class SearchReport {
 
  private:
   bool is_said_;
+  bool is_misreading_said_;
 };
 
 }  // namespace lockbox::app

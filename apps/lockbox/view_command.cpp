@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "alternatives_file.hpp"
 #include "command_line/interruption.hpp"
 #include "command_line/option_checks.hpp"
 #include "command_line/output_paths.hpp"
@@ -81,7 +82,8 @@ class ViewCommand : public Command {
       frames.emplace(std::move(source), [this] { return source_.open(); });
     }
     RecordedRun run(model, std::move(frames), read_rows(states_, model.tree),
-                    covariances_beside(states_, model.tree));
+                    covariances_beside(states_, model.tree),
+                    read_alternatives_beside(states_, model.tree));
     show(model, run);
     return ExitStatus::done;
   }
@@ -132,7 +134,8 @@ class ViewCommand : public Command {
     std::optional<RecordedRun> other;
     if (!beside_.empty()) {
       other.emplace(model, std::nullopt, read_rows(beside_, model.tree),
-                    covariances_beside(beside_, model.tree));
+                    covariances_beside(beside_, model.tree),
+                    read_alternatives_beside(beside_, model.tree));
       beside = {&*other, beside_};
     }
     RunViewer viewer(model, run, Playback(run.size(), first, plays), choices_, window, beside);

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """A long live session: a virtual camera that is unplugged and stalls now and then, and the tool that
 tracks what it delivers and records it. Prints what was delivered, what became of it, and how much
@@ -132,7 +132,8 @@ def main(model, folder, output, seconds):
         f"{key} {re.search(rf'{key}: (.*)', told)[1]}"
         for key in ("total", "tracking", "uncertain", "lost", "dropped", "outages")))
     print(f"memory: {settled[0]:.1f} MB after a tenth of the time, {settled[-1]:.1f} at the end, "
-          f"{max(settled):.1f} at most")
+          f"{max(settled):.1f} at most; at each tenth " + ", ".join(
+              f"{settled[len(settled) * tenth // 9]:.1f}" for tenth in range(9)))
     return 0 if status == 130 else 1
 
 

@@ -61,6 +61,28 @@ TEST_F(View, DrawsTheErrorsOfAFrame) {
   EXPECT_GT(share_of(errors, is_red), 5e-3);
 }
 
+TEST_F(View, DrawsTheAlternativesOfARun) {
+  std::filesystem::create_directory(path("doubted"));
+  write_text(path("doubted/states.csv"),
+             "timestamp,tx,ty,tz,qx,qy,qz,qw,status\n0,0,0,1,0,0,0,1,uncertain\n");
+  const std::vector<std::string> view = {
+      "view",         "--model",           "rigid_block", "--states", path("doubted/states.csv"),
+      "--screenshot", path("doubted.png"), "--overwrite"};
+  ASSERT_EQ(run_tool(view).status, 0);
+  const auto is_orange = [](int r, int g, int b) { return r > g + 25 && g > b + 5; };
+  const double alone = share_of(read_png(path("doubted.png")), is_orange);
+  write_text(path("doubted/alternatives.csv"),
+             "timestamp,tx,ty,tz,qx,qy,qz,qw,kind,probability\n"
+             "0,0.25,0,1,0,0,0,1,elsewhere,0.2\n");
+  const auto result = run_tool(view);
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_GT(share_of(read_png(path("doubted.png")), is_orange), alone + 0.01);
+  write_text(path("doubted/alternatives.csv"), "timestamp,tx,ty,tz,qx,qy,qz,qw\n");
+  const auto refused = run_tool(view);
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_THAT(refused.errors, HasSubstr("alternatives.csv:1: the columns 'kind'"));
+}
+
 /// Share of the pixels in these columns of pictures, 640 pixels wide, that differ.
 double share_changed(const std::vector<std::uint8_t>& one, const std::vector<std::uint8_t>& other,
                      std::size_t first, std::size_t last) {

@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import shutil
 import socket
 import subprocess
 
@@ -46,3 +47,18 @@ def free_port():
 def docs():
     """The folder of the documents."""
     return pathlib.Path(__file__).parents[2] / "docs"
+
+
+@pytest.fixture(scope="session")
+def display():
+    """One of its own, where there is none."""
+    if os.environ.get("DISPLAY"):
+        yield os.environ["DISPLAY"]
+        return
+    if not shutil.which("Xvfb"):
+        pytest.skip("there is no display")
+    server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-noreset"], stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, text=True)
+    yield ":" + server.stdout.readline().strip()
+    server.terminate()
+    server.wait()

@@ -5,13 +5,12 @@ and short; a camera is a virtual one, and windows are on a virtual display."""
 import os
 import re
 import shutil
-import signal
 import subprocess
-import time
 
 import pytest
 
 from conftest import CAMERA
+from document import code_blocks, opens_window, run, shorten
 from virtual_camera import virtual_camera
 
 # What makes a command short: it is appended to those of this name.
@@ -24,37 +23,14 @@ PART = "solid part\n" + "".join(
         ("0 0 0", "0 0 200", "0 200 0"), ("200 0 0", "0 200 0", "0 0 200"))) + "endsolid part\n"
 
 
-def blocks(document):
-    return re.findall(r"^```\n(.*?)^```$", document.read_text(), re.MULTILINE | re.DOTALL)
-
-
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, tool):
     """Where a user stands who reads the tutorial."""
     folder = tmp_path_factory.mktemp("tutorial")
     (folder / "camera.yaml").write_text(CAMERA)
     (folder / "part.stl").write_text(PART)
-    script = "".join(f"{name}) set -- \"$@\" {more};;\n" for name, more in SHORT.items())
-    shim = folder / "bin" / "lockbox"
-    shim.parent.mkdir()
-    shim.write_text(f'#!/bin/sh\ncase "$1" in\n{script}esac\nexec {tool} "$@"\n')
-    shim.chmod(0o755)
+    shorten(tool, SHORT, folder / "bin")
     return folder
-
-
-@pytest.fixture(scope="module")
-def display():
-    """One of its own, where there is none."""
-    if os.environ.get("DISPLAY"):
-        yield os.environ["DISPLAY"]
-        return
-    if not shutil.which("Xvfb"):
-        pytest.skip("there is no display")
-    server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-noreset"], stdout=subprocess.PIPE,
-                              stderr=subprocess.DEVNULL, text=True)
-    yield ":" + server.stdout.readline().strip()
-    server.terminate()
-    server.wait()
 
 
 @pytest.fixture(scope="module")
@@ -64,27 +40,9 @@ def environment(folder, display, tmp_path_factory):
                "PATH": f"{folder / 'bin'}:{os.environ['PATH']}"}
 
 
-def opens_window(command):
-    words = set(command.split())
-    return "view" in words and not words & {"--screenshot", "--pictures", "--video"}
-
-
-def run(command, folder, environment, lasts):
-    """Its exit status. What lasts until it is ended is, by Ctrl-C: with 130."""
-    process = subprocess.Popen(command.split(), cwd=folder, env=environment,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-    if lasts:
-        time.sleep(5)
-        process.send_signal(signal.SIGINT)
-    output, errors = process.communicate()
-    print(command, output, errors)
-    return process.returncode
-
-
 def test_commands_run_one_after_the_other(docs, folder, environment):
     count = 0
-    for block in blocks(docs / "tutorial.md"):
+    for block in code_blocks(docs / "tutorial.md", ""):
         if block.startswith("timestamp"):
             (folder / "start.csv").write_text(block)
             continue
@@ -122,7 +80,7 @@ BOX = """<robot name="box"><link name="box"><visual><geometry><box size="0.3 0.2
 
 
 def test_commands_of_the_readme_run(docs, tool, environment, tmp_path):
-    block = next(block for block in blocks(docs.parent / "README.md") if "my_object" in block)
+    block = next(block for block in code_blocks(docs.parent / "README.md", "") if "my_object" in block)
     (tmp_path / "my_object.urdf").write_text(BOX)
     (tmp_path / "build" / "bin").mkdir(parents=True)
     (tmp_path / "build" / "bin" / "lockbox").symlink_to(tool)

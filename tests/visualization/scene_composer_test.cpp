@@ -45,6 +45,26 @@ TEST_F(SceneComposerTest, PutsMeasuredPixelsIntoSpace) {
   EXPECT_THAT(scene.scale, IsEmpty());
 }
 
+TEST_F(SceneComposerTest, PlacesAlternativesAndNamesThemInTheLegend) {
+  ShownEstimate estimate(one_metre_away());
+  Configuration elsewhere = one_metre_away();
+  elsewhere.T_camera_base.pretranslate(Eigen::Vector3d(0.1, 0.0, 0.0));
+  estimate.alternatives = {{alternative_name("flip", 0.3), one_metre_away()},
+                           {alternative_name("elsewhere", 0.02), elsewhere}};
+  SceneChoices choices;
+  const DisplayedScene& scene = composer_.compose(&frame_, estimate, "title", choices);
+  ASSERT_THAT(scene.ghosts, SizeIs(2));
+  EXPECT_NEAR(scene.ghosts[1].T_camera_body[0].translation().x(),
+              scene.T_camera_body[0].translation().x() + 0.1, 1e-9);
+  ASSERT_THAT(scene.legend, SizeIs(2));
+  EXPECT_EQ(scene.legend[0].name, "flip 30 %");
+  EXPECT_EQ(scene.legend[1].color, scene.ghosts[1].color);
+  EXPECT_NE(scene.ghosts[0].color, scene.ghosts[1].color);
+  EXPECT_TRUE(choices.handle("a"));
+  EXPECT_THAT(composer_.compose(&frame_, estimate, "title", choices).ghosts, IsEmpty());
+  EXPECT_THAT(scene.legend, IsEmpty());
+}
+
 TEST_F(SceneComposerTest, ColorsErrorsBlueBeforeRedBehindGreyBeyond) {
   SceneChoices choices;
   choices.coloring = Coloring::errors;

@@ -128,6 +128,20 @@ TEST_F(SceneWindowTest, DrawsTwoScenesSideBySide) {
   EXPECT_FALSE(is_red(window->picture(), 150, 80));
 }
 
+TEST_F(SceneWindowTest, DrawsTheModelElsewhereInOneColorThatLetsThrough) {
+  const auto window = open(false);
+  DisplayedScene scene = block_at(-0.1);
+  scene.ghosts.push_back({block_at(0.1).T_camera_body, {0.0F, 1.0F, 0.0F}});
+  window->show(scene);
+  const auto ghost = color_at(window->picture(), 150, 80);
+  EXPECT_GT(ghost[1], ghost[0] + 20);
+  EXPECT_LT(ghost[1], 200) << "the background shows through";
+  EXPECT_TRUE(is_red(window->picture(), 50, 80));
+  window->show(block_at(-0.1));
+  const auto background = color_at(window->picture(), 150, 80);
+  EXPECT_LT(background[1], background[0] + 20) << "gone with the next scene";
+}
+
 TEST_F(SceneWindowTest, DrawsPartsInTheColoursOfTheirVertices) {
   const auto window = open(false);
   DisplayedScene scene = block_at(0.0);

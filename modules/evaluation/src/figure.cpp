@@ -130,7 +130,7 @@ std::string write_figure(const std::filesystem::path& stem, const Figure& figure
     case ProcessResult::succeeded:
       return {};
     case ProcessResult::not_found:
-      return "gnuplot is not installed: no picture of " + script.string();
+      return "gnuplot is not installed (Debian: gnuplot-nox): no picture of " + script.string();
     case ProcessResult::failed:
       break;
   }

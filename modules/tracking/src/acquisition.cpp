@@ -17,6 +17,12 @@ namespace {
 /// take four times as long. Doubled, a limit is half as many rounds.
 constexpr double kSecondsOfRound = 1.5;
 
+/// Searches beside live frames that find nothing, before other readings of a frame are tried: a
+/// camera may not be aimed yet, and the search that finds the object must not wait for them.
+/// Source: two take some three to twenty seconds. Doubled, who has mirrored images is told twice as
+/// late.
+constexpr int kFailuresWhileAiming = 2;
+
 int rounds_a_frame(const TrackerOptions& options) {
   constexpr double kMost = 1000.0;  // more than there are
   return std::max(1, static_cast<int>(std::min(kMost, options.search_limit / kSecondsOfRound)));
@@ -128,12 +134,18 @@ bool Acquisition::is_found() const {
   return best_ && judge(*best_, options_) == TrackingStatus::tracking;
 }
 
+/// Other readings are tried once. What they have told holds until something is found.
 SearchFailure Acquisition::explain(const DepthFrame& frame) {
   SearchFailure failure = search_failure(frame, model_.tree, options_, best_ ? &*best_ : nullptr);
-  const bool is_worth_while = options_.try_other_readings && !options_.background_search &&
-                              may_be_misread_ && !is_explained(failure);
+  if (failure_) {
+    failure.is_mirrored = failure_->is_mirrored;
+    failure.depth_factor = failure_->depth_factor;
+  }
+  if (!may_be_misread_ || (options_.background_search && ++failures_ < kFailuresWhileAiming)) {
+    return failure;
+  }
   may_be_misread_ = false;
-  if (is_worth_while) {
+  if (options_.try_other_readings && !is_explained(failure)) {
     try_other_readings(frame, model_, options_, executor_, failure);
   }
   return failure;

@@ -81,17 +81,13 @@ bool is_out_of_range(const SearchFailure& failure) {
   return failure.too_far + failure.too_near > kNearlyAll;
 }
 
+/// What the frame alone proves.
 void add_reasons_of_frame(const SearchFailure& failure, std::vector<std::string>& all) {
   if (failure.measured == 0.0) {
     all.emplace_back(
         "No pixel has a depth: is the lens covered, or everything nearer than the camera can "
         "measure?");
     return;
-  }
-  if (failure.measured < kLittleDepth) {
-    all.push_back("Only " + percent(failure.measured) +
-                  " of the pixels have a depth: black, shiny, transparent and very near surfaces, "
-                  "and sunlight, give none.");
   }
   if (is_out_of_range(failure)) all.push_back(out_of_range(failure));
   if (failure.field_of_view < kNarrowestView || failure.field_of_view > kWidestView) {
@@ -126,8 +122,24 @@ std::string of_place(const SearchFailure::Place& place) {
     text << " The surface goes on beyond " << percent(place.continued)
          << " of its outline, as a wall or table does.";
   }
-  text << " Is the object in view, and as large as the model?";
   return text.str();
+}
+
+std::string nothing_resembles(const SearchFailure& failure) {
+  return "Nothing in view resembles the model: is it in view, between " +
+         number(failure.min_depth) + " and " + number(failure.max_depth) + " m from the camera?";
+}
+
+/// What may be wrong and an image cannot tell, each with the figure to compare.
+void add_what_to_check(const SearchFailure& failure, std::vector<std::string>& all) {
+  all.emplace_back("If the object is in view, and mostly unhidden, check these:");
+  all.push_back("- depths: half of them are within " + number(failure.median_depth) +
+                " m, read as " + number(failure.units_per_metre) +
+                " units per metre (--depth-scale)");
+  all.push_back("- camera: it sees " + number(failure.field_of_view) +
+                " degrees from left to right by its focal length (--camera-info)");
+  all.push_back("- model: it is " + number(failure.model_size) +
+                " m across; is it this object, and in metres? (lockbox inspect, --mesh-scale)");
 }
 
 }  // namespace
@@ -140,11 +152,11 @@ bool is_explained(const SearchFailure& failure) {
 
 std::vector<std::string> reasons(const SearchFailure& failure) {
   std::vector<std::string> all;
-  add_reasons_of_frame(failure, all);
   if (failure.is_mirrored) {
     all.emplace_back(
-        "The model is found in the mirror image of the frame: record without mirroring, or is the "
-        "model mirrored (a negative scale)?");
+        "The model is found in the mirror image of the frame: switch mirroring off where the "
+        "images "
+        "are made, and record anew, or is the model mirrored (a negative scale)?");
   }
   if (failure.depth_factor != 1.0) {
     all.push_back(
@@ -152,14 +164,19 @@ std::vector<std::string> reasons(const SearchFailure& failure) {
         "if they are read in another one: is --depth-scale " +
         number(failure.units_per_metre / failure.depth_factor) + " the camera's?");
   }
+  add_reasons_of_frame(failure, all);
   if (!all.empty()) return all;
+  if (failure.measured < kLittleDepth) {
+    all.push_back("Only " + percent(failure.measured) +
+                  " of the pixels have a depth: black, shiny, transparent and very near surfaces, "
+                  "and sunlight, give none.");
+  }
   if (failure.best) {
     all.push_back(of_place(*failure.best));
   } else {
-    all.emplace_back("Nothing in view resembles the model: is it in view, between " +
-                     number(failure.min_depth) + " and " + number(failure.max_depth) +
-                     " m from the camera, and as large as the model?");
+    all.push_back(nothing_resembles(failure));
   }
+  add_what_to_check(failure, all);
   return all;
 }
 

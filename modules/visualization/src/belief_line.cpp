@@ -14,6 +14,10 @@ std::string percent(double share) {
 
 }  // namespace
 
+std::string alternative_name(const std::string& kind, double probability) {
+  return kind + ' ' + percent(probability);
+}
+
 std::string belief_line(double belief, const std::string& alternatives) {
   std::string line = "belief " + percent(belief);
   std::istringstream stream(alternatives);
@@ -21,8 +25,8 @@ std::string belief_line(double belief, const std::string& alternatives) {
   for (std::string one; std::getline(stream, one, ';'); between = ", ") {
     const std::size_t colon = one.find(':');
     if (colon == std::string::npos) return line;
-    line += between + one.substr(0, colon) + ' ' +
-            percent(std::strtod(one.c_str() + colon + 1, nullptr));
+    line += between +
+            alternative_name(one.substr(0, colon), std::strtod(one.c_str() + colon + 1, nullptr));
   }
   return line;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/visualization/scene_composer.hpp"
 
+#include <array>
 #include <iomanip>
 #include <sstream>
 
@@ -12,6 +13,11 @@ namespace lockbox {
 namespace {
 
 constexpr double kFinePoint = 1.0;  // pixels: lets the model show between the points
+
+/// Red, green, blue in [0, 1]: no colours that points or shipped models have. As many as a tracker
+/// reports alternatives; what comes after them begins anew.
+const std::array<Eigen::Vector3f, 3> kAlternativeColors{
+    Eigen::Vector3f(1.0F, 0.55F, 0.1F), {0.9F, 0.3F, 0.9F}, {0.25F, 0.85F, 0.9F}};
 
 }  // namespace
 
@@ -27,6 +33,8 @@ bool SceneChoices::handle(const std::string& key) {
     points = !points;
   } else if (key == "m") {
     model = !model;
+  } else if (key == "a") {
+    alternatives = !alternatives;
   } else if (key == "s") {
     beside = !beside;
   } else if (key == "h") {
@@ -42,6 +50,7 @@ bool SceneChoices::handle(const std::string& key) {
 SceneChoices SceneChoices::measured_only() const {
   SceneChoices choices = *this;
   choices.model = false;
+  choices.alternatives = false;
   choices.coloring = Coloring::plain;
   choices.help = false;
   return choices;
@@ -80,6 +89,8 @@ DisplayedScene& SceneComposer::compose(const DepthFrame* frame, const ShownEstim
   scene_.legend.clear();
   scene_.part_rgb.clear();
   colors_.paint(choices.coloring, frame, estimate, T_camera_body_, scene_);
+  scene_.ghosts.clear();
+  if (choices.alternatives) place_alternatives(estimate.alternatives);
   scene_.sliders.clear();
   scene_.seek_bar.reset();
   scene_.T_camera_body = choices.model ? T_camera_body_ : std::vector<Eigen::Isometry3d>{};
@@ -106,6 +117,16 @@ void SceneComposer::place_points(const DepthFrame& frame) {
           greys.rgb.begin() + std::ptrdiff_t{3} * (std::ptrdiff_t{v} * frame.camera.width + u);
       scene_.point_rgb.insert(scene_.point_rgb.end(), pixel, pixel + 3);
     }
+  }
+}
+
+void SceneComposer::place_alternatives(const std::vector<ShownAlternative>& alternatives) {
+  for (const ShownAlternative& alternative : alternatives) {
+    const auto& color = kAlternativeColors[scene_.ghosts.size() % kAlternativeColors.size()];
+    SceneGhost& ghost = scene_.ghosts.emplace_back();
+    ghost.color = color;
+    forward_kinematics(model_.tree, alternative.configuration, ghost.T_camera_body);
+    scene_.legend.push_back({alternative.name, color});
   }
 }
 

@@ -29,15 +29,15 @@ vtkNew<vtkPolyData> to_poly_data(const TriangleMesh& mesh) {
   return data;
 }
 
-vtkSmartPointer<vtkActor> make_actor(const ScenePart& part) {
+vtkSmartPointer<vtkActor> make_actor(vtkPolyData* shape, const Eigen::Vector3f& part_color) {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(to_poly_data(*part.mesh));
+  mapper->SetInputData(shape);
   mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetUserMatrix(vtkNew<vtkMatrix4x4>());
   vtkProperty& look = *actor->GetProperty();
-  const Eigen::Vector3d color = part.color.cast<double>();
+  const Eigen::Vector3d color = part_color.cast<double>();
   look.SetColor(color.x(), color.y(), color.z());
   look.SetInterpolationToFlat();  // vertices carry no normals, and most edges are sharp
   look.SetAmbient(0.25);
@@ -49,8 +49,18 @@ vtkSmartPointer<vtkActor> make_actor(const ScenePart& part) {
 
 ModelActors::ModelActors(const std::vector<ScenePart>& parts, vtkRenderer& renderer) {
   for (const auto& part : parts) {
-    actors_.push_back(make_actor(part));
+    actors_.push_back(make_actor(to_poly_data(*part.mesh), part.color));
     body_of_actor_.push_back(part.body);
+    renderer.AddActor(actors_.back());
+  }
+}
+
+ModelActors::ModelActors(const ModelActors& shapes, vtkRenderer& renderer,
+                         const Eigen::Vector3f& color)
+    : body_of_actor_(shapes.body_of_actor_) {
+  for (const auto& actor : shapes.actors_) {
+    auto* const mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+    actors_.push_back(make_actor(mapper->GetInput(), color));
     renderer.AddActor(actors_.back());
   }
 }

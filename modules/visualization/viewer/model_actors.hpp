@@ -12,10 +12,15 @@
 
 namespace lockbox {
 
-/// The model of a scene: one actor a part.
+/// The model in a scene: one actor a part.
 class ModelActors {
  public:
   ModelActors(const std::vector<ScenePart>& parts, vtkRenderer& renderer);
+
+  /// The parts of another one once more, in one colour (red, green, blue in [0, 1]).
+  ModelActors(const ModelActors& shapes, vtkRenderer& renderer, const Eigen::Vector3f& color);
+  ModelActors(const ModelActors&) = delete;
+  ModelActors& operator=(const ModelActors&) = delete;
 
   /// Without poses the model is hidden.
   void place(const std::vector<Eigen::Isometry3d>& T_camera_body, double opacity);

@@ -4,6 +4,8 @@
 namespace lockbox {
 namespace {
 
+/// So that the estimate shows through, and two of them over each other.
+constexpr double kGhostOpacity = 0.35;
 constexpr double kTopOfBackground[] = {0.16, 0.18, 0.22};
 constexpr double kBottomOfBackground[] = {0.05, 0.06, 0.08};
 
@@ -21,7 +23,19 @@ void ScenePane::set(const DisplayedScene& scene) {
   points_.set(scene, scale_);
   model_.place(scene.T_camera_body, scene.model_opacity);
   model_.color(scene.part_rgb);
+  set_ghosts(scene.ghosts);
   captions_.set(scene);
+}
+
+void ScenePane::set_ghosts(const std::vector<SceneGhost>& ghosts) {
+  while (ghosts_.size() < ghosts.size()) {
+    ghosts_.emplace_back(model_, *renderer_, ghosts[ghosts_.size()].color);
+  }
+  for (std::size_t i = 0; i < ghosts_.size(); ++i) {
+    const bool is_shown = i < ghosts.size();
+    ghosts_[i].place(is_shown ? ghosts[i].T_camera_body : std::vector<Eigen::Isometry3d>{},
+                     kGhostOpacity);
+  }
 }
 
 void ScenePane::extend(double left, double right) {

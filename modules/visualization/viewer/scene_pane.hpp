@@ -4,6 +4,8 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <deque>
+
 #include "captions.hpp"
 #include "model_actors.hpp"
 #include "point_actor.hpp"
@@ -26,8 +28,11 @@ class ScenePane {
   vtkRenderer& renderer() { return *renderer_; }
 
  private:
+  void set_ghosts(const std::vector<SceneGhost>& ghosts);
+
   vtkNew<vtkRenderer> renderer_;
   ModelActors model_;
+  std::deque<ModelActors> ghosts_;  ///< as many as were ever needed
   PointActor points_;
   Captions captions_;
   double scale_;

@@ -48,8 +48,8 @@ struct TrackerOptions {
   /// source is live.
   bool background_search = false;
   /// Where the first search finds nothing and the frame does not tell why, other readings of it are
-  /// tried (search_failure.hpp), which takes some seconds. Not in the background. Source: whether
-  /// the user is told, no `--quiet`.
+  /// tried (search_failure.hpp), which takes some seconds: in the background after the second
+  /// search that finds nothing. Source: whether the user is told, no `--quiet`.
   bool try_other_readings = false;
   /// Among them depths in another unit: only where nobody has said which one it is. Source: whether
   /// the source says it.

@@ -97,6 +97,7 @@ class Acquisition {
   std::vector<Alternative> alternatives_;
   SearchProgress progress_;
   bool may_be_misread_ = true;  ///< nothing was found yet, and other readings were not tried
+  int failures_ = 0;            ///< searches in the background, until other readings are tried
   int searches_ = 0;
 };
 

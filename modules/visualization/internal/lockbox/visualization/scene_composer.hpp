@@ -18,10 +18,11 @@ struct SceneChoices {
   bool points = true;
   bool model = true;
   Coloring coloring = Coloring::plain;
+  bool alternatives = true;
   bool beside = false;  ///< two scenes side by side
   bool help = false;    ///< the keys
 
-  /// Toggles what a key (its name in X11) stands for: `p`, `m`, `s`, `h`, and those of
+  /// Toggles what a key (its name in X11) stands for: `p`, `m`, `a`, `s`, `h`, and those of
   /// coloring_of_key(). False if it is none of them.
   bool handle(const std::string& key);
 
@@ -37,6 +38,7 @@ inline constexpr char kSceneHelp[] =
     "  u             uncertainty of where the model's surface is\n"
     "  s             side by side\n"
     "  m, p          model, points on and off\n"
+    "  a             alternatives on and off: where the object may be as well\n"
     "  r             the view from near the sensor\n"
     "  mouse         turns; with shift it moves, the wheel zooms\n"
     "  h             this help on and off\n"
@@ -67,6 +69,7 @@ class SceneComposer {
  private:
   void place_model(const Configuration& configuration);
   void place_points(const DepthFrame& frame);
+  void place_alternatives(const std::vector<ShownAlternative>& alternatives);
 
   const ArticulatedModel& model_;
   std::string help_;

@@ -50,6 +50,12 @@ struct SliderMove {
   double value;
 };
 
+/// The model once more, translucent and in one colour.
+struct SceneGhost {
+  std::vector<Eigen::Isometry3d> T_camera_body;  ///< by body
+  Eigen::Vector3f color;                         ///< red, green, blue in [0, 1]
+};
+
 /// What a window shows, in the depth camera's optical frame (metres).
 struct DisplayedScene {
   std::vector<Eigen::Vector3f> points;
@@ -59,6 +65,7 @@ struct DisplayedScene {
   double model_opacity = 1.0;
   /// By part, three bytes a vertex; empty: the parts have their own colours.
   std::vector<std::vector<std::uint8_t>> part_rgb;
+  std::vector<SceneGhost> ghosts;
   std::string status;                   ///< lines for the upper left corner
   std::string help;                     ///< a line for the lower left corner
   std::string overlay;                  ///< lines over the middle of the picture
