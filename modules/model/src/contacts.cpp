@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contacts.hpp"
+#include "lockbox/model/contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 
-namespace lockbox::app {
+namespace lockbox {
 namespace {
 
 constexpr double kSpacing = 0.004;    // metres between samples of a surface
@@ -70,4 +70,4 @@ std::vector<Contact> rest_contacts(const ArticulatedModel& model) {
   return contacts;
 }
 
-}  // namespace lockbox::app
+}  // namespace lockbox

@@ -6,7 +6,7 @@
 
 #include "lockbox/model/articulated_model.hpp"
 
-namespace lockbox::app {
+namespace lockbox {
 
 /// Up to this distance (metres) bodies touch; deeper ones overlap. What distance fields resolve.
 inline constexpr double kContactTolerance = 2e-4;
@@ -20,4 +20,4 @@ struct Contact {
 /// All pairs of bodies that touch or overlap in the rest configuration.
 std::vector<Contact> rest_contacts(const ArticulatedModel& model);
 
-}  // namespace lockbox::app
+}  // namespace lockbox
