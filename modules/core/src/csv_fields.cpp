@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "csv_fields.hpp"
+#include "lockbox/core/csv_fields.hpp"
 
 namespace lockbox {
 
@@ -9,14 +9,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::vector<std::string_view> split_fields(std::string_view text) {
+std::vector<std::string_view> split_fields(std::string_view text, char separator) {
   std::vector<std::string_view> fields;
-  for (auto comma = text.find(','); comma != std::string_view::npos; comma = text.find(',')) {
-    fields.push_back(trimmed(text.substr(0, comma)));
-    text.remove_prefix(comma + 1);
+  while (true) {
+    const auto end = text.find(separator);
+    fields.push_back(trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return fields;
+    text.remove_prefix(end + 1);
   }
-  fields.push_back(trimmed(text));
-  return fields;
 }
 
 }  // namespace lockbox
