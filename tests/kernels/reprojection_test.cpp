@@ -115,9 +115,9 @@ TEST_F(ReprojectionTest, SeenThroughIsWhatWasMeasuredFarBehindOrIsUndecided) {
   const PointNoise noise{0.001F, 0.002F, 0.0F, 0.0F};
   constexpr float kZone = 30.0F;
   ByPoint<std::uint32_t> found;
-  const std::size_t count =
-      seen_through({expected.data(), seen_x.data(), seen_y.data(), seen.data(), pixel.data()},
-                   kPoints, noise, kZone, found.data());
+  const std::size_t count = free_space_violations(
+      {expected.data(), seen_x.data(), seen_y.data(), seen.data(), pixel.data()}, kPoints, noise,
+      kZone, found.data());
   std::vector<std::uint32_t> wanted;
   for (std::uint32_t u = 0; u < kPoints; ++u) {
     const float sigma = 0.001F + 0.002F * expected[u] * expected[u];

@@ -59,7 +59,8 @@ TEST(ExactCollisionDerivatives, EveryKindOfJointAgreesWithNumericalDifferentiati
     return poses;
   };
   const auto cost = [&](const Configuration& x, NormalEquations* equations) {
-    return term.evaluate(model, poses_at(x), equations);
+    return equations == nullptr ? term.cost(model, poses_at(x))
+                                : term.linearize(model, poses_at(x), *equations);
   };
   const Eigen::Index unknowns = 6 + model.tree.variables();
   Eigen::VectorXi pushed = Eigen::VectorXi::Zero(unknowns);

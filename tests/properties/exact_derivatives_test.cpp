@@ -10,7 +10,7 @@
 #include "lockbox/cloud/image_points.hpp"
 #include "lockbox/model/motion_scales.hpp"
 #include "lockbox/rendering/body_item.hpp"
-#include "lockbox/terms/edge_tile.hpp"
+#include "lockbox/terms/edge_patch.hpp"
 #include "lockbox/terms/free_space_term.hpp"
 #include "lockbox/terms/model_term.hpp"
 #include "lockbox/view/continued_edges.hpp"
@@ -97,14 +97,14 @@ TEST_F(ExactDerivatives, ModelTermAgreesWithNumericalDifferentiation) {
   const TermOptions options;
   VisibleSurface surface;
   PixelPrediction predicted;
-  for (const double spread : {0.0, 0.01}) {
+  for (const double annealing_sigma : {0.0, 0.01}) {
     const Configuration at = displaced(0.7);
     surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
     surface.predict(points, ContinuedEdges(), executor, predicted);
     ModelTerm term;
     std::vector<BodySystem> systems(model.tree.bodies.size());
     const ModelTerm::Scene scene{model, points, cloud.camera(), predicted, options, executor};
-    const double cost = term.linearize(scene, poses(at), spread, systems);
+    const double cost = term.linearize(scene, poses(at), annealing_sigma, systems);
     EXPECT_NEAR(term.cost(scene, poses(at)), cost, 1e-5 * std::abs(cost));
     const NormalEquations analytic = mapped(systems, at);
     // Interpolation makes the cost piecewise smooth: a step well below a voxel, well above
@@ -130,17 +130,17 @@ TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
   for (std::size_t row = 0; row < samples.rows(); ++row) samples.place_row(surface, row);
   samples.finish();
   const ContinuedEdges none;
-  OutlinePoints outlines;
-  outlines.begin(surface.view());
-  for (std::size_t i = 0; i < outlines.bands(); ++i) {
-    outlines.find_band({model, surface, edges, none, 1, options}, i);
+  ContourPoints contours;
+  contours.begin(surface.view());
+  for (std::size_t i = 0; i < contours.bands(); ++i) {
+    contours.find_band({model, surface, edges, none, 1, options}, i);
   }
   FreeSpaceTerm term;
   std::vector<BodySystem> systems(model.tree.bodies.size());
-  constexpr double kSpread = 0.005;
-  term.select({model, surface, samples, outlines, none, cloud, options, executor}, poses(at),
-              kSpread);
-  const double cost = term.linearize(poses(at), kSpread, systems);
+  constexpr double kAnnealingSigma = 0.005;
+  term.select({model, surface, samples, contours, none, cloud, options, executor}, poses(at),
+              kAnnealingSigma);
+  const double cost = term.linearize(poses(at), kAnnealingSigma, systems);
   ASSERT_GT(term.matched_samples(), 50U);
   EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));
   const NormalEquations analytic = mapped(systems, at);
@@ -182,25 +182,25 @@ ExpectedImage expected_image(const ArticulatedModel& model, const Configuration&
     items.push_back(body_item(model.tree, b, poses[b]));
     jacobians[b] = adjoint(poses[b]) * jacobians[b];
   }
-  DepthRenderer renderer(refined(camera, EdgeTile::kSamples), Executor(1));
+  DepthRenderer renderer(refined(camera, EdgePatch::kSamples), Executor(1));
   renderer.prepare(items);
   RenderedInverseDepth samples;
   renderer.draw({0, 0, renderer.camera().width, renderer.camera().height}, samples);
   ExpectedImage image;
   image.means.setZero(camera.width * camera.height);
   image.derivatives.setZero(image.means.size(), 6 + model.tree.variables());
-  EdgeTile tile(0.5);
-  const int last_left = camera.width - kMargin - EdgeTile::kSide;
-  const int last_top = camera.height - kMargin - EdgeTile::kSide;
-  for (int top = kMargin; top <= last_top; top += EdgeTile::kSide) {
-    for (int left = kMargin; left <= last_left; left += EdgeTile::kSide) {
-      if (!tile.read(samples, EdgeTile::kSamples * left - EdgeTile::kReach,
-                     EdgeTile::kSamples * top - EdgeTile::kReach)) {
+  EdgePatch tile(0.5);
+  const int last_left = camera.width - kMargin - EdgePatch::kSide;
+  const int last_top = camera.height - kMargin - EdgePatch::kSide;
+  for (int top = kMargin; top <= last_top; top += EdgePatch::kSide) {
+    for (int left = kMargin; left <= last_left; left += EdgePatch::kSide) {
+      if (!tile.read(samples, EdgePatch::kSamples * left - EdgePatch::kReach,
+                     EdgePatch::kSamples * top - EdgePatch::kReach)) {
         continue;
       }
-      for (int row = 0; row < EdgeTile::kSide; ++row) {
-        tile.begin_row(row, 0, EdgeTile::kSide);
-        for (int column = 0; column < EdgeTile::kSide; ++column) {
+      for (int row = 0; row < EdgePatch::kSide; ++row) {
+        tile.begin_row(row, 0, EdgePatch::kSide);
+        for (int column = 0; column < EdgePatch::kSide; ++column) {
           if (tile.may_show_nothing(column, row)) continue;
           tile.look_at(column);
           const Eigen::Index pixel = (top + row) * camera.width + left + column;
@@ -223,9 +223,8 @@ ExpectedImage expected_image(const ArticulatedModel& model, const Configuration&
 // over half a pixel to both sides they round off the density of the jitter, half a pixel wide.
 TEST_F(ExactDerivatives, ExpectedImageAgreesWithNumericalDifferentiation) {
   const ExpectedImage here = expected_image(model, truth);
-  const Eigen::VectorXd levers = motion_scales(model.tree);
   for (Eigen::Index i = 0; i < unknowns; ++i) {
-    const double h = 0.0006 / levers[i];  // half a pixel
+    const double h = 0.0006 / scales[i];  // half a pixel
     const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(unknowns, i);
     const ExpectedImage after = expected_image(model, stepped(truth, step));
     const ExpectedImage before = expected_image(model, stepped(truth, -step));

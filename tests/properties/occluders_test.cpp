@@ -28,9 +28,9 @@ class Occluders : public ::testing::Test {
 
   /// From where tracking would start, unless told.
   RegistrationResult registered(const Scene& scene,
-                                const AlignOptions& annealing = {0.003, 15, false, 3}) const {
+                                const AlignOptions& align_options = {0.003, 15, false, 3}) const {
     ArticulatedRegistration registration(model_, {}, Executor());
-    return registration.align(seen(model_, truth_, scene), truth_, annealing);
+    return registration.align(seen(model_, truth_, scene), truth_, align_options);
   }
 
   Eigen::VectorXd difference(const Configuration& a, const Configuration& b) const {
@@ -90,7 +90,7 @@ TEST_F(Occluders, InFrontMoveNoEstimateByMoreThanTheNoise) {
 }
 
 TEST_F(Occluders, ThatHideMostDoNotPullWhileGatesAreWide) {
-  constexpr double kSpread = 0.015;
+  constexpr double kAnnealingSigma = 0.015;
   for (const double side : {-1.0, 1.0}) {
     for (const double tilt : {-0.1, 0.0, 0.1}) {
       Scene scene = wall_behind(0.6);
@@ -100,7 +100,7 @@ TEST_F(Occluders, ThatHideMostDoNotPullWhileGatesAreWide) {
       plank.pose = Eigen::Translation3d(0.0, 0.1 * side, highest() + 0.03 + lowest_edge) *
                    Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitX());
       scene.boxes.push_back(plank);
-      const RegistrationResult hidden = registered(scene, {kSpread, 8});
+      const RegistrationResult hidden = registered(scene, {kAnnealingSigma, 8});
       const Twist moved =
           log_se3(truth_.T_camera_base.inverse() * hidden.configuration.T_camera_base);
       EXPECT_LT(moved.head<3>().norm(), 0.001) << "side " << side << ", tilted by " << tilt;

@@ -124,7 +124,7 @@ std::string of_place(const SearchFailure::Place& place) {
   // Half: from there on the model may be a part of something larger.
   if (place.continued > 0.5) {
     text << " The surface goes on beyond " << percent(place.continued)
-         << " of its outline, as a wall or table does.";
+         << " of its contour, as a wall or table does.";
   }
   text << " Is the object in view, and as large as the model?";
   return text.str();

@@ -24,11 +24,11 @@ inline constexpr double kMostModelTolerance = 0.004;
 inline constexpr double kLeastModelTolerance = 0.0015;
 /// The same across the ray. Unit: metres. Source: woodwork and printed parts. Doubled, parts that
 /// stand out by less than 24 mm no longer tell.
-inline constexpr double kOutlineTolerance = 0.005;
-/// What an outline is off by for the camera's sake, of a 640-column image. Unit: pixels. Source:
+inline constexpr double kContourTolerance = 0.005;
+/// What a contour is off by for the camera's sake, of a 640-column image. Unit: pixels. Source:
 /// its calibration, and what a sensor's window smears. Doubled, handles of two pixels no longer
 /// tell.
-inline constexpr double kOutlinePixels = 1.0;
+inline constexpr double kContourPixels = 1.0;
 
 /// What a straight contour that was foretold tells. Unit: nats. Source: where it lies and how it is
 /// turned, each to three cells of 240, and what begins there. Doubled, boxes pass for the model

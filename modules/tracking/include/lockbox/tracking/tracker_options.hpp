@@ -20,19 +20,19 @@ struct TrackerOptions {
   int threads = 0;
 
   // Around a guess: first as it is, within a narrow gate; then the base alone, from where its
-  // surfaces are start_spread off, and the joints after it. Wide gates would turn and slide parts
+  // surfaces are start_sigma off, and the joints after it. Wide gates would turn and slide parts
   // onto each other.
 
   /// Points farther from the expected object are left out while the base is found: table and walls.
   /// Unit: metres. Source: not recorded.
   double start_margin = 0.2;
   /// How far off the base's surfaces may be at first. Unit: metres. Source: not recorded.
-  double start_spread = 0.04;
+  double start_sigma = 0.04;
   /// Iterations in which the base comes to rest from there. Unit: iterations. Source: not recorded.
   int start_iterations = 30;
   /// How far off joints may be where they are registered after the base: gates of several
   /// centimetres turn a disk onto its neighbours. Unit: metres. Source: not recorded.
-  double start_joint_spread = 0.005;
+  double start_joint_sigma = 0.005;
   /// Iterations in which they come to rest from there. Unit: iterations. Source: not recorded.
   int start_joint_iterations = 10;
   /// The whole frame is searched where no guess helps, at the start and when lost. Source: the tool
@@ -84,10 +84,10 @@ struct TrackerOptions {
   /// So many must speak for or against a body before it is judged by itself. Unit: pixels. Source:
   /// not recorded.
   double least_body_pixels = 80.0;
-  /// Of what speaks for or against a body, the share of patches behind it. Source: none of 585 and
+  /// Of what speaks for or against a body, the share of groups behind it. Source: none of 585 and
   /// 200 frames of fast motion and of steps was trusted wrongly with it.
-  double most_patches_behind = 0.03;
-  /// The share of the outline at which the scene goes on as the model's surface. Source: not
+  double most_groups_behind = 0.03;
+  /// The share of the contour at which the scene goes on as the model's surface. Source: not
   /// recorded.
   double most_continued = 0.85;
   /// Surfaces that the last iteration moves farther are not where they belong. Unit: metres.
