@@ -31,8 +31,8 @@ std::string readable(const std::string& value) {
   return scope == std::string::npos ? value : value.substr(scope + 2);
 }
 
-/// `  double cut = 4.0;` or `inline constexpr double kLine = 10.0;`. Others hold values themselves,
-/// or functions.
+/// `  double gate = 4.0;` or `inline constexpr double kLine = 10.0;`. Others hold values
+/// themselves, or functions.
 std::optional<DocumentedValue> declared_value(const std::string& line) {
   static const std::regex declaration(
       R"((?:  |inline constexpr )((?:std::)?[a-z_]\w*(?:<\w+>)?|\w+)\s(\w+)(?: = (.+))?;)");

@@ -54,7 +54,8 @@ constexpr char kTrackerParameters[] = R"(
 
 Programs set them as members of `TrackerOptions`. `lockbox track` sets those that are the user's, and those of the
 noise, its correlation and the range of depths by the sensor's [profile](sensors.md). `run.yaml` lists all as they were
-in force, under `parameters`. Those of a model stand [beside it](file-formats.md#tracking-parameters-of-a-model-yaml).
+in force, under `parameters`. `--set gate=3` sets any of them, as does a line `set = ["gate=3", "lambda_free=2"]` in the
+file of `--config`; that counts more than the sensor's profile. Those of a model stand [beside it](file-formats.md#tracking-parameters-of-a-model-yaml).
 )";
 
 constexpr char kEvidence[] = R"(

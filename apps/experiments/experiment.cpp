@@ -53,7 +53,7 @@ std::vector<TrackingResult> track(Tracker& tracker, const Recording& recording) 
   return results;
 }
 
-void print_judgement(const JudgementCount& frames) {
+void print_status_count(const StatusCount& frames) {
   const auto print = [](const char* what, std::size_t all, const char* of_these, std::size_t part) {
     std::ostringstream line;  // leaves the format of what follows alone
     line << what << ": " << all << ", " << of_these << ": " << part;

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "lockbox/evaluation/figure.hpp"
-#include "lockbox/evaluation/judgement_count.hpp"
 #include "lockbox/evaluation/recording.hpp"
+#include "lockbox/evaluation/status_count.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/tracking/tracker.hpp"
 
@@ -60,7 +60,7 @@ Recording simulate(const ArticulatedModel& model, const std::vector<State>& trut
 std::vector<TrackingResult> track(Tracker& tracker, const Recording& recording);
 
 /// How far the status `tracking` can be trusted, in two lines.
-void print_judgement(const JudgementCount& frames);
+void print_status_count(const StatusCount& frames);
 
 /// Percent of the values that are at most so large.
 Curve cumulative_curve(const std::string& name, std::vector<double> values);

@@ -29,14 +29,14 @@ std::vector<GlobalResult> rows_of_all_shards(const std::filesystem::path& stem) 
 void print_summary(const std::string& name, const std::vector<GlobalResult>& rows) {
   std::map<std::string, int> wrong;
   std::vector<double> seconds;
-  JudgementCount judgement;
+  StatusCount statuses;
   int counted = 0;
   int right = 0;
   for (const GlobalResult& row : rows) {
     seconds.push_back(row.seconds);
     const bool is_tracking = row.status == TrackingStatus::tracking;
     // What a scene does not determine may well be called uncertain.
-    if (row.determined || is_tracking) judgement.add(is_tracking, row.within);
+    if (row.determined || is_tracking) statuses.add(is_tracking, row.within);
     if (!row.determined) continue;
     ++counted;
     right += row.right ? 1 : 0;
@@ -52,7 +52,7 @@ void print_summary(const std::string& name, const std::vector<GlobalResult>& row
   for (const auto& [what, count] : wrong) {
     std::cout << "  wrong " << count << " times: " << what << '\n';
   }
-  print_judgement(judgement);
+  print_status_count(statuses);
 }
 
 /// Right answers by distance, and how many scenes took at most so long.

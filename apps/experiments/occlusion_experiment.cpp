@@ -76,7 +76,7 @@ void print_summary(const KinematicTree& tree, const OcclusionRuns& runs) {
                        [](auto& a, auto& b) { return a.occluded < b.occluded; });
   std::cout << std::setprecision(1) << "hidden at most: " << 100.0 * most_hidden->occluded
             << " % of the box; searches: " << runs.results.back().searches << '\n';
-  print_judgement(with.judgement);
+  print_status_count(with.statuses);
 }
 
 Curve curve_of(const std::string& name, const Evaluation& evaluation,

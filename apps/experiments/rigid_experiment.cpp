@@ -48,13 +48,13 @@ Table rows_of(const std::vector<RigidRun>& runs) {
 
 void print_summary(const std::vector<RigidRun>& runs) {
   std::size_t arrived = 0;
-  JudgementCount judgement;
+  StatusCount statuses;
   std::cout << "\nstart (cm)  end (mm, degrees)  at noise level from frame  searches\n";
   for (const RigidRun& run : runs) {
     const FrameOutcome& last = run.frames.back();
     const auto arrival = run.arrival();
     arrived += arrival ? 1U : 0U;
-    judgement += count_judgements(run.frames);
+    statuses += count_statuses(run.frames);
     std::cout << std::fixed << std::setprecision(0) << std::setw(10) << kCentimetres * run.start
               << std::setprecision(2) << std::setw(11) << 1000.0 * last.translation << std::setw(8)
               << kDegrees * last.rotation << std::setw(27)
@@ -63,7 +63,7 @@ void print_summary(const std::vector<RigidRun>& runs) {
   }
   std::cout << "at noise level (2 mm, 0.2 degrees) at the end: " << arrived << " of " << runs.size()
             << " starts\n";
-  print_judgement(judgement);
+  print_status_count(statuses);
 }
 
 Figure error_figure(const std::string& name, const std::vector<RigidRun>& runs) {

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "lockbox/core/csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/text_file.hpp"
@@ -15,16 +16,14 @@ namespace {
 Eigen::MatrixXd matrix_of(const std::string& line, Eigen::Index unknowns,
                           const std::string& where) {
   Eigen::MatrixXd matrix(unknowns, unknowns);
-  std::istringstream fields(line);
-  std::string field;
-  std::getline(fields, field, ',');
-  Eigen::Index count = 0;
-  for (; std::getline(fields, field, ','); ++count) {
-    const auto number = parse_number(field);
-    if (!number || count == matrix.size()) break;
-    matrix(count / unknowns, count % unknowns) = *number;
+  const std::vector<std::string_view> fields = split_fields(line);
+  bool is_row = static_cast<Eigen::Index>(fields.size()) == matrix.size() + 1;
+  for (Eigen::Index i = 0; is_row && i < matrix.size(); ++i) {
+    const auto number = parse_number(fields[static_cast<std::size_t>(i + 1)]);
+    is_row = number.has_value();
+    if (is_row) matrix(i / unknowns, i % unknowns) = *number;
   }
-  if (count != matrix.size() || std::getline(fields, field, ',')) {
+  if (!is_row) {
     throw InputError(where, "is not a row of " + std::to_string(matrix.size()) +
                                 " covariances of this model; was the run of another one?");
   }

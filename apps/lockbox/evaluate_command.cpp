@@ -43,10 +43,10 @@ void print_evaluation(const KinematicTree& tree, const Evaluation& evaluation) {
     print_row(joint.name, slides ? "mm" : "degrees", slides ? kMillimetres : kDegrees,
               summary.errors);
   }
-  const JudgementCount& judgement = evaluation.judgement;
-  std::cout << judgement.tracking << " of " << counted(evaluation.frames.size(), "frame")
-            << " tracked, of these wrong: " << judgement.tracking_but_wrong
-            << "; right but not called tracking: " << judgement.right_but_not_tracking
+  const StatusCount& statuses = evaluation.statuses;
+  std::cout << statuses.tracking << " of " << counted(evaluation.frames.size(), "frame")
+            << " tracked, of these wrong: " << statuses.tracking_but_wrong
+            << "; right but not called tracking: " << statuses.right_but_not_tracking
             << "; without an estimate near in time: " << evaluation.unmatched << '\n';
 }
 
@@ -89,7 +89,7 @@ class EvaluateCommand : public Command {
     if (!bounds_.empty()) bounds = read_bounds(bounds_, tree);
     const Evaluation evaluation = evaluate(tree, estimate, reference, bounds, {}, equal);
     print_evaluation(tree, evaluation);
-    warn_of_reference(implausibility(tree, reference.states), evaluation.judgement);
+    warn_of_reference(implausibility(tree, reference.states), evaluation.statuses);
     if (!output_.empty()) write_files(tree, evaluation);
     return ExitStatus::done;
   }
@@ -101,12 +101,12 @@ class EvaluateCommand : public Command {
     return model_of_run(estimate_, model_.load_options());
   }
 
-  void warn_of_reference(const std::string& implausible, const JudgementCount& judgement) const {
+  void warn_of_reference(const std::string& implausible, const StatusCount& statuses) const {
     constexpr std::size_t kSuspicious = 10;  // frames: so many are not wrong by chance
     if (!implausible.empty()) {
       warn(reference_ + ": " + implausible);
-    } else if (judgement.tracking >= kSuspicious &&
-               judgement.tracking_but_wrong == judgement.tracking) {
+    } else if (statuses.tracking >= kSuspicious &&
+               statuses.tracking_but_wrong == statuses.tracking) {
       warn("no frame that was tracked agrees with " + reference_ +
            "; is it the truth of this recording, with the pose of the base in the camera's frame?");
     }

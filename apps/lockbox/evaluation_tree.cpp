@@ -3,10 +3,13 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
+#include "lockbox/core/csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/text_file.hpp"
 
@@ -46,15 +49,11 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
   if (!std::getline(file, header)) {
     throw InputError(states_file.string(), "cannot be read, or is empty");
   }
-  if (header.ends_with('\r')) header.pop_back();
-  std::vector<std::string> columns;
-  std::stringstream cells(header);
-  for (std::string cell; std::getline(cells, cell, ',') && cell != "status";) {
-    columns.push_back(cell);
-  }
-  columns.erase(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(
-                                                       std::min(kPoseColumns, columns.size())));
-  return columns;
+  const std::vector<std::string_view> columns = split_fields(header);
+  const auto status = std::find(columns.begin(), columns.end(), "status");
+  const auto count = static_cast<std::size_t>(status - columns.begin());
+  const auto first = columns.begin() + static_cast<std::ptrdiff_t>(std::min(kPoseColumns, count));
+  return {first, status};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <string>
 
 #include "lockbox/tracking/tracker.hpp"
 #include "run_description.hpp"
@@ -13,5 +14,9 @@ NamedValues options_in_force(const CLI::App& options);
 
 /// Every parameter of the tracker.
 NamedValues parameters_in_force(const TrackerOptions& options);
+
+/// Sets one of them, given as NAME=VALUE. Throws InputError if there is no such parameter, or the
+/// value is none of it.
+void set_parameter(const std::string& setting, TrackerOptions& options);
 
 }  // namespace lockbox::app

@@ -87,6 +87,7 @@ class TrackCommand : public Command {
     tracker_options.try_other_readings = !settings_.quiet;
     tracker_options.try_other_units = !source->is_unit_stated();
     tracker_options.stop_request = interruption::requested;
+    for (const std::string& parameter : parameters_) set_parameter(parameter, tracker_options);
     Tracker tracker(model, tracker_options);
     if (initial_state_ != "auto") tracker.start(first_state(initial_state_, model.tree));
     if (!settings_.quiet) {
@@ -243,6 +244,16 @@ class TrackCommand : public Command {
     options.add_option("--collision", collision_, "off, literal or eroded")
         ->check(one_of({"off", "literal", "eroded"}))
         ->type_name("MODE");
+    options
+        .add_option("--set", parameters_,
+                    "Set a parameter of the tracker (docs/parameters.md), whatever else sets it: "
+                    "gate=3 (repeatable)")
+        ->check(readable([](const std::string& text) {
+          TrackerOptions any;
+          set_parameter(text, any);
+        }))
+        ->type_name("NAME=VALUE")
+        ->default_str("");
   }
 
   TrackerOptions make_tracker_options(const KinematicTree& tree) const {
@@ -267,6 +278,7 @@ class TrackCommand : public Command {
   TrackerOptions tracker_;
   std::string collision_ = "eroded";
   std::vector<std::string> locked_joints_;
+  std::vector<std::string> parameters_;
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ std::vector<Configuration> mid_motion(const ArticulatedModel& model) {
   options.T_camera_base = facing_pose(kLockboxDistance);
   options.is_possible = [&](const Configuration& configuration) {
     forward_kinematics(model.tree, configuration, poses);
-    return collision.evaluate(model, poses, nullptr) == 0.0;
+    return collision.cost(model, poses) == 0.0;
   };
   const std::vector<State> run = generate_trajectory(model.tree, options);
   std::vector<Configuration> middle;
@@ -90,14 +90,14 @@ RegistrationOptions all_points() {
 void time_registration(benchmark::State& state, const RegistrationScene& scene, int threads,
                        const RegistrationOptions& options) {
   ArticulatedRegistration registration(scene.model, options, Executor(threads));
-  const RegistrationResult* result = nullptr;
+  RegistrationResult result;
   std::size_t i = 0;
   for (auto _ : state) {
     const View& view = scene.views[i++ % scene.views.size()];
-    result = &registration.align(view.cloud, view.predicted, kFromPrediction);
+    registration.align(view.cloud, view.predicted, kFromPrediction, result);
     benchmark::DoNotOptimize(result);
   }
-  state.counters["points"] = result->explained_points;
+  state.counters["points"] = result.explained_points;
 }
 
 void on_one_and_two_threads(benchmark::internal::Benchmark* benchmark) {

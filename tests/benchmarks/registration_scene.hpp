@@ -20,7 +20,7 @@ inline constexpr PinholeCamera kPrimeSense{640, 480, 575.8, 575.8, 319.5, 239.5}
 /// What the tracker allows itself between frames: surfaces up to 3 mm off, three iterations.
 inline constexpr int kIterations = 3;
 inline const AlignOptions kFromPrediction{
-    .spread = 0.003, .iterations = kIterations, .is_predicted = true};
+    .annealing_sigma = 0.003, .iterations = kIterations, .is_predicted = true};
 
 struct View {
   Configuration truth;

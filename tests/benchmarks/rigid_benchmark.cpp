@@ -76,20 +76,20 @@ void rigid_lockbox(benchmark::State& state) {
   const auto is_off = [](const Configuration& configuration, bool /*is_narrow*/) {
     return !error_of(configuration.T_camera_base).is_reached();
   };
-  const AlignOptions annealing{.spread = kReach,
-                               .iterations = kMostIterations,
-                               .narrowing = kNarrowing,
-                               .on_iteration = is_off,
-                               .at_edges = false};  // that is for tenths of a millimetre
+  const AlignOptions align_options{.annealing_sigma = kReach,
+                                   .iterations = kMostIterations,
+                                   .narrowing = kNarrowing,
+                                   .on_iteration = is_off,
+                                   .at_edges = false};  // that is for tenths of a millimetre
   const Configuration from = start();
-  const RegistrationResult* result = nullptr;
+  RegistrationResult result;
   for (auto _ : state) {
-    result = &registration.align(view().cloud, from, annealing);
+    registration.align(view().cloud, from, align_options, result);
   }
-  report(state, error_of(result->configuration.T_camera_base), result->iterations);
+  report(state, error_of(result.configuration.T_camera_base), result.iterations);
   state.counters["iteration"] =
-      benchmark::Counter(result->iterations, benchmark::Counter::kIsIterationInvariantRate |
-                                                 benchmark::Counter::kInvert);
+      benchmark::Counter(result.iterations, benchmark::Counter::kIsIterationInvariantRate |
+                                                benchmark::Counter::kInvert);
 }
 
 void set(const Eigen::Vector3d& position, const Eigen::Vector3d& /*normal*/, pcl::PointXYZ& point) {

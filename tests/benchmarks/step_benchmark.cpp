@@ -16,7 +16,7 @@ void registration_step(benchmark::State& state) {
 void three_terms_step(benchmark::State& state) {
   RegistrationOptions options = all_points();
   options.refine_at_edges = false;
-  options.sight_low_relief = false;
+  options.match_low_prominence = false;
   time_registration(state, shipped_lockbox(), static_cast<int>(state.range(0)), options);
 }
 

@@ -10,6 +10,7 @@ namespace lockbox {
 namespace {
 
 using testing::Contains;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
@@ -92,6 +93,38 @@ TEST_F(ParametersOfARun, AreThoseOfThePage) {
   for (const auto& option : names_below(page, "Options of `lockbox track`")) {
     EXPECT_THAT(keys_of("options", run), Contains(option));
   }
+}
+
+TEST_F(ParametersOfARun, CanBeSetInAFileOfOptions) {
+  const std::string options = path("options.toml");
+  write_text(options, "set = [\"gate=3.5\", \"noise_depth_floor=0.001\", \"sight=1\"]\n");
+  const std::vector<std::string> arguments = {"--max-frames", "1", "--quiet", "--config", options};
+  const auto refused = run_tool(following("set", arguments));
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_THAT(refused.errors, HasSubstr(options + ":1: "));
+  EXPECT_THAT(refused.errors, HasSubstr("parameter 'sight': there is none of that name"));
+  write_text(options, "set = [\"gate=3.5\", \"noise_depth_floor=0.001\", \"collision=off\"]\n");
+  const auto result = run_tool(following("set", arguments));
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const auto run = read_lines(path("set/run.yaml"));
+  for (const auto* line : {"  gate: 3.5", "  noise_depth_floor: 0.001", "  collision: off"}) {
+    EXPECT_THAT(run, Contains(line));
+  }
+}
+
+TEST_F(ParametersOfARun, WithAValueThatIsNoneAreRefused) {
+  const auto refusal = [](const std::string& setting) {
+    const auto result = run_tool(following("none", {"--max-frames", "1", "--set", setting}));
+    EXPECT_EQ(result.status, 2) << setting;
+    return result.errors;
+  };
+  EXPECT_THAT(refusal("gate"), HasSubstr("NAME=VALUE"));
+  EXPECT_THAT(refusal("gaet=3"), HasSubstr("did you mean gate?"));
+  EXPECT_THAT(refusal("gate=wide"), HasSubstr("'wide' is not a number"));
+  EXPECT_THAT(refusal("gate=0"), HasSubstr("'0' is not above 0"));
+  EXPECT_THAT(refusal("most_rounds=1.5"), HasSubstr("'1.5' is not a whole number"));
+  EXPECT_THAT(refusal("collision=hard"), HasSubstr("none of off, literal and eroded"));
+  EXPECT_THAT(refusal("locked=true"), HasSubstr("--lock-joint"));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ ArticulatedModel loaded(const ObjectDraft& draft) {
 double penetration(const ArticulatedModel& model, const Configuration& configuration) {
   std::vector<Eigen::Isometry3d> poses;
   forward_kinematics(model.tree, configuration, poses);
-  return CollisionTerm(model, CollisionOptions{}).evaluate(model, poses, nullptr);
+  return CollisionTerm(model, CollisionOptions{}).cost(model, poses);
 }
 
 void expect_sound(DrawnKind kind, const ArticulatedModel& model, const DrawnView& view) {

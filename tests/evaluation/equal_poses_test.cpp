@@ -96,10 +96,10 @@ TEST(EqualPoses, CountAsTheTruthInAnEvaluation) {
   };
   const StatesFile estimate = states(turned_about(Eigen::Vector3d::UnitY(), 180.5));
   const StatesFile truth = states(somewhere());
-  EXPECT_EQ(evaluate(model.tree, estimate, truth).judgement.tracking_but_wrong, 1U);
+  EXPECT_EQ(evaluate(model.tree, estimate, truth).statuses.tracking_but_wrong, 1U);
   const Evaluation modulo =
       evaluate(model.tree, estimate, truth, std::nullopt, {}, EqualPoses(model));
-  EXPECT_EQ(modulo.judgement.tracking_but_wrong, 0U);
+  EXPECT_EQ(modulo.statuses.tracking_but_wrong, 0U);
   EXPECT_NEAR(modulo.frames[0].rotation, 0.5 * kRadians, 1e-5);
 }
 

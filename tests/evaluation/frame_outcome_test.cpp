@@ -68,7 +68,7 @@ TEST_F(FrameOutcomes, AreCountedByWhatTheyAreAndWhatTheyAreCalled) {
   frames.push_back(outcome());
   result_.status = TrackingStatus::tracking;
   frames.push_back(outcome());
-  JudgementCount count = count_judgements(frames);
+  StatusCount count = count_statuses(frames);
   EXPECT_EQ(count.tracking, 3U);
   EXPECT_EQ(count.tracking_but_wrong, 1U);
   EXPECT_EQ(count.right, 3U);

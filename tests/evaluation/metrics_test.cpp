@@ -77,7 +77,7 @@ TEST_F(Metrics, LeaveFramesWithoutEstimateOutOfErrorsButNotOutOfTheShareTracked)
   const Evaluation evaluation = evaluate(tree_, estimate, three_frames());
   EXPECT_EQ(evaluation.translation.count, 2U);
   EXPECT_EQ(evaluation.joints[0].errors.count, 2U);
-  EXPECT_EQ(evaluation.judgement.tracking, 2U);
+  EXPECT_EQ(evaluation.statuses.tracking, 2U);
   EXPECT_EQ(evaluation.frames.size(), 3U);
 }
 
@@ -131,11 +131,11 @@ TEST_F(Metrics, JudgeTheStatusByTolerances) {
   estimate.states[1].extra = {"0.05"};
   estimate.states[2].status = "uncertain";  // right, and not called tracking
   estimate.states[2].extra = {"0.001"};
-  const JudgementCount judgement = evaluate(tree_, estimate, three_frames()).judgement;
-  EXPECT_EQ(judgement.tracking, 2U);
-  EXPECT_EQ(judgement.tracking_but_wrong, 1U);
-  EXPECT_EQ(judgement.right, 2U);
-  EXPECT_EQ(judgement.right_but_not_tracking, 1U);
+  const StatusCount statuses = evaluate(tree_, estimate, three_frames()).statuses;
+  EXPECT_EQ(statuses.tracking, 2U);
+  EXPECT_EQ(statuses.tracking_but_wrong, 1U);
+  EXPECT_EQ(statuses.right, 2U);
+  EXPECT_EQ(statuses.right_but_not_tracking, 1U);
 }
 
 TEST_F(Metrics, RefuseStampsThatDoNotIncreaseAndEmptyFiles) {

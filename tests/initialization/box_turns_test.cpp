@@ -8,7 +8,7 @@ namespace {
 
 const std::vector<Eigen::Isometry3d> kIdentityAlone{Eigen::Isometry3d::Identity()};
 
-ModelLevers box(double x, double y, double z) {
+ModelExtent box(double x, double y, double z) {
   return {Eigen::Vector3d(0.3, -0.1, 0.2), Eigen::Vector3d(x, y, z), 0.5, {}};
 }
 
@@ -25,9 +25,9 @@ TEST(BoxTurns, ACubeHasAllButOne) {
 }
 
 TEST(BoxTurns, TheyTurnAboutTheMiddleOfTheBox) {
-  const ModelLevers levers = box(0.4, 0.4, 0.4);
-  for (const Eigen::Isometry3d& turn : box_turns(levers, kIdentityAlone)) {
-    EXPECT_TRUE((turn * levers.centre).isApprox(levers.centre, 1e-12));
+  const ModelExtent extent = box(0.4, 0.4, 0.4);
+  for (const Eigen::Isometry3d& turn : box_turns(extent, kIdentityAlone)) {
+    EXPECT_TRUE((turn * extent.centre).isApprox(extent.centre, 1e-12));
     EXPECT_NEAR(turn.linear().determinant(), 1.0, 1e-12);
   }
 }

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "height_template.hpp"
 #include "lockbox/evaluation/free_form_object.hpp"
 #include "lockbox/mesh/primitives.hpp"
-#include "model_relief.hpp"
 #include "model_sides.hpp"
 
 namespace lockbox {
@@ -38,11 +38,11 @@ TEST(FlatSides, OfASphereAreNone) {
 
 /// An elbow has rings at its ends, whose faces are flat. Facets, of which it has thousands, would
 /// each be laid onto each plane of a scene.
-TEST(Reliefs, OfRoundThingsAreFew) {
+TEST(HeightTemplates, OfRoundThingsAreFew) {
   for (std::uint64_t number = 0; number < 3; ++number) {
     const FreeFormObject object = draw_free_form(ObjectBlock("tune"), number);
     const KinematicTree tree = body_of(object.links.front().mesh);
-    EXPECT_LE(make_reliefs(tree, Executor(1), nullptr).size(), 12U) << object.name;
+    EXPECT_LE(make_height_templates(tree, Executor(1), nullptr).size(), 12U) << object.name;
     EXPECT_LT(flat_share(tree), 0.3) << object.name;
   }
 }
@@ -55,7 +55,7 @@ void add_box(const Eigen::Vector3d& size, const Eigen::Vector3d& centre, Triangl
 
 /// Of a chest whose sides have six times the area of a drawer's front, and its back has eight
 /// times.
-TEST(Reliefs, AreThereOfTheFrontsOfSmallDrawers) {
+TEST(HeightTemplates, AreThereOfTheFrontsOfSmallDrawers) {
   TriangleMesh carcass;
   for (const double side : {-1.0, 1.0}) {
     add_box({0.02, 0.5, 0.8}, {0.26 * side, 0.0, 0.4}, carcass);
@@ -75,11 +75,14 @@ TEST(Reliefs, AreThereOfTheFrontsOfSmallDrawers) {
     body.parent_joint = drawer;
     add_box({0.5, 0.02, 0.095}, {0.0, -0.26, 0.05 + 0.1 * drawer}, body.mesh);
   }
-  const auto reliefs = make_reliefs(tree, Executor(1), nullptr);
+  const auto templates = make_height_templates(tree, Executor(1), nullptr);
   for (int drawer = 1; drawer <= 8; ++drawer) {
-    EXPECT_TRUE(std::any_of(reliefs.begin(), reliefs.end(), [&](const ModelRelief& relief) {
-      return relief.body == drawer && relief.T_body_plane.linear().col(2).y() < -0.99;
-    })) << drawer;
+    EXPECT_TRUE(std::any_of(templates.begin(), templates.end(),
+                            [&](const HeightTemplate& height_template) {
+                              return height_template.body == drawer &&
+                                     height_template.T_body_plane.linear().col(2).y() < -0.99;
+                            }))
+        << drawer;
   }
 }
 

@@ -15,15 +15,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Tilted towards the left and rolled.
-Configuration placed(const ArticulatedModel& model, double distance, double tilt, double roll) {
-  Configuration configuration = rest_configuration(model.tree);
-  configuration.T_camera_base = facing_pose(distance) *
-                                Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitY()) *
-                                Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ());
-  return configuration;
-}
-
 void expect_base(const Configuration& found, const Configuration& truth) {
   const Eigen::Isometry3d error = found.T_camera_base.inverse() * truth.T_camera_base;
   EXPECT_LT(error.translation().norm(), 0.01);
@@ -37,7 +28,7 @@ std::vector<Candidate> search(const ArticulatedModel& model, const TiledCloud& c
 
 TEST(Initializer, FindsTheLockboxAndAllItsJoints) {
   const ArticulatedModel& model = shipped("lockbox");
-  Configuration truth = placed(model, 1.3, 0.4, 2.0);
+  Configuration truth = facing(model, 1.3, 0.4, 2.0);
   set_joint_position(model.tree, truth, "door_light_blue", 1.2);
   set_joint_position(model.tree, truth, "disk", 2.5);
   set_joint_position(model.tree, truth, "block", 0.13);
@@ -69,7 +60,7 @@ TEST(Initializer, TellsTheFrontOfAPlateByTheSmallPartsOnIt) {
 
 TEST(Initializer, TellsTheBoardFromTheWallItHangsOn) {
   const ArticulatedModel& model = shipped("lockbox");
-  const Configuration truth = placed(model, 1.5, -0.5, -0.7);
+  const Configuration truth = facing(model, 1.5, -0.5, -0.7);
   const auto found = search(model, seen(model, truth, wall_behind(0.018)));
   ASSERT_FALSE(found.empty());
   expect_base(found.front().configuration, truth);
@@ -77,7 +68,7 @@ TEST(Initializer, TellsTheBoardFromTheWallItHangsOn) {
 
 TEST(Initializer, FindsABoxThatIsPartlyOutsideTheImage) {
   const ArticulatedModel& model = shipped("lockbox");
-  Configuration truth = placed(model, 1.1, 0.2, 0.3);
+  Configuration truth = facing(model, 1.1, 0.2, 0.3);
   truth.T_camera_base.pretranslate(Eigen::Vector3d(0.45, 0.1, 0.0));
   const auto found = search(model, seen(model, truth, wall_behind(0.6)));
   ASSERT_FALSE(found.empty());
@@ -86,7 +77,7 @@ TEST(Initializer, FindsABoxThatIsPartlyOutsideTheImage) {
 
 TEST(Initializer, FindsASmallRigidBlock) {
   const ArticulatedModel& model = shipped("rigid_block");
-  const Configuration truth = placed(model, 1.0, 0.5, 1.0);
+  const Configuration truth = facing(model, 1.0, 0.5, 1.0);
   const auto found = search(model, seen(model, truth, wall_behind(0.5)));
   ASSERT_FALSE(found.empty());
   expect_base(found.front().configuration, truth);
@@ -94,7 +85,7 @@ TEST(Initializer, FindsASmallRigidBlock) {
 
 TEST(Initializer, RanksItsAnswersByScore) {
   const ArticulatedModel& model = shipped("rigid_block");
-  const auto found = search(model, seen(model, placed(model, 1.0, 0.5, 1.0), wall_behind(0.5)));
+  const auto found = search(model, seen(model, facing(model, 1.0, 0.5, 1.0), wall_behind(0.5)));
   for (std::size_t i = 1; i < found.size(); ++i)
     EXPECT_LE(found[i].evidence, found[i - 1].evidence);
 }

@@ -109,7 +109,7 @@ TEST_F(JointSearch, LeavesAllOthersWhereTheyAre) {
   EXPECT_EQ(found.T_camera_base.matrix(), start_.T_camera_base.matrix());
 }
 
-TEST_F(JointSearch, FindsLowRelief) {
+TEST_F(JointSearch, FindsLowProminence) {
   const Configuration found = Initializer(model_, {}, Executor(1))
                                   .find_joints(cloud_, start_, {variable("slider")})
                                   .configuration;

@@ -8,21 +8,21 @@
 namespace lockbox {
 namespace {
 
-const ModelLevers kLevers{Eigen::Vector3d(0.1, 0.0, 0.0), Eigen::Vector3d(0.2, 0.1, 0.1), 0.12, {}};
+const ModelExtent kExtent{Eigen::Vector3d(0.1, 0.0, 0.0), Eigen::Vector3d(0.2, 0.1, 0.1), 0.12, {}};
 const std::vector<Eigen::Isometry3d> kNone{Eigen::Isometry3d::Identity()};
 
 Candidate candidate(double evidence, double turn, double aside = 0.0) {
   Candidate result;
   result.evidence = evidence;
   Eigen::Isometry3d& pose = result.configuration.T_camera_base;
-  pose = Eigen::Translation3d(aside, 0.0, 1.0) * Eigen::Translation3d(kLevers.centre) *
-         Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(-kLevers.centre);
+  pose = Eigen::Translation3d(aside, 0.0, 1.0) * Eigen::Translation3d(kExtent.centre) *
+         Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(-kExtent.centre);
   return result;
 }
 
 std::vector<Candidate> compared(std::vector<Candidate> candidates,
                                 const std::vector<Eigen::Isometry3d>& symmetries = kNone) {
-  compare(kLevers, symmetries, candidates);
+  compare(kExtent, symmetries, candidates);
   return candidates;
 }
 
@@ -66,9 +66,9 @@ TEST(Rivals, WhatIsHardlyApartIsTheSameAnswer) {
 }
 
 TEST(Rivals, WhatLooksTheSameIsTheSameAnswer) {
-  const Eigen::Isometry3d half_turn(Eigen::Translation3d(kLevers.centre) *
+  const Eigen::Isometry3d half_turn(Eigen::Translation3d(kExtent.centre) *
                                     Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()) *
-                                    Eigen::Translation3d(-kLevers.centre));
+                                    Eigen::Translation3d(-kExtent.centre));
   const auto sure = compared({candidate(200.0, 0.0), candidate(200.0, M_PI)},
                              {Eigen::Isometry3d::Identity(), half_turn});
   EXPECT_GT(sure[0].belief, 0.999999);

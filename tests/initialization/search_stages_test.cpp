@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stages of the search one by one: the planes of a view, where reliefs fit on them, how well a
-// drawing fits, the search along single unknowns, and what is kept of many guesses.
+// The stages of the search one by one: the planes of a view, where templates fit on them, how well
+// a drawing fits, the search along single unknowns, and what is kept of many guesses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "climb.hpp"
+#include "coordinate_search.hpp"
+#include "height_template.hpp"
 #include "hypothesis.hpp"
-#include "levers.hpp"
 #include "lockbox/core/lie.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "model_relief.hpp"
+#include "model_extent.hpp"
 #include "planar_regions.hpp"
-#include "scene_relief.hpp"
 #include "seen_model.hpp"
+#include "template_matching.hpp"
 #include "view_score.hpp"
 
 namespace lockbox {
@@ -61,16 +61,17 @@ TEST_F(SearchStages, PlanesAreThoseOfTheWallAndOfTheSidesInSight) {
   EXPECT_NEAR(m.dot(frame.translation()), 1.0, 1e-3) << "in the plane";
 }
 
-TEST_F(SearchStages, AReliefFitsWhereItsSideIsSeen) {
-  const auto reliefs = make_reliefs(model_.tree, executor_, nullptr);
-  ASSERT_FALSE(reliefs.empty());
+TEST_F(SearchStages, ATemplateFitsWhereItsSideIsSeen) {
+  const auto templates = make_height_templates(model_.tree, executor_, nullptr);
+  ASSERT_FALSE(templates.empty());
   BodyPoses poses;
   forward_kinematics(model_.tree, truth_, poses);
   double nearest = 1.0;
   for (const PlanarRegion& region : find_planes(view_, kNoise).regions) {
-    for (const ModelRelief& relief : reliefs) {
-      for (const ReliefMatch& match : match_relief(view_, region, relief, kNoise, 4, nullptr)) {
-        const Eigen::Isometry3d& truth = poses[static_cast<std::size_t>(relief.body)];
+    for (const HeightTemplate& height_template : templates) {
+      for (const TemplateMatch& match :
+           match_template(view_, region, height_template, kNoise, 4, nullptr)) {
+        const Eigen::Isometry3d& truth = poses[static_cast<std::size_t>(height_template.body)];
         if (angle_between(match.T_camera_body, truth) > 0.1) continue;
         nearest =
             std::min(nearest, (match.T_camera_body.translation() - truth.translation()).norm());
@@ -80,10 +81,11 @@ TEST_F(SearchStages, AReliefFitsWhereItsSideIsSeen) {
   EXPECT_LT(nearest, 0.03);
 }
 
-TEST_F(SearchStages, MatchesOfOneReliefAreRankedAndApart) {
-  const ModelRelief relief = make_reliefs(model_.tree, executor_, nullptr).front();
+TEST_F(SearchStages, MatchesOfOneTemplateAreRankedAndApart) {
+  const HeightTemplate height_template =
+      make_height_templates(model_.tree, executor_, nullptr).front();
   const PlanarRegion region = find_planes(view_, kNoise).regions.front();
-  const auto matches = match_relief(view_, region, relief, kNoise, 6, nullptr);
+  const auto matches = match_template(view_, region, height_template, kNoise, 6, nullptr);
   ASSERT_GE(matches.size(), 2U);
   for (std::size_t i = 1; i < matches.size(); ++i) {
     EXPECT_LE(matches[i].score, matches[i - 1].score) << i;
@@ -128,8 +130,8 @@ TEST_F(SearchStages, SearchAlongSingleUnknownsComesNearer) {
   scores.emplace_back(model_.tree, kNoise);
   scores.front().set_view(view_);
   Configuration found = displaced(0.03);
-  climb(model_.tree, model_levers(model_.tree), {}, scores, executor_,
-        {{0.02, 0.01, 0.005}, 3, 0.003}, found);
+  coordinate_search(model_.tree, model_extent(model_.tree), {}, scores, executor_,
+                    {{0.02, 0.01, 0.005}, 3, 0.003}, found);
   const Eigen::Vector3d off =
       found.T_camera_base.translation() - truth_.T_camera_base.translation();
   EXPECT_LT(off.norm(), 0.015);
@@ -137,16 +139,16 @@ TEST_F(SearchStages, SearchAlongSingleUnknownsComesNearer) {
 }
 
 TEST_F(SearchStages, TheBestAreKeptAndNoPlaceCrowdsOutTheOthers) {
-  const ModelLevers levers = model_levers(model_.tree);
+  const ModelExtent extent = model_extent(model_.tree);
   std::vector<Hypothesis> hypotheses;
   hypotheses.reserve(7);
   for (int i = 0; i < 5; ++i) {  // in one place, 5 cm from the next
     hypotheses.push_back({displaced(0.05 * i), all_, 100.0 - i});
   }
-  hypotheses.push_back({displaced(6.0 * levers.radius), all_, 50.0});
+  hypotheses.push_back({displaced(6.0 * extent.radius), all_, 50.0});
   hypotheses.push_back({displaced(0.001), all_, 99.5});  // as good as the first
-  hypotheses.push_back({displaced(-6.0 * levers.radius), all_, 5.0});
-  const auto kept = best_apart(hypotheses, {0.2, 10, 2.0, 2}, levers);
+  hypotheses.push_back({displaced(-6.0 * extent.radius), all_, 5.0});
+  const auto kept = best_apart(hypotheses, {0.2, 10, 2.0, 2}, extent);
   ASSERT_EQ(kept.size(), 3U);
   EXPECT_EQ(kept[0].score, 100.0);
   EXPECT_EQ(kept[1].score, 99.0);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "lockbox/simulation/simulator.hpp"
+#include "lockbox/simulation/trajectory.hpp"
 
 namespace lockbox {
 
@@ -22,6 +23,14 @@ const ArticulatedModel& shipped(const std::string& name) {
   const auto known = models.find(name);
   if (known != models.end()) return known->second;
   return models.emplace(name, load_model(shipped_file(name), with_cache())).first->second;
+}
+
+Configuration facing(const ArticulatedModel& model, double distance, double tilt, double roll) {
+  Configuration configuration = rest_configuration(model.tree);
+  configuration.T_camera_base = facing_pose(distance) *
+                                Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitY()) *
+                                Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitZ());
+  return configuration;
 }
 
 DepthFrame seen_frame(const ArticulatedModel& model, const Configuration& truth, const Scene& scene,

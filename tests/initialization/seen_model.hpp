@@ -19,6 +19,9 @@ LoadOptions with_cache();
 /// The shipped model of that name.
 const ArticulatedModel& shipped(const std::string& name);
 
+/// At rest, in front of the camera, tilted to its left and rolled, radians.
+Configuration facing(const ArticulatedModel& model, double distance, double tilt, double roll);
+
 /// What a PrimeSense-class sensor sees of the model in the scene. Frames with other numbers have
 /// other noise.
 DepthFrame seen_frame(const ArticulatedModel& model, const Configuration& truth, const Scene& scene,

@@ -28,21 +28,21 @@ struct Association {
       iv.push_back(inverse_variance[l].data());
       w.push_back(weight[l].data());
     }
-    const Candidates candidates{kLanes,        d,     iv,   body, visible.data(),
-                                pooled.data(), reach, kCut, kOdds};
+    const Candidates candidates{kLanes,        d,     iv,    body, visible.data(),
+                                pooled.data(), reach, kGate, kOdds};
     const double cost = associate(candidates, w);
     EXPECT_NEAR(cost, association_cost(candidates), 1e-4);
     return cost;
   }
 
-  static constexpr float kCut = 4.0F;
+  static constexpr float kGate = 4.0F;
   static constexpr float kOdds = 20.0F;
   float reach = 0.0F;
   std::vector<float> body, visible, pooled;
   std::vector<std::vector<float>> distance, inverse_variance, weight;
 };
 
-constexpr double kOutlierCost = 0.5 * Association::kCut * Association::kCut;
+constexpr double kOutlierCost = 0.5 * Association::kGate * Association::kGate;
 
 TEST(AssociationTest, LoneBodyIsQuadraticWithinTheCutAndConstantBeyond) {
   for (const float d : {0.0F, 0.5F, 2.0F, 3.9F, 4.1F, 100.0F}) {

@@ -22,13 +22,13 @@ class BackProjectionTest : public ::testing::Test {
     for (std::size_t i = 0; i < depth.size(); ++i) {
       depth[i] = i % 7 == 3 || i / kStride == 2 ? 0.0F : 1.0F + 0.01F * static_cast<float>(i);
     }
-    for (std::size_t u = 0; u < kMostPatchColumns; ++u) {
+    for (std::size_t u = 0; u < kMostTileColumns; ++u) {
       ray_x[u] = -0.3F + 0.1F * static_cast<float>(u);
     }
     for (std::size_t v = 0; v < kImageRows; ++v) ray_y[v] = 0.2F - 0.05F * static_cast<float>(v);
   }
 
-  /// Also looks whether anything beyond the patch's own slots is written.
+  /// Also looks whether anything beyond the tile's own slots is written.
   std::size_t project(std::size_t columns) {
     for (auto* axis : {&x, &y, &z}) axis->fill(-5.0F);
     pixel.fill(99999);
@@ -67,10 +67,10 @@ class BackProjectionTest : public ::testing::Test {
   }
 
   std::vector<float> depth;
-  std::array<float, kMostPatchColumns> ray_x{};
+  std::array<float, kMostTileColumns> ray_x{};
   std::array<float, kImageRows> ray_y{};
-  std::array<float, kMostPatchColumns * kImageRows + 32> x{}, y{}, z{};
-  std::array<std::uint32_t, kMostPatchColumns * kImageRows + 32> pixel{};
+  std::array<float, kMostTileColumns * kImageRows + 32> x{}, y{}, z{};
+  std::array<std::uint32_t, kMostTileColumns * kImageRows + 32> pixel{};
   PointBounds bounds{};
 };
 
@@ -86,10 +86,10 @@ TEST_F(BackProjectionTest, GivesTheKnownPixelsInOrderWithEveryInstructionSet) {
   hwy::SetSupportedTargetsForTest(0);
 }
 
-TEST_F(BackProjectionTest, FillsAPatchWhereAllIsKnown) {
+TEST_F(BackProjectionTest, FillsATileWhereAllIsKnown) {
   std::fill(depth.begin(), depth.end(), 1.5F);
-  EXPECT_EQ(project(kMostPatchColumns), kMostPatchColumns * kImageRows);
-  expect_points(kMostPatchColumns, kMostPatchColumns * kImageRows);
+  EXPECT_EQ(project(kMostTileColumns), kMostTileColumns * kImageRows);
+  expect_points(kMostTileColumns, kMostTileColumns * kImageRows);
 }
 
 TEST_F(BackProjectionTest, OfNothingHasEmptyBounds) {

@@ -47,15 +47,14 @@ class CorrespondencesTest : public ::testing::Test {
     }
   }
 
-  enum : std::size_t {
-    kP = 0,
-    kTarget = 3,
-    kDirection = 6,
-    kVariance = 9,
-    kTurn,
-    kPixels,
-    kNumbers
-  };
+  // Arrays: three for each vector.
+  static constexpr std::size_t kP = 0;
+  static constexpr std::size_t kTarget = 3;
+  static constexpr std::size_t kDirection = 6;
+  static constexpr std::size_t kVariance = 9;
+  static constexpr std::size_t kTurn = 10;
+  static constexpr std::size_t kPixels = 11;
+  static constexpr std::size_t kNumbers = 12;
 
   void set(std::size_t first, std::size_t i, const Eigen::Vector3d& v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -25,9 +25,10 @@ class PooledDeviationTest : public ::testing::Test {
     std::mt19937 random(5);
     std::normal_distribution<float> normal(0.0F, noise);
     for (std::size_t i = 0; i < depths.size(); ++i) {
+      const std::size_t row = i / kStride;
       const float nearness = kExpected.first +
                              kExpected.per_column * static_cast<float>(i % kStride) +
-                             kExpected.per_row * static_cast<float>(i / kStride);
+                             kExpected.per_row * static_cast<float>(row);
       depths[i] = (1.0F + deviation + normal(random)) / nearness;
     }
   }

@@ -55,7 +55,7 @@ TEST_F(FrontPredicted, FrozenPlanesMoveWithTheirBody) {
 
 TEST_F(FrontPredicted, OfOtherBodiesOrBeyondTheCutNothingCompetes) {
   predicted_body[0] = kBody + 1.0F;
-  predicted_depth[1] = kMeasured - 1.1F * kCut * noise.depth_floor;
+  predicted_depth[1] = kMeasured - 1.1F * kGate * noise.depth_floor;
   look_up_all();
   for (const std::size_t i : {0U, 1U}) {
     EXPECT_EQ(distance[i], nearest[i]);
@@ -103,7 +103,7 @@ TEST_F(SomethingBefore, WhatThePixelShowsOfTheBodyExplainsNothing) {
 }
 
 TEST_F(SomethingBefore, WhatMayBeAsFarOffStillExplains) {
-  noise.spread = 1.1F * (kFarBehind - kBefore) / kCut;
+  noise.annealing_sigma = 1.1F * (kFarBehind - kBefore) / kGate;
   look_up_all();
   EXPECT_GT(inverse_variance[0], 0.0F);
 }

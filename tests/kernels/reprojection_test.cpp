@@ -83,8 +83,9 @@ TEST_F(ReprojectionTest, PointsLandInThePixelThatSeesThem) {
     const auto index = static_cast<std::int32_t>(at_v) * 150 + static_cast<std::int32_t>(at_u);
     EXPECT_EQ(pixel[i], index);
     EXPECT_EQ(seen[i], measured[static_cast<std::size_t>(index)]);
+    const std::int32_t row = index / 150;
     EXPECT_NEAR(seen_x[i], (index % 150 - 74.5) / 120.0 * static_cast<double>(seen[i]), 1e-6);
-    EXPECT_NEAR(seen_y[i], (index / 150 - 40.5) / 122.0 * static_cast<double>(seen[i]), 1e-6);
+    EXPECT_NEAR(seen_y[i], (row - 40.5) / 122.0 * static_cast<double>(seen[i]), 1e-6);
     ++landed;
   }
   EXPECT_GT(landed, 40);
@@ -115,9 +116,9 @@ TEST_F(ReprojectionTest, SeenThroughIsWhatWasMeasuredFarBehindOrIsUndecided) {
   const PointNoise noise{0.001F, 0.002F, 0.0F, 0.0F};
   constexpr float kZone = 30.0F;
   ByPoint<std::uint32_t> found;
-  const std::size_t count =
-      seen_through({expected.data(), seen_x.data(), seen_y.data(), seen.data(), pixel.data()},
-                   kPoints, noise, kZone, found.data());
+  const std::size_t count = free_space_violations(
+      {expected.data(), seen_x.data(), seen_y.data(), seen.data(), pixel.data()}, kPoints, noise,
+      kZone, found.data());
   std::vector<std::uint32_t> wanted;
   for (std::uint32_t u = 0; u < kPoints; ++u) {
     const float sigma = 0.001F + 0.002F * expected[u] * expected[u];

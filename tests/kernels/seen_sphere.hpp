@@ -86,7 +86,7 @@ class SeenSphere : public ::testing::Test {
 
   void look_up_all() {
     look_up(field.view, motion, noise, points(), {predicted_body.data(), predicted_depth.data()},
-            kBody, kCut, hits(), planes(), has_planes);
+            kBody, kGate, hits(), planes(), has_planes);
   }
   PointSpan points() { return {x.data(), y.data(), z.data(), kPoints}; }
   FieldHits hits() {
@@ -99,7 +99,7 @@ class SeenSphere : public ::testing::Test {
 
   using Array = std::array<float, kPoints>;
   static constexpr float kBody = 3.0F;
-  static constexpr float kCut = 4.0F;
+  static constexpr float kGate = 4.0F;
   Array predicted_body{};  ///< another body, unless a test says otherwise
   Array predicted_depth{};
   SphereField field;

@@ -219,10 +219,10 @@ TEST_F(PclCloudsTest, OptionsHoldWhatTheySay) {
 }
 
 TEST_F(PclCloudsTest, BaseAndJointsAreThoseOfTheLastStep) {
-  // Only that step heeds how far outlines err alike.
-  const auto transformation = [&](double outline_correlation) {
+  // Only that step heeds how far contours err alike.
+  const auto transformation = [&](double contour_correlation) {
     RegistrationOptions options;
-    options.outline_correlation = outline_correlation;
+    options.contour_correlation = contour_correlation;
     Registration with_options;
     prepare(with_options);
     with_options.setOptions(options);

@@ -5,7 +5,7 @@
 
 #include "initialization/seen_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
-#include "lockbox/tracking/judgement.hpp"
+#include "lockbox/tracking/classification.hpp"
 #include "lockbox/tracking/tracker.hpp"
 
 namespace lockbox {
@@ -41,14 +41,14 @@ TEST_P(BehindTheCloud, IsRecognised) {
     const RegistrationResult& found = registration.align(cloud, thrown_back(metres), {0.01, 10});
     EXPECT_LT(found.agreement.explained, 0.1) << metres;
     EXPECT_GT(found.agreement.occluded, 0.5) << metres;
-    EXPECT_EQ(judge(found, {}), TrackingStatus::lost) << metres;
+    EXPECT_EQ(classify(found, {}), TrackingStatus::lost) << metres;
   }
 }
 
 TEST_P(BehindTheCloud, IsNotCalledTrackingIfItCannotBeLeft) {
   TrackerOptions options;
   options.search_anywhere = false;
-  options.start_spread = 0.01;
+  options.start_sigma = 0.01;
   Tracker tracker(model_, options);
   tracker.start(thrown_back(0.5));
   EXPECT_EQ(tracker.process(frame_).status, TrackingStatus::lost);

@@ -46,7 +46,8 @@ double cost_of(CollisionTerm& term, const ArticulatedModel& model,
   if (equations != nullptr) {
     equations->set_zero(6 + model.tree.variables());
   }
-  return term.evaluate(model, poses_at(model, configuration), equations);
+  return equations == nullptr ? term.cost(model, poses_at(model, configuration))
+                              : term.linearize(model, poses_at(model, configuration), *equations);
 }
 
 /// The model with fields of that voxel, or of the largest that a link's walls allow.

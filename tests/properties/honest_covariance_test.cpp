@@ -180,11 +180,11 @@ TEST(Observability, AHiddenSliderIsSaidToBeUnobservableAndAVisibleOneIsNot) {
   Scene covered = wall_behind(0.6);
   covered.boxes.push_back(cover);
   ArticulatedRegistration registration(model, {}, Executor());
-  const AlignOptions annealing{0.003, 6};
-  EXPECT_TRUE(registration.align(seen(model, truth, wall_behind(0.6)), truth, annealing)
+  const AlignOptions align_options{0.003, 6};
+  EXPECT_TRUE(registration.align(seen(model, truth, wall_behind(0.6)), truth, align_options)
                   .observable[unknown]);
   const RegistrationResult& hidden =
-      registration.align(seen(model, truth, covered), truth, annealing);
+      registration.align(seen(model, truth, covered), truth, align_options);
   EXPECT_FALSE(hidden.observable[unknown]);
   EXPECT_GE(hidden.sigma[static_cast<Eigen::Index>(unknown)], 0.25 * (slide.upper - slide.lower));
   EXPECT_TRUE(hidden.observable[0]);

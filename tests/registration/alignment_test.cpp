@@ -45,7 +45,7 @@ TEST_F(AlignmentTest, FindsBaseAndJointsFromAnOffset) {
   EXPECT_LT(result.agreement.contradicted, 0.02);
 }
 
-/// Outlines are seen in whole pixels: what lies across the view must neither stick to them, nor go
+/// Contours are seen in whole pixels: what lies across the view must neither stick to them, nor go
 /// to and fro between two of them.
 TEST_F(AlignmentTest, RestsWithinASmallPartOfAPixel) {
   constexpr double kPixel = 0.7 / 287.9;  // metres
@@ -92,10 +92,10 @@ TEST_F(AlignmentTest, FromAPredictionErrsAndIsSureAsFromAnywhere) {
     Eigen::VectorXd predicted_sigma = usual_sigma;
     for (std::uint64_t frame = 0; frame < 8; ++frame) {
       const TiledCloud seen = cloud_of(measured(model, truth, "primesense", 7 + frame));
-      const RegistrationResult whole =
-          registration.align(seen, start, {.spread = off, .iterations = 20, .narrowing = 6});
-      const RegistrationResult& by_few =
-          registration.align(seen, start, {.spread = off, .iterations = 3, .is_predicted = true});
+      const RegistrationResult whole = registration.align(
+          seen, start, {.annealing_sigma = off, .iterations = 20, .narrowing = 6});
+      const RegistrationResult& by_few = registration.align(
+          seen, start, {.annealing_sigma = off, .iterations = 3, .is_predicted = true});
       usual += squared_errors(whole, truth);
       usual_sigma += whole.sigma_of_noise;
       predicted += squared_errors(by_few, truth);
@@ -120,9 +120,11 @@ TEST_F(AlignmentTest, FromAPredictionMakesNoMoreIterationsThanAllowed) {
   for (const int iterations : {1, 2, 3}) {
     int reports = 0;
     const auto count = [&](const Configuration&, bool) { return ++reports > 0; };
-    const RegistrationResult& found = registration.align(
-        seen, start,
-        {.spread = 0.005, .iterations = iterations, .is_predicted = true, .on_iteration = count});
+    const RegistrationResult& found = registration.align(seen, start,
+                                                         {.annealing_sigma = 0.005,
+                                                          .iterations = iterations,
+                                                          .is_predicted = true,
+                                                          .on_iteration = count});
     EXPECT_EQ(found.iterations, iterations);
     EXPECT_EQ(reports, iterations);
   }
@@ -138,8 +140,8 @@ TEST_F(AlignmentTest, FromANearPredictionTakesTwoIterations) {
       RegistrationOptions options;
       options.point_budget = budget;
       ArticulatedRegistration registration(model, options, Executor(1));
-      const RegistrationResult& found =
-          registration.align(seen, start, {.spread = 0.005, .iterations = 5, .is_predicted = true});
+      const RegistrationResult& found = registration.align(
+          seen, start, {.annealing_sigma = 0.005, .iterations = 5, .is_predicted = true});
       EXPECT_EQ(found.iterations, 2) << off << " " << budget;
       EXPECT_TRUE(found.converged) << off << " " << budget;
       EXPECT_EQ(found.last_move, 0.0) << off << " " << budget;

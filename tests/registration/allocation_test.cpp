@@ -51,10 +51,11 @@ namespace lockbox {
 namespace {
 
 int allocations_of(ArticulatedRegistration& registration, const TiledCloud& cloud,
-                   const Configuration& start, const AlignOptions& annealing) {
+                   const Configuration& start, const AlignOptions& align_options,
+                   RegistrationResult& result) {
   allocations = 0;
   counting = true;
-  registration.align(cloud, start, annealing);
+  registration.align(cloud, start, align_options, result);
   counting = false;
   return allocations;
 }
@@ -79,11 +80,12 @@ TEST_P(Allocation, AWarmRegistrationTakesNoMemory) {
   start.q[0] += 0.003;
   RegistrationOptions options;
   options.point_budget = GetParam();
+  RegistrationResult result;
   ArticulatedRegistration registration(model, options, Executor(1));
-  const AlignOptions annealing{.spread = 0.005, .iterations = 5, .is_predicted = true};
-  registration.align(second, start, annealing);
-  registration.align(first, start, annealing);
-  EXPECT_EQ(allocations_of(registration, second, start, annealing), 0);
+  const AlignOptions align_options{.annealing_sigma = 0.005, .iterations = 5, .is_predicted = true};
+  registration.align(second, start, align_options, result);
+  registration.align(first, start, align_options, result);
+  EXPECT_EQ(allocations_of(registration, second, start, align_options, result), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfPoints, Allocation, ::testing::Values(0, 2000, 40000));

@@ -95,7 +95,7 @@ DepthFrame measured(const ArticulatedModel& model, const Configuration& configur
   const PinholeCamera camera{320, 240, 287.9, 287.9, 159.5, 119.5};
   State state;
   state.configuration = configuration;
-  // A wall behind: without it pixels beside the mechanism are unknown, and its outline is too.
+  // A wall behind: without it pixels beside the mechanism are unknown, and its contour is too.
   Scene scene;
   scene.planes.push_back({SceneFrame::world, {0.0, 0.0, 1.3}, {0.0, 0.0, -1.0}, {5.0, 5.0}});
   Simulator simulator(model.tree, camera, PlacedScene(scene, {state}), sensor_model(sensor), seed,

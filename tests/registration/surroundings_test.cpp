@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies beside the model is as near to its surface as the noise: only the outline tells them
+// What lies beside the model is as near to its surface as the noise: only the contour tells them
 // apart.
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ int steps_to_model(const RenderedDepth& view, int u, int v) {
   return least;
 }
 
-TEST(Surroundings, PointsAreLabelledByTheirDistanceFromTheOutline) {
+TEST(Surroundings, PointsAreLabelledByTheirDistanceFromTheContour) {
   const ArticulatedModel& model = shipped("rigid_block");
   const Configuration truth = seen_askance(model, 1.0);
   const TiledCloud cloud = seen(model, truth, wall_behind(0.0));

@@ -50,7 +50,7 @@ TEST(DepthRenderer, TiltedPlaneIsExactAtEveryPixelCentre) {
   }
 }
 
-TEST(DepthRenderer, BallHasTheDepthAndTheOutlineOfASphere) {
+TEST(DepthRenderer, BallHasTheDepthAndTheContourOfASphere) {
   const PinholeCamera camera = vga_camera();
   const Eigen::Vector3d centre(0.15, -0.1, 1.2);
   const double radius = 0.3;

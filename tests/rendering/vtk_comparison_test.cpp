@@ -108,9 +108,9 @@ class VtkDepth {
   vtkNew<vtkRenderWindow> window_;
 };
 
-/// Where the outline lies, in pixels: mean first and last covered column of the rows that are
+/// Where the contour lies, in pixels: mean first and last covered column of the rows that are
 /// covered at all, mean first and last covered row of the columns.
-Eigen::Vector4d outline(const std::vector<float>& depth, const PinholeCamera& camera) {
+Eigen::Vector4d contour(const std::vector<float>& depth, const PinholeCamera& camera) {
   std::vector<int> left(static_cast<std::size_t>(camera.height), camera.width);
   std::vector<int> right(left.size(), -1);
   std::vector<int> top(static_cast<std::size_t>(camera.width), camera.height);
@@ -149,7 +149,7 @@ class VtkComparison : public ::testing::Test {
   }
 };
 
-TEST_F(VtkComparison, SameDepthInsideAndSameOutlineOverASubPixelSweep) {
+TEST_F(VtkComparison, SameDepthInsideAndSameContourOverASubPixelSweep) {
   const PinholeCamera camera = off_centre_camera();
   const TriangleMesh mesh = testing::ball(0.3, 24);
   VtkDepth vtk(mesh, camera);
@@ -157,7 +157,7 @@ TEST_F(VtkComparison, SameDepthInsideAndSameOutlineOverASubPixelSweep) {
   RenderedDepth image;
   const double pixel = 1.2 / camera.fx;
   const int steps = 20;
-  Eigen::Vector4d outline_difference = Eigen::Vector4d::Zero();
+  Eigen::Vector4d contour_difference = Eigen::Vector4d::Zero();
   for (int step = 0; step < steps; ++step) {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.translation() << 0.05 + pixel * step / steps, -0.03 + 0.37 * pixel * step, 1.2;
@@ -167,16 +167,16 @@ TEST_F(VtkComparison, SameDepthInsideAndSameOutlineOverASubPixelSweep) {
     const std::vector<float> expected = vtk.depth(pose);
     int inside = 0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      // Depth at the very outline changes by more than a float's worth with its own rounding.
+      // Depth at the very contour changes by more than a float's worth with its own rounding.
       if (std::isfinite(expected[i]) && std::isfinite(image.depth[i]) && image.depth[i] < 1.1F) {
         ASSERT_NEAR(image.depth[i], expected[i], 1e-4) << i;
         ++inside;
       }
     }
     EXPECT_GT(inside, 5000);
-    outline_difference += (outline(image.depth, camera) - outline(expected, camera)) / steps;
+    contour_difference += (contour(image.depth, camera) - contour(expected, camera)) / steps;
   }
-  EXPECT_LT(outline_difference.cwiseAbs().maxCoeff(), 0.05) << outline_difference.transpose();
+  EXPECT_LT(contour_difference.cwiseAbs().maxCoeff(), 0.05) << contour_difference.transpose();
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ class CovarianceTest : public ::testing::Test {
     for (int draw = 0; draw < kDraws; ++draw) {
       const Solved solved = solve(errors);
       estimate(solved);
-      covariance_.add_floors(levers_);
+      covariance_.add_floors(motion_scales_);
       sum += solved.error.cwiseQuotient(Twist(covariance_.sigma_of_noise())).cwiseAbs2();
     }
     return sum / kDraws;
@@ -89,7 +89,7 @@ class CovarianceTest : public ::testing::Test {
   std::vector<BodyJacobian> jacobians_{Matrix6::Identity()};
   StepScale scale_{Eigen::VectorXd::Constant(6, 0.25), 100.0};
   std::vector<bool> held_ = std::vector<bool>(6, false);
-  Eigen::VectorXd levers_ = Eigen::VectorXd::Ones(6);
+  Eigen::VectorXd motion_scales_ = Eigen::VectorXd::Ones(6);
   CovarianceEstimator covariance_;
 };
 
@@ -114,7 +114,7 @@ TEST_F(CovarianceTest, ErrorsAreAsLargeAsItSaysOfIndependentNoise) {
 }
 
 /// Twenty residuals that err alike are one witness, not twenty.
-TEST_F(CovarianceTest, ErrorsAreAsLargeAsItSaysOfNoiseThatATileShares) {
+TEST_F(CovarianceTest, ErrorsAreAsLargeAsItSaysOfNoiseThatAPatchShares) {
   const Twist squares = calibration({.own = 0.5, .shared = 1.0});
   EXPECT_GT(squares.minCoeff(), 0.75) << squares.transpose();
   EXPECT_LT(squares.maxCoeff(), 1.35) << squares.transpose();
@@ -132,16 +132,16 @@ TEST_F(CovarianceTest, DoesNotDependOnTheWeightOfTheData) {
 
 TEST_F(CovarianceTest, OfAnObjectUnlikeItsModelIsLargerThanOfNoise) {
   estimate(solve({.own = 0.5}));  // less noise than assumed: nothing is left for a misfit
-  covariance_.add_floors(levers_);
+  covariance_.add_floors(motion_scales_);
   EXPECT_EQ(covariance_.sigma(), covariance_.sigma_of_noise());
   estimate(solve({.own = 0.5, .face = 3.0}));
-  covariance_.add_floors(levers_);
+  covariance_.add_floors(motion_scales_);
   EXPECT_GT((covariance_.sigma() - covariance_.sigma_of_noise()).head<3>().minCoeff(), kNoise);
 }
 
 TEST_F(CovarianceTest, WhatOneWallDoesNotTellIsUnknownByAUnit) {
   estimate(solve({}, 1));  // all normals along z
-  covariance_.add_floors(levers_);
+  covariance_.add_floors(motion_scales_);
   for (const Eigen::Index told : {2, 3, 4}) {  // along z, about x and y
     EXPECT_TRUE(covariance_.observable()[static_cast<std::size_t>(told)]) << told;
   }
@@ -154,7 +154,7 @@ TEST_F(CovarianceTest, WhatOneWallDoesNotTellIsUnknownByAUnit) {
 TEST_F(CovarianceTest, OfWhatIsHeldIsZero) {
   held_[1] = true;
   estimate(solve({}));
-  covariance_.add_floors(levers_);
+  covariance_.add_floors(motion_scales_);
   EXPECT_EQ(covariance_.sigma()[1], 0.0);
   EXPECT_TRUE(covariance_.observable()[1]);
   EXPECT_EQ(covariance_.covariance().row(1).norm(), 0.0);
@@ -191,7 +191,7 @@ TEST_F(CovarianceTest, IsNeverBelowWhatNoAmountOfDataAveragesAway) {
     tile.gradient *= 1e4;
   }
   estimate(solved);
-  covariance_.add_floors(levers_);
+  covariance_.add_floors(motion_scales_);
   for (Eigen::Index i = 0; i < 3; ++i) {
     EXPECT_NEAR(covariance_.sigma_of_noise()[i], 0.05e-3, 1e-6) << i;
     EXPECT_NEAR(covariance_.sigma_of_noise()[3 + i], 0.005 * kRadians, 2e-6) << i;

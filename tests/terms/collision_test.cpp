@@ -27,7 +27,7 @@ TEST_F(CollisionTest, OffCostsNothingAnywhere) {
   at.q[0] = 0.13;  // beyond its limit the block reaches into the follower
   BodyPoses poses;
   forward_kinematics(model.tree, at, poses);
-  EXPECT_EQ(off.evaluate(model, poses, nullptr), 0.0);
+  EXPECT_EQ(off.cost(model, poses), 0.0);
 }
 
 /// What a term keeps of earlier calls spares it looking, and changes nothing.
@@ -47,15 +47,15 @@ TEST_F(CollisionTest, CostDoesNotDependOnWhatWasAskedBefore) {
     at.q[0] = std::clamp(at.q[0], 0.11, 0.15);
     forward_kinematics(model.tree, at, poses);
     CollisionTerm other = fresh;
-    const double expected = other.evaluate(model, poses, nullptr);
-    EXPECT_EQ(used.evaluate(model, poses, nullptr), expected);
+    const double expected = other.cost(model, poses);
+    EXPECT_EQ(used.cost(model, poses), expected);
     NormalEquations asked_again;
     NormalEquations asked_first;
     for (NormalEquations* equations : {&asked_again, &asked_first}) {
       equations->set_zero(6 + model.tree.variables());
     }
-    EXPECT_EQ(used.evaluate(model, poses, &asked_again), expected);
-    CollisionTerm(fresh).evaluate(model, poses, &asked_first);
+    EXPECT_EQ(used.linearize(model, poses, asked_again), expected);
+    CollisionTerm(fresh).linearize(model, poses, asked_first);
     EXPECT_EQ(asked_again.hessian, asked_first.hessian);
     EXPECT_EQ(asked_again.gradient, asked_first.gradient);
     penetrated += expected > 0.0 ? 1 : 0;
@@ -73,7 +73,7 @@ TEST_F(CollisionTest, CostBetweenIsWhatAJointCanChange) {
   const auto costs = [&](int variable) {
     BodyPoses poses;
     forward_kinematics(model.tree, at, poses);
-    const double all = term.evaluate(model, poses, nullptr);
+    const double all = term.cost(model, poses);
     return std::pair(all, term.cost_between(model, poses, moved_bodies(model.tree, variable)));
   };
   const auto [all, by_turn] = costs(1);

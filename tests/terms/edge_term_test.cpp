@@ -17,16 +17,16 @@ namespace {
 
 constexpr std::uint64_t kNoiseFrames = 12;
 
-/// At this configuration, with the tiles that show edges in a view of it.
+/// At this configuration, with the patches that show edges in a view of it.
 void linearize(EdgeTerm& term, const ArticulatedModel& model, const TiledCloud& cloud,
-               const Configuration& at, std::size_t tiles_per_joint, int reduction = 2) {
+               const Configuration& at, std::size_t patches_per_joint, int reduction = 2) {
   BodyPoses poses;
   std::vector<BodyJacobian> jacobians;
   forward_kinematics(model.tree, at, poses);
   body_jacobians(model.tree, poses, jacobians);
   VisibleSurface view;
   view.render(model, poses, cloud.camera(), cloud.camera().width / reduction, Executor());
-  term.linearize(cloud, view, ContinuedEdges(), tiles_per_joint, poses, jacobians);
+  term.linearize(cloud, view, ContinuedEdges(), patches_per_joint, poses, jacobians);
 }
 
 class LockboxEdges : public ::testing::Test {
@@ -50,8 +50,8 @@ class LockboxEdges : public ::testing::Test {
   }
 
   void linearize(EdgeTerm& term, const TiledCloud& cloud, const Configuration& at,
-                 std::size_t tiles_per_joint = kAllTiles, int reduction = 2) const {
-    lockbox::linearize(term, model_, cloud, at, tiles_per_joint, reduction);
+                 std::size_t patches_per_joint = kAllPatches, int reduction = 2) const {
+    lockbox::linearize(term, model_, cloud, at, patches_per_joint, reduction);
   }
 
   Eigen::VectorXd step(const EdgeTerm& term) const {
@@ -122,11 +122,11 @@ TEST_F(LockboxEdges, MakeAlignmentsMoreExact) {
 
 TEST_F(LockboxEdges, AreTheSameForAnyNumberOfThreads) {
   const TiledCloud cloud = seen(1);
-  for (const std::size_t tiles_per_joint : {kAllTiles, std::size_t{20}}) {
+  for (const std::size_t patches_per_joint : {kAllPatches, std::size_t{20}}) {
     EdgeTerm alone(model_.tree, {}, Executor(1));
     EdgeTerm three(model_.tree, {}, Executor(3));
-    linearize(alone, cloud, truth_, tiles_per_joint);
-    linearize(three, cloud, truth_, tiles_per_joint);
+    linearize(alone, cloud, truth_, patches_per_joint);
+    linearize(three, cloud, truth_, patches_per_joint);
     EXPECT_EQ(alone.gradient(), three.gradient());
     EXPECT_EQ(alone.information(), three.information());
   }
@@ -136,17 +136,17 @@ TEST_F(LockboxEdges, AreTheSameForAnyNumberOfThreads) {
 TEST_F(LockboxEdges, AreNearlyAllFoundInCoarseViews) {
   const TiledCloud cloud = seen(0);
   EdgeTerm term(model_.tree, {}, Executor());
-  linearize(term, cloud, truth_, kAllTiles, 1);
+  linearize(term, cloud, truth_, kAllPatches, 1);
   const double all = term.pixels();
   const Eigen::VectorXd told = term.information().diagonal();
   for (const int reduction : {2, 4}) {
-    linearize(term, cloud, truth_, kAllTiles, reduction);
+    linearize(term, cloud, truth_, kAllPatches, reduction);
     EXPECT_GT(term.pixels(), 0.97 * all) << reduction;
     EXPECT_GT((term.information().diagonal().array() / told.array()).minCoeff(), 0.95) << reduction;
   }
 }
 
-TEST_F(LockboxEdges, TellMostOfJointsInFewTiles) {
+TEST_F(LockboxEdges, TellMostOfJointsInFewPatches) {
   const TiledCloud cloud = seen(0);
   EdgeTerm term(model_.tree, {}, Executor());
   linearize(term, cloud, truth_);
@@ -162,8 +162,8 @@ TEST_F(LockboxEdges, TellMostOfJointsInFewTiles) {
   EXPECT_GT((by_half / by_few).minCoeff(), 0.55) << (by_half / by_few).transpose();
 }
 
-/// Without joints there is nothing to choose tiles for, and few edges: all are compared.
-TEST(RigidEdges, AreAllComparedForAnyNumberOfTilesAJoint) {
+/// Without joints there is nothing to choose patches for, and few edges: all are compared.
+TEST(RigidEdges, AreAllComparedForAnyNumberOfPatchesAJoint) {
   const ArticulatedModel& model = shipped("rigid_block");
   Configuration truth = rest_configuration(model.tree);
   truth.T_camera_base.translation() << 0.0, 0.0, 0.8;
@@ -171,7 +171,7 @@ TEST(RigidEdges, AreAllComparedForAnyNumberOfTilesAJoint) {
       Eigen::AngleAxisd(2.4, Eigen::Vector3d(1.0, 0.4, 0.2).normalized()).toRotationMatrix();
   const TiledCloud cloud = seen(model, truth, wall_behind(0.5));
   EdgeTerm term(model.tree, {}, Executor());
-  linearize(term, model, cloud, truth, kAllTiles);
+  linearize(term, model, cloud, truth, kAllPatches);
   const Eigen::MatrixXd told = term.information();
   EXPECT_GT(term.pixels(), 0.0);
   linearize(term, model, cloud, truth, 30);

@@ -8,7 +8,7 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/tracking/acquisition.hpp"
-#include "lockbox/tracking/judgement.hpp"
+#include "lockbox/tracking/classification.hpp"
 #include "mechanism.hpp"
 
 namespace lockbox {
@@ -23,8 +23,8 @@ class BackgroundSearchTest : public ::testing::Test {
   }
 
   /// What the search says in the end.
-  std::optional<RegistrationResult> wait() {
-    std::optional<RegistrationResult> answer;
+  std::optional<Answer> wait() {
+    std::optional<Answer> answer;
     while (search.is_busy()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       answer = search.take();
@@ -49,7 +49,7 @@ TEST_F(BackgroundSearchTest, FindsWhatASearchInTheForegroundFinds) {
   EXPECT_FALSE(search.take());
   const auto answer = wait();
   ASSERT_TRUE(answer);
-  EXPECT_EQ(judge(*answer, options()), TrackingStatus::tracking);
+  EXPECT_EQ(classify(*answer, options()), TrackingStatus::tracking);
   EXPECT_EQ(search.searches(), 1);
 
   const Executor executor(1);
@@ -69,7 +69,7 @@ TEST_F(BackgroundSearchTest, LooksNearTheGuessFirst) {
   search.start(frame, guess, SearchScope::near_first);
   const auto answer = wait();
   ASSERT_TRUE(answer);
-  EXPECT_EQ(judge(*answer, options()), TrackingStatus::tracking);
+  EXPECT_EQ(classify(*answer, options()), TrackingStatus::tracking);
   EXPECT_EQ(search.searches(), 0);
 }
 
@@ -82,7 +82,7 @@ TEST_F(BackgroundSearchTest, FollowsWhatIsFoundIntoTheNewestFrame) {
   search.show(after);
   const auto answer = wait();
   ASSERT_TRUE(answer);
-  EXPECT_EQ(judge(*answer, options()), TrackingStatus::tracking);
+  EXPECT_EQ(classify(*answer, options()), TrackingStatus::tracking);
   const Eigen::Isometry3d error = answer->configuration.T_camera_base.inverse() * now.T_camera_base;
   EXPECT_LT(error.translation().norm(), 5e-3);
   EXPECT_LT((answer->configuration.q - now.q).norm(), 0.02);
@@ -94,7 +94,7 @@ TEST_F(BackgroundSearchTest, AnAnswerThatCannotBeFollowedIsThatOfItsOwnFrame) {
   search.show(after);
   const auto answer = wait();
   ASSERT_TRUE(answer);
-  EXPECT_EQ(judge(*answer, options()), TrackingStatus::tracking);
+  EXPECT_EQ(classify(*answer, options()), TrackingStatus::tracking);
   const Eigen::Isometry3d error =
       answer->configuration.T_camera_base.inverse() * truth.T_camera_base;
   EXPECT_LT(error.translation().norm(), 5e-3);

@@ -118,7 +118,8 @@ TEST_F(MarkedBox, MayAsWellBeTurnedWhichIsSaid) {
             TrackingStatus::tracking);
   TrackingResult found;
   for (int i = 2; i < 12 && found.alternatives.empty(); ++i) {
-    found = tracker.process(at_time(seen_frame(model, elsewhere, wall_behind(0.6), i), i));
+    found = tracker.process(
+        at_time(seen_frame(model, elsewhere, wall_behind(0.6), static_cast<std::uint64_t>(i)), i));
   }
   EXPECT_EQ(found.status, TrackingStatus::uncertain);
   ASSERT_FALSE(found.alternatives.empty());
@@ -146,7 +147,8 @@ TEST_F(MarkedBox, IsReportedBeforeItIsSureAndTrustedOnceTheViewTells) {
       turned.T_camera_base * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitY());
   TrackingResult found;
   for (int i = 2; i < 20 && found.status != TrackingStatus::tracking; ++i) {
-    found = tracker.process(at_time(seen_frame(model, turned, wall(), i), i));
+    found = tracker.process(
+        at_time(seen_frame(model, turned, wall(), static_cast<std::uint64_t>(i)), i));
   }
   EXPECT_EQ(found.status, TrackingStatus::tracking);
   EXPECT_TRUE(found.configuration.T_camera_base.isApprox(turned.T_camera_base, 0.02));

@@ -101,11 +101,11 @@ TEST_F(MotionPredictorTest, TheGateFollowsTheSurpriseWithinBounds) {
   for (int k = 1; k < 30; ++k) {
     predictor.update(k * kFrame, at(0.05, 0.0), seen, 0.0);
   }
-  const double calm = predictor.spread();
+  const double calm = predictor.annealing_sigma();
   EXPECT_GT(calm, 0.0);
   predictor.update(30 * kFrame, at(0.05, 0.0), seen, 0.5);
-  EXPECT_GT(predictor.spread(), calm);
-  EXPECT_LT(predictor.spread(), 0.02);  // wider gates drag parts onto each other
+  EXPECT_GT(predictor.annealing_sigma(), calm);
+  EXPECT_LT(predictor.annealing_sigma(), 0.02);  // wider gates drag parts onto each other
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
-#include "lockbox/tracking/judgement.hpp"
+#include "lockbox/tracking/answer.hpp"
+#include "lockbox/tracking/classification.hpp"
 #include "lockbox/verification/agreement.hpp"
 
 #include <gtest/gtest.h>
@@ -160,18 +161,18 @@ TEST_F(TrackerTest, ALockedJointIsNotSought) {
 }
 
 TEST_F(TrackerTest, AnAlignmentThatIsStillOnItsWayIsUncertain) {
-  RegistrationResult registered;
+  Answer registered;
   registered.sigma = Eigen::VectorXd::Zero(6);
   registered.agreement.explained = 0.9;
   registered.last_move = options().most_last_move;
-  EXPECT_EQ(judge(registered, options()), TrackingStatus::tracking);
+  EXPECT_EQ(classify(registered, options()), TrackingStatus::tracking);
   registered.last_move *= 1.01;
-  EXPECT_EQ(judge(registered, options()), TrackingStatus::uncertain);
+  EXPECT_EQ(classify(registered, options()), TrackingStatus::uncertain);
 }
 
 /// A door without its handle is no reason to doubt a board that is seen beyond doubt.
 TEST_F(TrackerTest, APartThatContradictsIsDoubtedAloneWhereTheObjectIsBelieved) {
-  RegistrationResult registered;
+  Answer registered;
   const std::size_t bodies = model.tree.bodies.size();
   const auto unknowns = static_cast<std::size_t>(6 + model.tree.variables());
   registered.sigma = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns));
@@ -182,19 +183,19 @@ TEST_F(TrackerTest, APartThatContradictsIsDoubtedAloneWhereTheObjectIsBelieved) 
   last.pixels = 1000.0;
   last.explained = 0.5;
   last.contradicted = 0.5;
-  EXPECT_EQ(judge(registered, options()), TrackingStatus::uncertain);
+  EXPECT_EQ(classify(registered, options()), TrackingStatus::uncertain);
   registered.belief = options().convincing_belief;
-  EXPECT_EQ(judge(registered, options()), TrackingStatus::tracking);
+  EXPECT_EQ(classify(registered, options()), TrackingStatus::tracking);
   const std::vector<bool> known = known_unknowns(registered, model.tree, options());
   EXPECT_EQ(std::count(known.begin(), known.end(), false), 1);
   std::swap(registered.body_agreement.front(), registered.body_agreement.back());
-  EXPECT_EQ(judge(registered, options()), TrackingStatus::tracking) << "the base itself";
+  EXPECT_EQ(classify(registered, options()), TrackingStatus::tracking) << "the base itself";
   registered.belief = 0.9;
-  EXPECT_EQ(judge(registered, options()), TrackingStatus::uncertain) << "the base itself";
+  EXPECT_EQ(classify(registered, options()), TrackingStatus::uncertain) << "the base itself";
 }
 
 TEST_F(TrackerTest, AJointOfWhichTooLittleIsKnownIsNotReportedAsKnown) {
-  RegistrationResult registered;
+  Answer registered;
   const auto unknowns = static_cast<std::size_t>(6 + model.tree.variables());
   registered.sigma = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(unknowns), 0.1);
   registered.observable.assign(unknowns, true);

@@ -10,7 +10,7 @@
 #include "initialization/seen_model.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/simulation/trajectory.hpp"
-#include "lockbox/tracking/judgement.hpp"
+#include "lockbox/tracking/classification.hpp"
 #include "mechanism.hpp"
 
 namespace lockbox {
@@ -79,8 +79,8 @@ Configuration driven(const Configuration& truth, const Driven& where) {
 
 class UnderTheTable : public ::testing::Test {
  protected:
-  const RegistrationResult& registered(const Configuration& truth, const Scene& scene,
-                                       const Configuration& start) {
+  RegistrationResult registered(const Configuration& truth, const Scene& scene,
+                                const Configuration& start) {
     return registration_.align(seen(tin_and_packet(), truth, scene), start, {0.005, 10});
   }
 
@@ -93,13 +93,13 @@ class UnderTheTable : public ::testing::Test {
         result.configuration.T_camera_base.translation() - truth.T_camera_base.translation();
     EXPECT_GT(off.norm(), 0.02);
     EXPECT_TRUE(agrees(result, options_));
-    EXPECT_EQ(judge(result, options_), TrackingStatus::uncertain)
+    EXPECT_EQ(classify(result, options_), TrackingStatus::uncertain)
         << "yaw " << where.yaw << ", depth " << where.depth << ": explained "
         << result.agreement.explained << ", hidden " << result.agreement.occluded;
   }
 
   static constexpr double kDistance = 0.9;
-  const TrackerOptions options_;
+  const TrackerOptions options_{};
   ArticulatedRegistration registration_{tin_and_packet(), options_.registration, Executor(1)};
 };
 
@@ -124,11 +124,11 @@ TEST_F(UnderTheTable, WhatStandsOnItIsTrusted) {
   for (const double yaw : {0.3, 1.5, -0.8, 2.6}) {
     const Configuration truth = on_table(kDistance, yaw);
     const RegistrationResult& result = registered(truth, table_and_wall(), truth);
-    EXPECT_EQ(judge(result, options_), TrackingStatus::tracking) << yaw;
+    EXPECT_EQ(classify(result, options_), TrackingStatus::tracking) << yaw;
   }
 }
 
-/// A plane, too, that goes on beyond the outline, and hides half of what it is held before.
+/// A plane, too, that goes on beyond the contour, and hides half of what it is held before.
 TEST_F(UnderTheTable, AScreenBeforeItIsNoTable) {
   Scene scene = table_and_wall();
   const Eigen::Translation3d to_the_left(-0.2, 0.0, 0.6);
@@ -137,7 +137,7 @@ TEST_F(UnderTheTable, AScreenBeforeItIsNoTable) {
     const Configuration truth = on_table(kDistance, yaw);
     const RegistrationResult& result = registered(truth, scene, truth);
     EXPECT_GT(result.agreement.occluded, 0.2) << yaw;
-    EXPECT_EQ(judge(result, options_), TrackingStatus::tracking) << yaw;
+    EXPECT_EQ(classify(result, options_), TrackingStatus::tracking) << yaw;
   }
 }
 

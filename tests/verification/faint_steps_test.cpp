@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outlines that stand out by less than the noise of a cell.
+// Contours that stand out by less than the noise of a cell.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -60,7 +60,7 @@ class FaintStepsTest : public ::testing::TestWithParam<std::uint64_t> {
   const Scene wall = wall_behind(0.006);
 };
 
-TEST_P(FaintStepsTest, TellABoardOnAWallByAllOfItsOutline) {
+TEST_P(FaintStepsTest, TellABoardOnAWallByAllOfItsContour) {
   const Configuration truth = aslant(plate);
   Verifier verifier = seen_by(plate, plate, truth, wall, GetParam());
   const Evidence evidence = verifier.evidence(truth);

@@ -83,7 +83,7 @@ TEST(SamplingPlan, SpendsTheBudgetAndNotMore) {
   for (const std::size_t budget : {1500U, 3000U, 6000U, 8000U, 12000U}) {
     const std::size_t spent = samples(planned(budget));
     EXPECT_LE(spent, budget);
-    EXPECT_GT(spent, budget / 3) << budget;  // outlines share their cells with what lies beside
+    EXPECT_GT(spent, budget / 3) << budget;  // contours share their cells with what lies beside
   }
 }
 

@@ -28,16 +28,16 @@ TEST(ViewDetail, GrowsWithTheBudget) {
   EXPECT_EQ(columns_at(0.5, 600), 160);
 }
 
-TEST(ViewDetail, LeavesEdgesAndOutlinesOutOnlyForTheSakeOfTime) {
-  EXPECT_EQ(view_detail(0).edge_tiles_per_joint, kAllTiles);
-  EXPECT_EQ(view_detail(0).outline_spacing, 1);
-  EXPECT_EQ(view_detail(2000).edge_tiles_per_joint, kAllTiles);
-  EXPECT_EQ(view_detail(2000).outline_spacing, 1);
-  EXPECT_GT(view_detail(1000).edge_tiles_per_joint, 0U);
-  EXPECT_LT(view_detail(1000).edge_tiles_per_joint, kAllTiles);
-  EXPECT_EQ(view_detail(1000).outline_spacing, 2);
-  EXPECT_EQ(view_detail(600).edge_tiles_per_joint, 0U);
-  EXPECT_EQ(view_detail(600).outline_spacing, 4);
+TEST(ViewDetail, LeavesEdgesAndContoursOutOnlyForTheSakeOfTime) {
+  EXPECT_EQ(view_detail(0).edge_patches_per_joint, kAllPatches);
+  EXPECT_EQ(view_detail(0).contour_spacing, 1);
+  EXPECT_EQ(view_detail(2000).edge_patches_per_joint, kAllPatches);
+  EXPECT_EQ(view_detail(2000).contour_spacing, 1);
+  EXPECT_GT(view_detail(1000).edge_patches_per_joint, 0U);
+  EXPECT_LT(view_detail(1000).edge_patches_per_joint, kAllPatches);
+  EXPECT_EQ(view_detail(1000).contour_spacing, 2);
+  EXPECT_EQ(view_detail(600).edge_patches_per_joint, 0U);
+  EXPECT_EQ(view_detail(600).contour_spacing, 4);
 }
 
 /// The few rays that a far model has are not thinned.

@@ -129,7 +129,7 @@ class Convergence : public Experiment {
       const TrackingResult& result = tracker->process(frame);
       outcome = compare(model.tree, result, truth);
       ++run.frames;
-      run.judgement.add(outcome.status == TrackingStatus::tracking, outcome.is_right());
+      run.statuses.add(outcome.status == TrackingStatus::tracking, outcome.is_right());
       const bool may_be_found_yet =
           tracker->options().search_anywhere &&
           (result.status == TrackingStatus::lost || result.status == TrackingStatus::initializing);

@@ -155,10 +155,10 @@ Row to_row(const ConvergenceRun& run) {
           run.rotation,
           run.joints,
           run.worst_joint,
-          run.judgement.tracking,
-          run.judgement.tracking_but_wrong,
-          run.judgement.right,
-          run.judgement.right_but_not_tracking};
+          run.statuses.tracking,
+          run.statuses.tracking_but_wrong,
+          run.statuses.right,
+          run.statuses.right_but_not_tracking};
 }
 
 ConvergenceRun from_row(const Table& table, const Row& row) {
@@ -209,9 +209,9 @@ void print_convergence(const std::vector<ConvergenceRun>& runs, const Tolerances
         "succeed, with an observable joint beyond its tolerance",
         count(own, all, [&](const ConvergenceRun& run) { return good(run) && run.joints > 1.0; }));
     print_contour(success_map(own, success));
-    JudgementCount judgement;
-    for (const ConvergenceRun& run : own) judgement += run.judgement;
-    print_judgement(judgement);
+    StatusCount statuses;
+    for (const ConvergenceRun& run : own) statuses += run.statuses;
+    print_status_count(statuses);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lockbox/evaluation/figure.hpp"
-#include "lockbox/evaluation/judgement_count.hpp"
+#include "lockbox/evaluation/status_count.hpp"
 #include "lockbox/evaluation/table.hpp"
 #include "lockbox/evaluation/tolerances.hpp"
 
@@ -33,7 +33,7 @@ struct ConvergenceRun {
   double rotation = 0.0;     ///< radians
   double joints = 0.0;       ///< of FrameOutcome, as worst_joint
   std::string worst_joint;
-  JudgementCount judgement;  ///< of all its frames
+  StatusCount statuses;  ///< of all its frames
 };
 
 const std::vector<std::string>& convergence_columns();

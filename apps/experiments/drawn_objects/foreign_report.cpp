@@ -80,7 +80,7 @@ Table read_foreign_rows(const std::vector<std::filesystem::path>& files) {
 void print_foreign_report(const std::string& title, const Table& table) {
   std::map<Verdict, std::size_t> counts;
   std::vector<double> seconds;
-  JudgementCount judgement;
+  StatusCount statuses;
   std::vector<Row> wrong;
   for (const Row& row : table.rows()) {
     const Verdict is = verdict(table, row);
@@ -90,7 +90,7 @@ void print_foreign_report(const std::string& title, const Table& table) {
     const bool tracking = is_trusted(table, row);
     // What a view does not determine may well be called uncertain.
     if (is == Verdict::right || is == Verdict::wrong || (is == Verdict::undetermined && tracking)) {
-      judgement.add(tracking, is_within);
+      statuses.add(tracking, is_within);
     }
     const bool is_wrongly_trusted = tracking && !is_within && is != Verdict::looks_equal;
     if (is == Verdict::wrong || is_wrongly_trusted) wrong.push_back(row);
@@ -110,7 +110,7 @@ void print_foreign_report(const std::string& title, const Table& table) {
             << std::setprecision(2) << "  time: median " << times.median << " s, 95 % "
             << times.percentile_95 << " s, longest " << times.maximum << " s\n";
   for (const Row& row : wrong) print_wrong(table, row, "");
-  print_judgement(judgement);
+  print_status_count(statuses);
 }
 
 Figure foreign_figure(const std::string& title, const Table& table) {

@@ -42,12 +42,12 @@ void print_summary(const std::string& kind, const std::vector<KidnapRun>& runs) 
   int own = 0;
   int in_time = 0;
   int covered = 0;
-  JudgementCount judgement;
+  StatusCount statuses;
   for (const KidnapRun& run : runs) {
     if (run.kind != kind) continue;
     ++own;
     covered += run.trusted_while_covered;
-    judgement += count_judgements(run.frames);
+    statuses += count_statuses(run.frames);
     const int found = run.frames_to_find();
     if (found == 0) continue;
     frames.push_back(found);
@@ -62,7 +62,7 @@ void print_summary(const std::string& kind, const std::vector<KidnapRun>& runs) 
               << statistics.maximum;
   }
   std::cout << "\n  frames called tracking while covered: " << covered << '\n';
-  print_judgement(judgement);
+  print_status_count(statuses);
 }
 
 Table rows_of(const std::vector<LiveKidnapRun>& runs) {
@@ -90,12 +90,12 @@ void print_summary(const std::vector<LiveKidnapRun>& runs) {
   std::vector<double> seconds;
   std::vector<double> usual;
   std::vector<double> searching;
-  JudgementCount judgement;
+  StatusCount statuses;
   for (const LiveKidnapRun& run : runs) {
     if (run.seconds) seconds.push_back(*run.seconds);
     usual.insert(usual.end(), run.usual_latency.begin(), run.usual_latency.end());
     searching.insert(searching.end(), run.search_latency.begin(), run.search_latency.end());
-    judgement += count_judgements(run.frames);
+    statuses += count_statuses(run.frames);
   }
   std::cout << "\nmoved while the camera was covered, live: found in " << seconds.size() << " of "
             << runs.size() << " runs\n"
@@ -107,7 +107,7 @@ void print_summary(const std::vector<LiveKidnapRun>& runs) {
   }
   print_latency("before", usual);
   print_latency("until it is found", searching);
-  print_judgement(judgement);
+  print_status_count(statuses);
 }
 
 Panel error_panel(const std::string& kind, const std::vector<KidnapRun>& runs) {

@@ -51,7 +51,7 @@ std::map<std::string, KindSummary> summarized(const std::vector<std::filesystem:
 }
 
 /// Median and 95 %, in that unit.
-std::string spread(const std::vector<double>& errors, double unit, int digits) {
+std::string quantiles(const std::vector<double>& errors, double unit, int digits) {
   const Statistics statistics = summarize(errors);
   std::ostringstream text;
   text << std::fixed << std::setprecision(digits) << unit * statistics.median << '/'
@@ -65,11 +65,11 @@ void print_kind(const std::string& name, const KindSummary& kind) {
             << kind.trusted_wrongly;
   if (kind.tracking > 0) {
     const auto& errors = kind.errors;
-    std::cout << std::setw(13) << spread(errors.at("translation"), kMillimetres, 1) << std::setw(12)
-              << spread(errors.at("rotation"), kDegrees, 2) << std::setw(13)
-              << spread(errors.at("plain_translation"), kMillimetres, 1) << std::setw(12)
-              << spread(errors.at("plain_rotation"), kDegrees, 2) << std::setw(12)
-              << spread(errors.at("joint_error"), 100.0, 0) << std::fixed << std::setprecision(1)
+    std::cout << std::setw(13) << quantiles(errors.at("translation"), kMillimetres, 1)
+              << std::setw(12) << quantiles(errors.at("rotation"), kDegrees, 2) << std::setw(13)
+              << quantiles(errors.at("plain_translation"), kMillimetres, 1) << std::setw(12)
+              << quantiles(errors.at("plain_rotation"), kDegrees, 2) << std::setw(12)
+              << quantiles(errors.at("joint_error"), 100.0, 0) << std::fixed << std::setprecision(1)
               << std::setw(8) << summarize(errors.at("base_in_sigmas")).percentile_95
               << std::setw(8) << summarize(errors.at("joint_in_sigmas")).percentile_95;
   }

@@ -27,7 +27,7 @@ Curve typical_curve(const std::string& name, const std::vector<PeerRun>& runs,
 
 Panel error_panel(const std::string& label, const std::vector<PeerRun>& runs,
                   const Measure& measure, const PublishedFigures& published,
-                  ErrorSpread AccuracyRow::*part) {
+                  ErrorSummary AccuracyRow::*part) {
   Panel panel{"frame", label, {}, true};
   double last = 0.0;
   for (const PeerSequence& sequence : peer_sequences()) {
@@ -38,7 +38,7 @@ Panel error_panel(const std::string& label, const std::vector<PeerRun>& runs,
   }
   for (const AccuracyRow& row : published.accuracy) {
     if (row.sequence != "static" || row.tracker != "M3T best") continue;
-    const ErrorSpread& errors = row.*part;
+    const ErrorSummary& errors = row.*part;
     panel.curves.push_back(
         {"M3T best, static: median", {0.0, last}, {errors.median, errors.median}});
     panel.curves.push_back(

@@ -17,7 +17,7 @@ namespace lockbox::app {
 namespace {
 
 /// What is known, over all frames but the first `skipped`.
-Statistics spread(const PeerRun& run, const Measure& measure, std::size_t skipped = 0) {
+Statistics statistics_of(const PeerRun& run, const Measure& measure, std::size_t skipped = 0) {
   std::vector<double> values;
   for (std::size_t i = skipped; i < run.frames.size(); ++i) {
     const double value = measure(run.frames[i]);
@@ -26,14 +26,14 @@ Statistics spread(const PeerRun& run, const Measure& measure, std::size_t skippe
   return summarize(values);
 }
 
-/// Medians over the runs of what each one spreads.
-ErrorSpread typical(const std::vector<PeerRun>& runs, const Measure& measure,
-                    std::size_t skipped = 0) {
+/// Medians over the runs of the errors of each one.
+ErrorSummary typical(const std::vector<PeerRun>& runs, const Measure& measure,
+                     std::size_t skipped = 0) {
   std::vector<double> medians;
   std::vector<double> percentiles;
   std::vector<double> maxima;
   for (const PeerRun& run : runs) {
-    const Statistics own = spread(run, measure, skipped);
+    const Statistics own = statistics_of(run, measure, skipped);
     if (own.count == 0) continue;
     medians.push_back(own.median);
     percentiles.push_back(own.percentile_95);
@@ -49,14 +49,14 @@ std::string number_or_dash(double value) {
   return text.str();
 }
 
-std::string text(const ErrorSpread& errors) {
+std::string text(const ErrorSummary& errors) {
   return number_or_dash(errors.median) + " / " + number_or_dash(errors.percentile_95) + " / " +
          number_or_dash(errors.maximum);
 }
 
 void print(const AccuracyRow& row) {
   std::cout << std::left << std::setw(13) << row.sequence << std::setw(13) << row.tracker;
-  for (const ErrorSpread* errors :
+  for (const ErrorSummary* errors :
        {&row.base_mm, &row.base_degrees, &row.door_degrees, &row.slide_mm}) {
     std::cout << "  " << std::setw(20) << text(*errors);
   }
@@ -73,9 +73,9 @@ void print(const TimeRow& row, const std::string& sequence) {
 /// Of all frames but the first, where the tracker begins.
 TimeRow time_row(const std::string& name, const std::vector<PeerRun>& runs,
                  Elapsed PeerFrame::*part) {
-  const ErrorSpread wall = typical(
+  const ErrorSummary wall = typical(
       runs, [part](const PeerFrame& frame) { return (frame.*part).wall_ms; }, 1);
-  const ErrorSpread cpu = typical(
+  const ErrorSummary cpu = typical(
       runs, [part](const PeerFrame& frame) { return (frame.*part).cpu_ms; }, 1);
   return {name, wall.median, wall.percentile_95, cpu.median};
 }
@@ -100,7 +100,7 @@ void print_fast_row(int every, const std::vector<PeerRun>& runs,
   const auto tracking = frames_where(runs, is_tracking);
   const auto wrongly = frames_where(
       runs, [](const PeerFrame& frame) { return is_tracking(frame) && !frame.is_right(); });
-  const ErrorSpread base = typical(runs, base_mm);
+  const ErrorSummary base = typical(runs, base_mm);
   int searches = 0;
   for (const PeerRun& run : runs) searches += run.frames.back().outcome.searches;
   std::cout << std::setw(5) << every << std::fixed << std::setprecision(1) << std::setw(8)

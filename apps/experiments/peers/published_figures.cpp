@@ -23,7 +23,7 @@ double number(const YamlMap& map, const char* key) {
   return value;
 }
 
-ErrorSpread read_spread(const std::string& file, const YamlMap& row, const char* key) {
+ErrorSummary read_errors(const std::string& file, const YamlMap& row, const char* key) {
   row.require(key);
   const YamlMap map(file, row.node(key), {"median", "percentile_95", "maximum"});
   return {number(map, "median"), number(map, "percentile_95"), number(map, "maximum")};
@@ -34,10 +34,10 @@ AccuracyRow read_accuracy(const std::string& file, const YAML::Node& node) {
                     {"sequence", "tracker", "base_mm", "base_degrees", "door_degrees", "slide_mm"});
   return {word(row, "sequence"),
           word(row, "tracker"),
-          read_spread(file, row, "base_mm"),
-          read_spread(file, row, "base_degrees"),
-          read_spread(file, row, "door_degrees"),
-          read_spread(file, row, "slide_mm")};
+          read_errors(file, row, "base_mm"),
+          read_errors(file, row, "base_degrees"),
+          read_errors(file, row, "door_degrees"),
+          read_errors(file, row, "slide_mm")};
 }
 
 TimeRow read_times(const std::string& file, const YAML::Node& node) {

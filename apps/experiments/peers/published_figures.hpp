@@ -10,20 +10,20 @@
 namespace lockbox::app {
 
 /// Of the magnitudes of errors; NaN where it was not recorded.
-struct ErrorSpread {
+struct ErrorSummary {
   double median;
   double percentile_95;
   double maximum;
 };
 
-/// One sequence: medians over the noise seeds of what each run spreads.
+/// One sequence: medians over the noise seeds of the errors of each run.
 struct AccuracyRow {
   std::string sequence;
   std::string tracker;
-  ErrorSpread base_mm;
-  ErrorSpread base_degrees;
-  ErrorSpread door_degrees;
-  ErrorSpread slide_mm;
+  ErrorSummary base_mm;
+  ErrorSummary base_degrees;
+  ErrorSummary door_degrees;
+  ErrorSummary slide_mm;
 };
 
 /// Of one tracking step, milliseconds; NaN where it was not recorded.

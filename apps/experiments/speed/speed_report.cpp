@@ -28,7 +28,7 @@ void add_rows(const Row& run, const std::vector<FrameOutcome>& frames, Table& ta
 
 void print_runs(const std::vector<SpeedRun>& runs) {
   std::cout << "\nspeed  base (m/s)  joints (degrees/s, m/s)  right (%)  searches\n" << std::fixed;
-  JudgementCount judgement;
+  StatusCount statuses;
   for (const SpeedRun& run : runs) {
     const double right =
         100.0 * static_cast<double>(run.frames_right()) / static_cast<double>(run.frames.size());
@@ -37,9 +37,9 @@ void print_runs(const std::vector<SpeedRun>& runs) {
               << kDegrees * run.turning_speed << std::setprecision(2) << std::setw(8)
               << run.sliding_speed << std::setprecision(1) << std::setw(11) << right
               << std::setw(10) << run.frames.back().searches << '\n';
-    judgement += count_judgements(run.frames);
+    statuses += count_statuses(run.frames);
   }
-  print_judgement(judgement);
+  print_status_count(statuses);
   const auto broken =
       std::find_if(runs.begin(), runs.end(), [](auto& run) { return !run.holds(); });
   if (broken == runs.end()) {
@@ -53,20 +53,20 @@ void print_steps(StepKind kind, const std::vector<StepRun>& steps) {
   int own = 0;
   int in_time = 0;
   int searched = 0;
-  JudgementCount judgement;
+  StatusCount statuses;
   for (const StepRun& step : steps) {
     if (step.kind != kind) continue;
     ++own;
     in_time += step.is_in_time() ? 1 : 0;
     searched += step.frames.back().searches > 0 ? 1 : 0;
-    judgement += count_judgements(step.frames);
+    statuses += count_statuses(step.frames);
   }
   if (own == 0) return;
   std::cout << (kind == StepKind::base ? "step of 8 cm and 10 degrees"
                                        : "step of a hinge by 20 degrees")
             << ": at noise level within 5 frames without searching in " << in_time << " of " << own
             << " runs; searched in " << searched << '\n';
-  print_judgement(judgement);
+  print_status_count(statuses);
 }
 
 Panel step_panel(StepKind kind, const std::vector<StepRun>& steps) {

@@ -38,7 +38,7 @@ void ImagePoints::fill_tile(const TiledCloud& cloud, int column, int row) {
   const int v = row * kTileSize;
   const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera_.width) +
                      static_cast<std::size_t>(u);
-  const kernels::DepthPatch patch{
+  const kernels::DepthTile depths{
       cloud.depth().data() + pixel,
       ray_x_.data() + u,
       ray_y_.data() + v,
@@ -47,7 +47,7 @@ void ImagePoints::fill_tile(const TiledCloud& cloud, int column, int row) {
       static_cast<std::size_t>(std::min(kTileSize, camera_.width - u)),
       static_cast<std::size_t>(std::min(kTileSize, camera_.height - v))};
   kernels::PointBounds bounds;
-  tile.count = kernels::back_project(patch,
+  tile.count = kernels::back_project(depths,
                                      {x_.data() + tile.first, y_.data() + tile.first,
                                       z_.data() + tile.first, pixel_.data() + tile.first},
                                      bounds);

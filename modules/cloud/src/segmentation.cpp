@@ -58,14 +58,14 @@ double expected_pixels(const PinholeCamera& camera, const std::vector<ExpectedBo
                                   Eigen::Vector2d(camera.width - 0.5, camera.height - 0.5));
   double most = 0.0;
   for (const ExpectedBody& body : bodies) {
-    Eigen::AlignedBox2d outline;
+    Eigen::AlignedBox2d in_image;
     for (int corner = 0; corner < 8 && !body.box.isEmpty(); ++corner) {
       const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
       Eigen::Vector3d p_camera = body.T_camera_body * body.box.corner(type);
       p_camera.z() = std::max(p_camera.z(), kNear);
-      outline.extend(camera.project(p_camera));
+      in_image.extend(camera.project(p_camera));
     }
-    const Eigen::AlignedBox2d visible = outline.intersection(image);
+    const Eigen::AlignedBox2d visible = in_image.intersection(image);
     most = visible.isEmpty() ? most : std::max(most, visible.volume());
   }
   return most;

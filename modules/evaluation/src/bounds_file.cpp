@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/evaluation/bounds_file.hpp"
+#include "lockbox/core/csv_fields.hpp"
 
 #include <cmath>
 #include <sstream>
 #include <string>
 
-#include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/text_file.hpp"

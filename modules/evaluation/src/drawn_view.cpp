@@ -55,7 +55,7 @@ int draw_joints(const ArticulatedModel& model, RandomDraws random, Configuration
       open += is_open ? 1 : 0;
     }
     forward_kinematics(model.tree, configuration, poses);
-    if (open > 0 && collision.evaluate(model, poses, nullptr) <= 0.0) return open;
+    if (open > 0 && collision.cost(model, poses) <= 0.0) return open;
   }
   configuration.q = rest;
   return 0;

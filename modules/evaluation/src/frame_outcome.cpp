@@ -32,8 +32,8 @@ bool FrameOutcome::is_at_noise_level() const {
   return is_right(kNoiseLevel) && joints <= kNoiseShare;
 }
 
-JudgementCount count_judgements(const std::vector<FrameOutcome>& frames) {
-  JudgementCount count;
+StatusCount count_statuses(const std::vector<FrameOutcome>& frames) {
+  StatusCount count;
   for (const FrameOutcome& frame : frames) {
     count.add(frame.status == TrackingStatus::tracking, frame.is_right());
   }

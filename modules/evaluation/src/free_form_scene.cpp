@@ -52,7 +52,7 @@ void draw_joints(const ArticulatedModel& model, RandomDraws& random, Configurati
       truth.q[v] = random.uniform(range.lower, range.upper);
     }
     forward_kinematics(model.tree, truth, poses);
-    if (collision.evaluate(model, poses, nullptr) <= 0.0) return;
+    if (collision.cost(model, poses) <= 0.0) return;
   }
 }
 

@@ -55,12 +55,12 @@ GlobalResult GlobalExperiment::search_scene(std::uint64_t number) {
   return result;
 }
 
-void GlobalExperiment::compare_with_truth(const RegistrationResult& found, const State& truth,
+void GlobalExperiment::compare_with_truth(const Answer& found, const State& truth,
                                           const Eigen::VectorXd& bound,
                                           GlobalResult& result) const {
   result.explained = found.agreement.explained;
   result.contradicted = found.agreement.contradicted;
-  result.status = judge(found, options_);
+  result.status = classify(found, options_);
   TrackingResult answer;
   answer.status = result.status;
   answer.configuration = found.configuration;

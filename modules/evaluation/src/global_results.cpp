@@ -4,7 +4,7 @@
 #include <locale>
 #include <sstream>
 
-#include "csv_fields.hpp"
+#include "lockbox/core/csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/text_file.hpp"

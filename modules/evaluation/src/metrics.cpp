@@ -76,9 +76,9 @@ bool within_tolerances(const KinematicTree& tree, const FrameErrors& frame,
   return true;
 }
 
-JudgementCount judge(const KinematicTree& tree, const std::vector<FrameErrors>& frames,
-                     const Tolerances& tolerances) {
-  JudgementCount count;
+StatusCount count_statuses(const KinematicTree& tree, const std::vector<FrameErrors>& frames,
+                           const Tolerances& tolerances) {
+  StatusCount count;
   for (const FrameErrors& frame : frames) {
     count.add(frame.status == "tracking", within_tolerances(tree, frame, tolerances));
   }
@@ -125,7 +125,7 @@ Evaluation evaluate(const KinematicTree& tree, const StatesFile& estimate,
   for (const int joint : tree.file_order) {
     evaluation.joints.push_back(summarize_joint(tree, joint, evaluation.frames));
   }
-  evaluation.judgement = judge(tree, evaluation.frames, tolerances);
+  evaluation.statuses = count_statuses(tree, evaluation.frames, tolerances);
   return evaluation;
 }
 

@@ -10,7 +10,7 @@ std::vector<State> possible_motion(const ArticulatedModel& model, TrajectoryOpti
   BodyPoses poses;
   options.is_possible = [&](const Configuration& configuration) {
     forward_kinematics(model.tree, configuration, poses);
-    return collision.evaluate(model, poses, nullptr) == 0.0;
+    return collision.cost(model, poses) == 0.0;
   };
   return generate_trajectory(model.tree, options);
 }

@@ -46,7 +46,7 @@ Eigen::VectorXd draw_joints(const ArticulatedModel& model, RandomDraws& random) 
       configuration.q[v] = random.uniform(range.lower, range.upper);
     }
     forward_kinematics(tree, configuration, poses);
-    if (collision.evaluate(model, poses, nullptr) <= 0.0) break;
+    if (collision.cost(model, poses) <= 0.0) break;
   }
   return configuration.q;
 }

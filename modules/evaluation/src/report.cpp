@@ -29,12 +29,12 @@ Json to_json(const Statistics& statistics, const char* unit) {
           {"maximum", number(statistics.maximum)}};
 }
 
-Json to_json(const JudgementCount& judgement, std::size_t frames) {
-  return {{"tracking_share", ratio(judgement.tracking, frames)},
-          {"tracking", judgement.tracking},
-          {"tracking_but_wrong", judgement.tracking_but_wrong},
-          {"right", judgement.right},
-          {"right_but_not_tracking", judgement.right_but_not_tracking}};
+Json to_json(const StatusCount& statuses, std::size_t frames) {
+  return {{"tracking_share", ratio(statuses.tracking, frames)},
+          {"tracking", statuses.tracking},
+          {"tracking_but_wrong", statuses.tracking_but_wrong},
+          {"right", statuses.right},
+          {"right_but_not_tracking", statuses.right_but_not_tracking}};
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ std::string summary_text(const KinematicTree& tree, const Evaluation& evaluation
   const Json summary = {{"model", tree.name},
                         {"frames", evaluation.frames.size()},
                         {"frames_without_estimate", evaluation.unmatched},
-                        {"status", to_json(evaluation.judgement, evaluation.frames.size())},
+                        {"status", to_json(evaluation.statuses, evaluation.frames.size())},
                         {"base",
                          {{"translation", to_json(evaluation.translation, "m")},
                           {"rotation", to_json(evaluation.rotation, "rad")}}},

@@ -70,7 +70,7 @@ ShapeResult search_shape(const ObjectBlock& block, std::uint64_t number,
   }
   result.evidence = verifier.evidence(found->configuration).total();
   TrackingResult answer;
-  answer.status = judge(*found, options);
+  answer.status = classify(*found, options);
   answer.configuration = found->configuration;
   answer.observable = known_unknowns(*found, model.tree, options);
   result.errors = errors_of(model, answer, drawn.truth);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/evaluation/table.hpp"
+#include "lockbox/core/csv_fields.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <fstream>
 #include <sstream>
 
-#include "csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/text_file.hpp"

@@ -36,17 +36,17 @@ bool turns_as_one_of(std::span<const Eigen::Isometry3d> motions, const Eigen::Ma
 
 }  // namespace
 
-std::vector<Eigen::Isometry3d> box_turns(const ModelLevers& levers,
+std::vector<Eigen::Isometry3d> box_turns(const ModelExtent& extent,
                                          std::span<const Eigen::Isometry3d> symmetries) {
   std::vector<Eigen::Isometry3d> turns;
   for (const Eigen::Matrix3d& rotation : cube_rotations()) {
-    const Eigen::Array3d turned = (rotation * levers.sides).cwiseAbs();
+    const Eigen::Array3d turned = (rotation * extent.sides).cwiseAbs();
     const bool is_alike =
-        (turned.min(levers.sides.array()) >= kLeastAlike * turned.max(levers.sides.array())).all();
+        (turned.min(extent.sides.array()) >= kLeastAlike * turned.max(extent.sides.array())).all();
     if (!is_alike || turns_as_one_of(symmetries, rotation)) continue;
     Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
     turn.linear() = rotation;
-    turn.translation() = levers.centre - rotation * levers.centre;
+    turn.translation() = extent.centre - rotation * extent.centre;
     turns.push_back(turn);
   }
   return turns;

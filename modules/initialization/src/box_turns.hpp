@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model turned to where its outline is nearly the same: back to front, upside down. What is taken
+// A model turned to where its contour is nearly the same: back to front, upside down. What is taken
 // for one of them may be another, and is compared with all (docs/initialization.md).
 #pragma once
 
@@ -7,14 +7,14 @@
 #include <span>
 #include <vector>
 
-#include "levers.hpp"
+#include "model_extent.hpp"
 
 namespace lockbox {
 
 /// The motions, in the base's frame, that turn the box around the model at rest onto itself, about
 /// its middle, up to a quarter of each of its sides; without those after which the model looks the
 /// same. symmetries: these, the identity among them.
-std::vector<Eigen::Isometry3d> box_turns(const ModelLevers& levers,
+std::vector<Eigen::Isometry3d> box_turns(const ModelExtent& extent,
                                          std::span<const Eigen::Isometry3d> symmetries);
 
 /// Adds the motions after which the base alone looks the same, but for those that turn as one of

@@ -8,7 +8,7 @@
 namespace lockbox {
 namespace {
 
-constexpr float kSlack = 0.006F;  // metres that plane and relief may be off
+constexpr float kSlack = 0.006F;  // metres that plane and template may be off
 constexpr float kGate = 3.0F;     // standard deviations
 constexpr int kMostCells = 224;   // along each side, without margins
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();

@@ -18,12 +18,12 @@ bool are_apart(const Hypothesis& a, const Hypothesis& b) {
 
 }  // namespace
 
-double place_distance(const ModelLevers& levers, const Configuration& a, const Configuration& b) {
-  return (a.T_camera_base * levers.centre - b.T_camera_base * levers.centre).norm() / levers.radius;
+double place_distance(const ModelExtent& extent, const Configuration& a, const Configuration& b) {
+  return (a.T_camera_base * extent.centre - b.T_camera_base * extent.centre).norm() / extent.radius;
 }
 
 std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection,
-                                   const ModelLevers& levers) {
+                                   const ModelExtent& extent) {
   std::stable_sort(hypotheses.begin(), hypotheses.end(),
                    [](const Hypothesis& a, const Hypothesis& b) { return a.score > b.score; });
   std::vector<Hypothesis> kept;
@@ -37,7 +37,7 @@ std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Sel
       return are_apart(hypothesis, other);
     });
     const auto there = std::count_if(kept.begin(), kept.end(), [&](const Hypothesis& other) {
-      return place_distance(levers, hypothesis.configuration, other.configuration) <
+      return place_distance(extent, hypothesis.configuration, other.configuration) <
              selection.place;
     });
     if (is_new && static_cast<std::size_t>(there) < selection.most_in_place) {

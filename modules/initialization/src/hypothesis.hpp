@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "levers.hpp"
 #include "lockbox/model/configuration.hpp"
+#include "model_extent.hpp"
 
 namespace lockbox {
 
@@ -26,10 +26,10 @@ struct Selection {
 
 /// How far apart the model's middle is, in radii of the model; at less than 2 balls around it
 /// overlap.
-double place_distance(const ModelLevers& levers, const Configuration& a, const Configuration& b);
+double place_distance(const ModelExtent& extent, const Configuration& a, const Configuration& b);
 
 /// The best hypotheses, best first, whose bases are apart: 40 mm or 0.15 radians.
 std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection,
-                                   const ModelLevers& levers);
+                                   const ModelExtent& extent);
 
 }  // namespace lockbox

@@ -64,7 +64,7 @@ std::vector<Candidate> Initializer::find_part(const TiledCloud& cloud,
   std::vector<Candidate> candidates =
       w.seek_in_rounds(cloud, scene, fine_view, most_rounds, progress);
   if (!candidates.empty()) {
-    w.settle(cloud, fine_view, candidates.front());
+    w.rescan_joints(cloud, fine_view, candidates.front());
   }
   return candidates;
 }
@@ -80,11 +80,11 @@ SoughtJoints Initializer::find_joints(const TiledCloud& cloud, const Configurati
   constexpr bool kIsKnown = true;
   w.scores.front().set_view(view, kIsKnown);
   SoughtJoints found{start, {}};
-  scan_joints(w.model.tree, w.levers, w.scores.front(), sought, 0.01, kScan, found.configuration);
-  found.margins = scan_joints(w.model.tree, w.levers, w.scores.front(), sought, 0.006, kScan,
+  scan_joints(w.model.tree, w.extent, w.scores.front(), sought, 0.01, kScan, found.configuration);
+  found.margins = scan_joints(w.model.tree, w.extent, w.scores.front(), sought, 0.006, kScan,
                               found.configuration);
   for (double& margin : found.margins) margin *= kFinePixels;
-  scan_by_image(w.low_relief, cloud, sought, found.margins, w.options.stop_request,
+  scan_by_image(w.low_prominence, cloud, sought, found.margins, w.options.stop_request,
                 found.configuration);
   w.resolve_overlap(cloud, sought, found.margins, found.configuration);
   return found;

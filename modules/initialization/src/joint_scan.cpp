@@ -76,14 +76,14 @@ std::vector<std::size_t> best_peaks(const Positions& positions, const std::vecto
 /// Scans variables of one tree in one view.
 class JointScan {
  public:
-  JointScan(const KinematicTree& tree, const ModelLevers& levers, ViewScore& score,
+  JointScan(const KinematicTree& tree, const ModelExtent& extent, ViewScore& score,
             const std::vector<int>& variables, double slack, const ScanSteps& steps)
       : tree_(tree),
         score_(score),
         variables_(variables),
         slack_(slack),
         steps_(steps),
-        levers_(levers.variables),
+        extent_(extent.variables),
         nothing_(tree.bodies.size(), 0) {
     for (int v = 0; v < tree.variables(); ++v) moved_.push_back(moved_bodies(tree, v));
   }
@@ -173,7 +173,7 @@ class JointScan {
   /// None if the variable moves nothing.
   Positions whole_range(int variable, const Configuration& configuration) const {
     const VariableRange range = variable_range(tree_, variable, configuration.q[variable]);
-    const double reach = range.extent() * levers_[variable];
+    const double reach = range.extent() * extent_[variable];
     if (!(reach > 0.0)) return {{}, 0.0, false};
     const int steps =
         std::clamp(static_cast<int>(reach / steps_.metres) + 1, kFewestSteps, kMostSteps);
@@ -218,7 +218,7 @@ class JointScan {
   const std::vector<int>& variables_;
   double slack_;
   ScanSteps steps_;
-  const Eigen::VectorXd& levers_;
+  const Eigen::VectorXd& extent_;
   std::vector<std::vector<std::uint8_t>> moved_;  ///< by variable and body
   std::vector<std::uint8_t> nothing_;             ///< left out, by body
   std::vector<Configuration> trials_;
@@ -227,26 +227,26 @@ class JointScan {
 
 }  // namespace
 
-std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& levers,
+std::vector<double> scan_joints(const KinematicTree& tree, const ModelExtent& extent,
                                 ViewScore& score, const std::vector<int>& variables, double slack,
                                 const ScanSteps& steps, Configuration& configuration) {
   std::vector<double> margins(static_cast<std::size_t>(tree.variables()), kInfinity);
-  JointScan(tree, levers, score, variables, slack, steps)
+  JointScan(tree, extent, score, variables, slack, steps)
       .scan_each(variables, configuration, margins);
   return margins;
 }
 
-void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
+void scan_by_image(LowProminence& low_prominence, const TiledCloud& cloud,
                    const std::vector<int>& variables, std::vector<double>& margins,
                    const StopRequest& stop_request, Configuration& configuration) {
   for (const int variable : variables) {
     stop_if(stop_request);
     const bool is_told = margins[static_cast<std::size_t>(variable)] > kDoubt &&
-                         low_relief.prominence(variable, configuration) > kHardlyStandsOut;
+                         low_prominence.prominence(variable, configuration) > kHardlyStandsOut;
     if (is_told) continue;
-    const auto sighting = low_relief.find_anywhere(cloud, configuration, variable);
-    if (sighting.better) configuration.q[variable] = sighting.better->position;
-    if (!sighting.is_told) margins[static_cast<std::size_t>(variable)] = kNotTold;
+    const auto match = low_prominence.find_anywhere(cloud, configuration, variable);
+    if (match.better) configuration.q[variable] = match.better->position;
+    if (!match.is_told) margins[static_cast<std::size_t>(variable)] = kNotTold;
   }
 }
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "levers.hpp"
-#include "lockbox/terms/low_relief.hpp"
+#include "lockbox/terms/low_prominence.hpp"
+#include "model_extent.hpp"
 #include "view_score.hpp"
 
 namespace lockbox {
@@ -23,7 +23,7 @@ inline constexpr ScanSteps kScan{0.012, 2};
 /// changes nothing in the view stays where it is. slack: metres that surfaces may be off. Returns,
 /// by variable, by how many pixels the best position explains more than any that is not beside it;
 /// infinity where nothing is seen of it.
-std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& levers,
+std::vector<double> scan_joints(const KinematicTree& tree, const ModelExtent& extent,
                                 ViewScore& score, const std::vector<int>& variables, double slack,
                                 const ScanSteps& steps, Configuration& configuration);
 
@@ -31,7 +31,7 @@ std::vector<double> scan_joints(const KinematicTree& tree, const ModelLevers& le
 /// seen: the likelihood of the image decides. For everything else known to a few millimetres.
 /// margins: of scan_joints(), in pixels of the finer view; kNotTold is put where the image does not
 /// tell one position from others. Throws Stopped if that is requested.
-void scan_by_image(LowRelief& low_relief, const TiledCloud& cloud,
+void scan_by_image(LowProminence& low_prominence, const TiledCloud& cloud,
                    const std::vector<int>& variables, std::vector<double>& margins,
                    const StopRequest& stop_request, Configuration& configuration);
 

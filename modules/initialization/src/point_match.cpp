@@ -74,16 +74,16 @@ std::vector<Hypothesis> Initializer::Workspace::match_points(const CoarseView& v
                                                              const PlanarScene& scene,
                                                              const Breadth& breadth) {
   if (!pairs) pairs = make_body_pairs(model.tree, executor);
-  const std::vector<float> depth = without_wide_planes(view, scene, 2.0 * levers.radius);
+  const std::vector<float> depth = without_wide_planes(view, scene, 2.0 * extent.radius);
   const double spacing = pairs->pairs.spacing();
   const auto points = points_of_view({view.camera, depth, fine_view_noise()}, spacing);
   const auto votes = pairs->pairs.vote(points, kMostVotes, executor, options.stop_request);
   std::vector<Hypothesis> found;
   for (const PoseVote& vote : votes) add_matched(pairs->body, vote.T_camera_body, found);
   executor.for_each(found.size(), [&](std::size_t i) {
-    found[i].score = judge(found[i], 0.02, 0.7, breadth.is_close);
+    found[i].score = score_of(found[i], 0.02, 0.7, breadth.is_close);
   });
-  found = best_apart(std::move(found), breadth.matched, levers);
+  found = best_apart(std::move(found), breadth.matched, extent);
   // Bins are coarse: what they say is 15 degrees off, which one registration does not always mend.
   // Joints that stand elsewhere would pull the base away in it.
   if (variables.empty()) place(found, breadth);

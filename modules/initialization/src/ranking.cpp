@@ -11,7 +11,7 @@ namespace lockbox {
 void Initializer::Workspace::assess(const TiledCloud& cloud,
                                     const std::vector<Hypothesis>& hypotheses,
                                     const Selection& ranked, std::vector<Candidate>& answers) {
-  for (const Hypothesis& hypothesis : best_apart(hypotheses, ranked, levers)) {
+  for (const Hypothesis& hypothesis : best_apart(hypotheses, ranked, extent)) {
     if (hypothesis.score <= 0.0) continue;
     Configuration configuration = hypothesis.configuration;
     resolve_overlap(cloud, variables, {}, configuration);
@@ -24,7 +24,7 @@ void Initializer::Workspace::assess(const TiledCloud& cloud,
     answers.push_back(std::move(candidate));
   }
   sort_best_first(answers);
-  compare(levers, symmetries, answers);
+  compare(extent, symmetries, answers);
 }
 
 }  // namespace lockbox

@@ -16,7 +16,7 @@ constexpr double kAnotherAnswer = 0.15;
 
 }  // namespace
 
-double farthest_move(const ModelLevers& levers, std::span<const Eigen::Isometry3d> symmetries,
+double farthest_move(const ModelExtent& extent, std::span<const Eigen::Isometry3d> symmetries,
                      const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
   double least = std::numeric_limits<double>::infinity();
   for (const Eigen::Isometry3d& symmetry : symmetries) {
@@ -24,7 +24,7 @@ double farthest_move(const ModelLevers& levers, std::span<const Eigen::Isometry3
     double farthest = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
       const Eigen::Array3d way((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5);
-      const Eigen::Vector3d p = levers.centre + (way * levers.sides.array()).matrix();
+      const Eigen::Vector3d p = extent.centre + (way * extent.sides.array()).matrix();
       farthest = std::max(farthest, (move * p - p).norm());
     }
     least = std::min(least, farthest);
@@ -37,7 +37,7 @@ void sort_best_first(std::vector<Candidate>& candidates) {
                    [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
 }
 
-void compare(const ModelLevers& levers, std::span<const Eigen::Isometry3d> symmetries,
+void compare(const ModelExtent& extent, std::span<const Eigen::Isometry3d> symmetries,
              std::vector<Candidate>& candidates) {
   std::vector<double> others;
   for (Candidate& candidate : candidates) {
@@ -48,17 +48,17 @@ void compare(const ModelLevers& levers, std::span<const Eigen::Isometry3d> symme
         std::exp(log_odds(least_evidence(), candidate.evidence)) * pose.translation().squaredNorm();
     for (const Candidate& other : candidates) {
       const double move =
-          farthest_move(levers, symmetries, pose, other.configuration.T_camera_base);
-      if (move < kAnotherAnswer * levers.radius) continue;
+          farthest_move(extent, symmetries, pose, other.configuration.T_camera_base);
+      if (move < kAnotherAnswer * extent.radius) continue;
       others.push_back(other.evidence);
       squares += std::exp(log_odds(other.evidence, candidate.evidence)) * move * move;
     }
     candidate.belief = belief(candidate.evidence, others);
     candidate.rival_distance = std::sqrt(candidate.belief * squares);
     const Configuration& first = candidates.front().configuration;
-    const double move = farthest_move(levers, symmetries, first.T_camera_base, pose);
-    candidate.distance = move < kAnotherAnswer * levers.radius ? 0.0 : move;
-    candidate.is_in_place_of_first = place_distance(levers, first, candidate.configuration) < 1.0;
+    const double move = farthest_move(extent, symmetries, first.T_camera_base, pose);
+    candidate.distance = move < kAnotherAnswer * extent.radius ? 0.0 : move;
+    candidate.is_in_place_of_first = place_distance(extent, first, candidate.configuration) < 1.0;
   }
 }
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "box_turns.hpp"
-#include "climb.hpp"
+#include "coordinate_search.hpp"
 #include "joint_scan.hpp"
-#include "levers.hpp"
 #include "lockbox/model/drawn_mesh.hpp"
 #include "lockbox/model/symmetry.hpp"
 #include "lockbox/model/variable_range.hpp"
+#include "model_extent.hpp"
 #include "model_sides.hpp"
 #include "search_workspace.hpp"
 
@@ -28,7 +28,7 @@ constexpr bool kHoldJoints = true;
 constexpr int kRounds = 2;  // gates begin anew where the first round has come
 
 /// Fine steps, with what real objects differ from their models by.
-const ClimbPlan kClimbClosely{{0.004, 0.002, 0.001}, 2, 0.002};
+const CoordinateSearchPlan kSearchClosely{{0.004, 0.002, 0.001}, 2, 0.002};
 
 /// Triangles of a body that are drawn in no time.
 constexpr std::size_t kFewTriangles = 200;
@@ -44,7 +44,7 @@ KinematicTree seen_from_afar(const ArticulatedModel& model) {
   return tree;
 }
 
-const AlignOptions kClosely{.spread = 0.005, .iterations = 8, .at_edges = false};
+const AlignOptions kClosely{.annealing_sigma = 0.005, .iterations = 8, .at_edges = false};
 
 }  // namespace
 
@@ -55,24 +55,24 @@ Initializer::Workspace::Workspace(const ArticulatedModel& articulated_model,
       options(given),
       executor(workers),
       is_flat(flat_share(model.tree) > kMostlyFlat),
-      levers(model_levers(model.tree)),
+      extent(model_extent(model.tree)),
       symmetries(find_symmetries(model)),
-      turns(box_turns(levers, symmetries)),
+      turns(box_turns(extent, symmetries)),
       surroundings(model.tree),
       held(rest_configuration(model.tree)),
       variables(options.registration.free_variables(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1),
       fine(model, options.registration, executor),
-      low_relief(model, options.registration, executor),
+      low_prominence(model, options.registration, executor),
       overlap(model, fine.collision()),
       verifier(model.tree) {
-  // What is mostly flat is told by its outline.
+  // What is mostly flat is told by its contour.
   const double alike = is_flat ? 1.0 : kMostlyAlike;
   add_turns_of_base(find_base_symmetries(model, alike), symmetries, turns);
   RegistrationOptions coarse_options = options.registration;
   coarse_options.refine_at_edges = false;
   coarse_options.collision = CollisionMode::off;
-  coarse_options.sight_low_relief = false;  // coarse pixels err otherwise
+  coarse_options.match_low_prominence = false;  // coarse pixels err otherwise
   for (int worker = 0; worker < executor.threads(); ++worker) {
     scores.emplace_back(from_afar, view_noise(), options.stop_request);
     halves.emplace_back(from_afar, fine_view_noise(), options.stop_request);
@@ -126,30 +126,30 @@ std::vector<Hypothesis> Initializer::Workspace::known(
 std::vector<Hypothesis> Initializer::Workspace::match(const PlanarScene& scene,
                                                       const Breadth& breadth) {
   const auto& regions = scene.regions;
-  if (!reliefs) reliefs = make_reliefs(model.tree, executor, options.stop_request);
-  const std::size_t trials = regions.size() * reliefs->size();
+  if (!templates) templates = make_height_templates(model.tree, executor, options.stop_request);
+  const std::size_t trials = regions.size() * templates->size();
   std::vector<std::vector<Hypothesis>> found(trials);
   executor.for_each(trials, [&](std::size_t pair) {
-    const ModelRelief& relief = (*reliefs)[pair % reliefs->size()];
-    const PlanarRegion& region = regions[pair / reliefs->size()];
-    for (const auto& match : match_relief(scene.view, region, relief, scene.noise,
-                                          breadth.matches_each, options.stop_request)) {
-      add_matched(static_cast<std::size_t>(relief.body), match.T_camera_body, found[pair]);
+    const HeightTemplate& height_template = (*templates)[pair % templates->size()];
+    const PlanarRegion& region = regions[pair / templates->size()];
+    for (const auto& match : match_template(scene.view, region, height_template, scene.noise,
+                                            breadth.matches_each, options.stop_request)) {
+      add_matched(static_cast<std::size_t>(height_template.body), match.T_camera_body, found[pair]);
     }
-    for (Hypothesis& hypothesis : found[pair]) judge_match(breadth.is_close, hypothesis);
+    for (Hypothesis& hypothesis : found[pair]) score_match(breadth.is_close, hypothesis);
   });
   std::vector<Hypothesis> all;
   for (auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  return best_apart(std::move(all), breadth.matched, levers);
+  return best_apart(std::move(all), breadth.matched, extent);
 }
 
 /// By base and matched body alone; or with all others as they are held, if that says more: closed,
 /// a cabinet is more than one of its fronts.
-void Initializer::Workspace::judge_match(bool is_close, Hypothesis& hypothesis) {
-  hypothesis.score = judge(hypothesis, 0.02, 1.0, is_close);
+void Initializer::Workspace::score_match(bool is_close, Hypothesis& hypothesis) {
+  hypothesis.score = score_of(hypothesis, 0.02, 1.0, is_close);
   if (!(hypothesis.score > 0.0) || hypothesis.configuration.q != held.q) return;
   const Hypothesis whole{hypothesis.configuration, all_bodies};
-  hypothesis.score = std::max(hypothesis.score, judge(whole, 0.02, 1.0, is_close));
+  hypothesis.score = std::max(hypothesis.score, score_of(whole, 0.02, 1.0, is_close));
 }
 
 /// Base poses made exact as far as the known bodies tell, and a glance at the joints.
@@ -158,44 +158,44 @@ void Initializer::Workspace::place(std::vector<Hypothesis>& hypotheses, const Br
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis refined = hypotheses[i];
     align_coarsely(0.025, 4, refined.configuration, kHoldJoints);
-    refined.score = judge(refined, 0.01, 1.0, breadth.is_close);
-    hypotheses[i].score = judge(hypotheses[i], 0.01, 1.0, breadth.is_close);
+    refined.score = score_of(refined, 0.01, 1.0, breadth.is_close);
+    hypotheses[i].score = score_of(hypotheses[i], 0.01, 1.0, breadth.is_close);
     // Joints that stand elsewhere than assumed may have pulled the base away.
     if (refined.score > hypotheses[i].score) hypotheses[i] = std::move(refined);
     hypotheses[i].bodies = all_bodies;
-    scan_joints(model.tree, levers, score(), variables, 0.02, kGlance, hypotheses[i].configuration);
-    hypotheses[i].score = judge(hypotheses[i], slack, 0.5, breadth.is_close);
+    scan_joints(model.tree, extent, score(), variables, 0.02, kGlance, hypotheses[i].configuration);
+    hypotheses[i].score = score_of(hypotheses[i], slack, 0.5, breadth.is_close);
   });
-  hypotheses = best_apart(std::move(hypotheses), breadth.placed, levers);
+  hypotheses = best_apart(std::move(hypotheses), breadth.placed, extent);
 }
 
 /// All joints sought over their ranges, then moved together with the base.
 void Initializer::Workspace::pose(std::vector<Hypothesis>& hypotheses, const Breadth& breadth) {
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
-    scan_joints(model.tree, levers, score(), variables, 0.01, kScan, hypothesis.configuration);
-    hypothesis.score = judge_closely(hypothesis.configuration, 0.006);
+    scan_joints(model.tree, extent, score(), variables, 0.01, kScan, hypothesis.configuration);
+    hypothesis.score = score_closely(hypothesis.configuration, 0.006);
     Hypothesis refined = hypothesis;
     for (int round = 0; round < kRounds; ++round) align_coarsely(0.015, 8, refined.configuration);
-    refined.score = judge_closely(refined.configuration, 0.006);
+    refined.score = score_closely(refined.configuration, 0.006);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
   });
-  if (breadth.climbed) {
-    hypotheses = best_apart(std::move(hypotheses), *breadth.climbed, levers);
-    climb_each(hypotheses);
+  if (breadth.improved) {
+    hypotheses = best_apart(std::move(hypotheses), *breadth.improved, extent);
+    search_coordinates_of_each(hypotheses);
   }
-  hypotheses = best_apart(std::move(hypotheses), breadth.posed, levers);
+  hypotheses = best_apart(std::move(hypotheses), breadth.posed, extent);
 }
 
 /// All unknowns to where the drawing fits best, where that is better.
-void Initializer::Workspace::climb_each(std::vector<Hypothesis>& hypotheses) {
+void Initializer::Workspace::search_coordinates_of_each(std::vector<Hypothesis>& hypotheses) {
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
-    Hypothesis climbed = hypothesis;
-    climb_far(climbed.configuration);
-    align_coarsely(0.005, 6, climbed.configuration);
-    climbed.score = judge_closely(climbed.configuration, 0.006);
-    if (climbed.score > hypothesis.score) hypothesis = std::move(climbed);
+    Hypothesis improved = hypothesis;
+    search_coordinates_far(improved.configuration);
+    align_coarsely(0.005, 6, improved.configuration);
+    improved.score = score_closely(improved.configuration, 0.006);
+    if (improved.score > hypothesis.score) hypothesis = std::move(improved);
   });
 }
 
@@ -205,17 +205,17 @@ void Initializer::Workspace::fit(std::vector<Hypothesis>& hypotheses, const Brea
     Hypothesis& hypothesis = hypotheses[i];
     Hypothesis refined = hypothesis;
     align_coarsely(0.005, 6, refined.configuration);
-    scan_joints(model.tree, levers, score(), variables, 0.004, kScan, refined.configuration);
-    refined.score = judge_closely(refined.configuration, kFineSlack);
+    scan_joints(model.tree, extent, score(), variables, 0.004, kScan, refined.configuration);
+    refined.score = score_closely(refined.configuration, kFineSlack);
     // What stands before the object may pull a registration along it, but not a drawing.
-    Hypothesis climbed = hypothesis;
-    climb_far(climbed.configuration);
-    climbed.score = judge_closely(climbed.configuration, kFineSlack);
-    hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
+    Hypothesis improved = hypothesis;
+    search_coordinates_far(improved.configuration);
+    improved.score = score_closely(improved.configuration, kFineSlack);
+    hypothesis.score = score_closely(hypothesis.configuration, kFineSlack);
     if (refined.score > hypothesis.score) hypothesis = std::move(refined);
-    if (climbed.score > hypothesis.score) hypothesis = std::move(climbed);
+    if (improved.score > hypothesis.score) hypothesis = std::move(improved);
   });
-  hypotheses = best_apart(std::move(hypotheses), breadth.posed, levers);
+  hypotheses = best_apart(std::move(hypotheses), breadth.posed, extent);
 }
 
 /// The same at full resolution.
@@ -224,7 +224,8 @@ void Initializer::Workspace::fit_closely(const TiledCloud& cloud,
                                          const Breadth& breadth) {
   align_if_better(cloud, hypotheses, breadth);
   for (Hypothesis& hypothesis : hypotheses) {
-    climb(model.tree, levers, variables, halves, executor, kClimbClosely, hypothesis.configuration);
+    coordinate_search(model.tree, extent, variables, halves, executor, kSearchClosely,
+                      hypothesis.configuration);
   }
   align_if_better(cloud, hypotheses, breadth);
 }
@@ -241,26 +242,26 @@ void Initializer::Workspace::align_if_better(const TiledCloud& cloud,
   }
   executor.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
-    hypothesis.score = judge_closely(hypothesis.configuration, kFineSlack);
-    const double score = judge_closely(aligned[i], kFineSlack);
+    hypothesis.score = score_closely(hypothesis.configuration, kFineSlack);
+    const double score = score_closely(aligned[i], kFineSlack);
     if (score > kHardlyLess * hypothesis.score) {
       hypothesis.configuration = std::move(aligned[i]);
       hypothesis.score = score;
     }
   });
-  hypotheses = best_apart(std::move(hypotheses), breadth.posed, levers);  // some have met
+  hypotheses = best_apart(std::move(hypotheses), breadth.posed, extent);  // some have met
 }
 
 /// Joints of an object that is known to be there, then all of it once more: what stands before it
 /// says nothing about them.
-void Initializer::Workspace::settle(const TiledCloud& cloud, const CoarseView& fine_view,
-                                    Candidate& candidate) {
+void Initializer::Workspace::rescan_joints(const TiledCloud& cloud, const CoarseView& fine_view,
+                                           Candidate& candidate) {
   constexpr bool kIsKnown = true;
   halves.front().set_view(fine_view, kIsKnown);
   Configuration& configuration = candidate.configuration;
   candidate.margins =
-      scan_joints(model.tree, levers, halves.front(), variables, kFineSlack, kScan, configuration);
-  scan_by_image(low_relief, cloud, variables, candidate.margins, options.stop_request,
+      scan_joints(model.tree, extent, halves.front(), variables, kFineSlack, kScan, configuration);
+  scan_by_image(low_prominence, cloud, variables, candidate.margins, options.stop_request,
                 configuration);
   resolve_overlap(cloud, variables, candidate.margins, configuration);
   align_exactly(cloud, configuration);

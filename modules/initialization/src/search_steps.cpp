@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "climb.hpp"
+#include "coordinate_search.hpp"
 #include "lockbox/model/moved_bodies.hpp"
 #include "search_workspace.hpp"
 
@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kHardlyWorse = 0.01;  // of the visible surface
 /// Coarse steps for a view of coarse pixels.
-const ClimbPlan kClimbFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
-const AlignOptions kExactly{.spread = 0.005, .iterations = 8};
+const CoordinateSearchPlan kSearchFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
+const AlignOptions kExactly{.annealing_sigma = 0.005, .iterations = 8};
 
 /// Whether all that the variable moves was sought, and none of it can be seen anywhere.
 bool is_out_of_sight(const KinematicTree& tree, int variable, const std::vector<int>& sought,
@@ -35,7 +35,7 @@ void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud, const std:
                                              const JointMargins& margins,
                                              Configuration& configuration) {
   const auto explained = [&](const Configuration& with) {
-    return align_finely(cloud, with, {0.0, 0}).agreement.conviction();
+    return align_finely(cloud, with, {0.0, 0}).agreement.score();
   };
   std::optional<double> before;
   for (const int v : which) {
@@ -58,42 +58,43 @@ void Initializer::Workspace::resolve_overlap(const TiledCloud& cloud, const std:
 void Initializer::Workspace::align_exactly(const TiledCloud& cloud, Configuration& configuration) {
   const TiledCloud& object =
       surroundings.left_out_of(cloud, configuration, depth_noise(), parts.front());
-  const double before = align_finely(object, configuration, {0.0, 0}).agreement.conviction();
-  const RegistrationResult& exact = align_finely(object, configuration, kExactly);
-  if (exact.agreement.conviction() > before - kHardlyWorse) configuration = exact.configuration;
+  const double before = align_finely(object, configuration, {0.0, 0}).agreement.score();
+  const RegistrationResult exact = align_finely(object, configuration, kExactly);
+  if (exact.agreement.score() > before - kHardlyWorse) configuration = exact.configuration;
 }
 
-const RegistrationResult& Initializer::Workspace::align_finely(const TiledCloud& cloud,
-                                                               const Configuration& start,
-                                                               const AlignOptions& annealing) {
+RegistrationResult Initializer::Workspace::align_finely(const TiledCloud& cloud,
+                                                        const Configuration& start,
+                                                        const AlignOptions& align_options) {
   stop_if(options.stop_request);
-  return fine.align(cloud, start, annealing);
+  return fine.align(cloud, start, align_options);
 }
 
-void Initializer::Workspace::align_coarsely(double spread, int iterations,
+void Initializer::Workspace::align_coarsely(double annealing_sigma, int iterations,
                                             Configuration& configuration, bool hold_joints) {
   stop_if(options.stop_request);
   const std::size_t worker = Executor::worker();
   const TiledCloud& object =
       surroundings.left_out_of(coarse_cloud, configuration, view_noise(), parts[worker]);
-  configuration =
-      coarse[worker].align(object, configuration, {spread, iterations, hold_joints}).configuration;
+  configuration = coarse[worker]
+                      .align(object, configuration, {annealing_sigma, iterations, hold_joints})
+                      .configuration;
 }
 
 /// To where the drawing in the coarse view fits best.
-void Initializer::Workspace::climb_far(Configuration& configuration) {
-  climb(model.tree, levers, variables, std::span(&score(), 1), Executor(1), kClimbFar,
-        configuration);
+void Initializer::Workspace::search_coordinates_far(Configuration& configuration) {
+  coordinate_search(model.tree, extent, variables, std::span(&score(), 1), Executor(1), kSearchFar,
+                    configuration);
 }
 
-double Initializer::Workspace::judge(const Hypothesis& hypothesis, double slack, double tolerance,
-                                     bool is_close) {
+double Initializer::Workspace::score_of(const Hypothesis& hypothesis, double slack,
+                                        double tolerance, bool is_close) {
   ViewScore& view = is_close ? halves[Executor::worker()] : score();
   return view.evidence(hypothesis.configuration, slack, hypothesis.bodies).total(tolerance);
 }
 
 /// In a finer view, which shows more of what the camera saw through.
-double Initializer::Workspace::judge_closely(const Configuration& configuration, double slack) {
+double Initializer::Workspace::score_closely(const Configuration& configuration, double slack) {
   return halves[Executor::worker()].evidence(configuration, slack, all_bodies).total(0.0);
 }
 

@@ -7,13 +7,13 @@
 
 #include "hypothesis.hpp"
 #include "lockbox/initialization/initializer.hpp"
-#include "lockbox/terms/low_relief.hpp"
+#include "lockbox/terms/low_prominence.hpp"
 #include "lockbox/verification/coarse_view.hpp"
 #include "lockbox/verification/verifier.hpp"
 #include "overlap.hpp"
 #include "point_match.hpp"
-#include "scene_relief.hpp"
 #include "surroundings.hpp"
+#include "template_matching.hpp"
 #include "view_score.hpp"
 
 namespace lockbox {
@@ -21,13 +21,13 @@ namespace lockbox {
 /// What the stages keep: before joints are known, a low score says little, and a large side of a
 /// near box explains many pixels.
 struct Breadth {
-  std::size_t matches_each;  ///< of one relief on one region
+  std::size_t matches_each;  ///< of one template on one region
   Selection matched;
   Selection placed;
   Selection posed;
   /// Of the poses, those that are improved by the drawing, too, before all but the best are left
   /// out.
-  std::optional<Selection> climbed;
+  std::optional<Selection> improved;
   bool is_close;  ///< for small things: judged in the finer view from the start
 };
 
@@ -53,10 +53,10 @@ struct Initializer::Workspace {
   KinematicTree from_afar;  ///< the model in fewer triangles, for views of few pixels
   InitializerOptions options;
   Executor executor;
-  std::optional<std::vector<ModelRelief>> reliefs;  ///< made when first matched
-  bool is_flat;                                     ///< most of its surface
-  std::optional<BodyPairs> pairs;                   ///< made when first needed
-  ModelLevers levers;
+  std::optional<std::vector<HeightTemplate>> templates;  ///< made when first matched
+  bool is_flat;                                          ///< most of its surface
+  std::optional<BodyPairs> pairs;                        ///< made when first needed
+  ModelExtent extent;
   std::vector<Eigen::Isometry3d> symmetries;  ///< of the model
   std::vector<Eigen::Isometry3d> turns;       ///< of its box, or its base, that are none of it
   Surroundings surroundings;
@@ -69,7 +69,7 @@ struct Initializer::Workspace {
   std::vector<ArticulatedRegistration> coarse;
   std::vector<PartOfCloud> parts;
   ArticulatedRegistration fine;
-  LowRelief low_relief;
+  LowProminence low_prominence;
   OverlapFinder overlap;
   Verifier verifier;
   TiledCloud coarse_cloud;
@@ -88,7 +88,7 @@ struct Initializer::Workspace {
                                         const CoarseView& fine_view, int most_rounds,
                                         SearchProgress& progress);
   /// What was found made exact, all joints sought once more.
-  void settle(const TiledCloud& cloud, const CoarseView& fine_view, Candidate& candidate);
+  void rescan_joints(const TiledCloud& cloud, const CoarseView& fine_view, Candidate& candidate);
   /// Parts within others would push away what is seen when it is registered: of these variables,
   /// those about which the view says little yield. margins: of scan_joints() for these, or none.
   void resolve_overlap(const TiledCloud& cloud, const std::vector<int>& which,
@@ -116,7 +116,7 @@ struct Initializer::Workspace {
                                        const Breadth& breadth);
   void place(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
   void pose(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
-  void climb_each(std::vector<Hypothesis>& hypotheses);
+  void search_coordinates_of_each(std::vector<Hypothesis>& hypotheses);
   void fit(std::vector<Hypothesis>& hypotheses, const Breadth& breadth);
   void fit_closely(const TiledCloud& cloud, std::vector<Hypothesis>& hypotheses,
                    const Breadth& breadth);
@@ -126,14 +126,14 @@ struct Initializer::Workspace {
                        const Breadth& breadth);
   void align_exactly(const TiledCloud& cloud, Configuration& configuration);
   /// At full resolution. Valid until the next call.
-  const RegistrationResult& align_finely(const TiledCloud& cloud, const Configuration& start,
-                                         const AlignOptions& annealing);
-  void align_coarsely(double spread, int iterations, Configuration& configuration,
+  RegistrationResult align_finely(const TiledCloud& cloud, const Configuration& start,
+                                  const AlignOptions& align_options);
+  void align_coarsely(double annealing_sigma, int iterations, Configuration& configuration,
                       bool hold_joints = false);
-  void climb_far(Configuration& configuration);
-  void judge_match(bool is_close, Hypothesis& hypothesis);
-  double judge(const Hypothesis& hypothesis, double slack, double tolerance, bool is_close);
-  double judge_closely(const Configuration& configuration, double slack);
+  void search_coordinates_far(Configuration& configuration);
+  void score_match(bool is_close, Hypothesis& hypothesis);
+  double score_of(const Hypothesis& hypothesis, double slack, double tolerance, bool is_close);
+  double score_closely(const Configuration& configuration, double slack);
   static constexpr double kFineSlack = 0.003;  ///< metres that surfaces may be off at last
   static constexpr double kMedianNoise = 0.6;  ///< of the noise is left in a median of 4 x 4
   static constexpr double kHalfNoise = 0.85;   ///< of 2 x 2

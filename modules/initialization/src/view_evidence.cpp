@@ -7,7 +7,7 @@
 namespace lockbox {
 namespace {
 
-constexpr double kContinuing = 8.0;    // exponent: how fast an outline that goes on takes belief
+constexpr double kContinuing = 8.0;    // exponent: how fast a contour that goes on takes belief
 constexpr double kInViewEnough = 0.5;  // of the surface; with less in view, doubt grows
 
 }  // namespace

@@ -13,7 +13,7 @@ struct ViewEvidence {
   double explained = 0.0;     ///< of them, weighted by how well
   double contradicted = 0.0;  ///< pixels that the camera saw through
   double occluded = 0.0;      ///< pixels with something in front
-  double continues = 0.0;     ///< share of the outline beyond which the surface goes on
+  double continues = 0.0;     ///< share of the contour beyond which the surface goes on
   double in_view = 0.0;       ///< share of the surface that faces the camera: within the image
 
   /// The larger, the better, among configurations near each other.

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "contour_continuation.hpp"
 #include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/rendering/body_item.hpp"
-#include "outline_continuation.hpp"
 
 namespace lockbox {
 namespace {

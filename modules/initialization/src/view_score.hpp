@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How well a configuration explains a view, by drawing it: what is measured where the model says
 // counts for it, what the camera saw through against it, and a surface that goes on beyond the
-// model's outline is not the model's.
+// model's contour is not the model's.
 #pragma once
 
 #include <Eigen/Geometry>

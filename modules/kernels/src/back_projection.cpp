@@ -45,25 +45,24 @@ HWY_INLINE void store_known(const Tag tag, const hn::Vec<Tag> lanes, const hn::M
   }
 }
 
-std::size_t back_project_patch(const DepthPatch& patch, const PointSlots& slots,
-                               PointBounds& bounds) {
+std::size_t back_project_tile(const DepthTile& tile, const PointSlots& slots, PointBounds& bounds) {
   const FloatTag df;
   const PixelTag du;
   const Extent none{hn::Set(df, kLargest), hn::Set(df, -kLargest)};
   Extent extent[3] = {none, none, none};
   std::size_t count = 0;
-  HWY_ALIGN float row_of_depth[kMostPatchColumns] = {};  // 0 beyond the last column
-  for (std::size_t row = 0; row < patch.rows; ++row) {
-    const float* const depth = patch.depth + row * patch.next_row;
-    std::copy_n(depth, patch.columns, row_of_depth);
-    const auto first_pixel = patch.pixel + static_cast<std::uint32_t>(row) * patch.next_row;
-    for (std::size_t column = 0; column < patch.columns; column += hn::Lanes(df)) {
+  HWY_ALIGN float row_of_depth[kMostTileColumns] = {};  // 0 beyond the last column
+  for (std::size_t row = 0; row < tile.rows; ++row) {
+    const float* const depth = tile.depth + row * tile.next_row;
+    std::copy_n(depth, tile.columns, row_of_depth);
+    const auto first_pixel = tile.pixel + static_cast<std::uint32_t>(row) * tile.next_row;
+    for (std::size_t column = 0; column < tile.columns; column += hn::Lanes(df)) {
       const Float z = hn::Load(df, row_of_depth + column);
       const auto known = hn::Gt(z, hn::Zero(df));
-      const Float p[3] = {hn::Mul(hn::LoadU(df, patch.ray_x + column), z),
-                          hn::Mul(hn::Set(df, patch.ray_y[row]), z), z};
+      const Float p[3] = {hn::Mul(hn::LoadU(df, tile.ray_x + column), z),
+                          hn::Mul(hn::Set(df, tile.ray_y[row]), z), z};
       const bool all_known = hn::AllTrue(df, known);
-      const bool has_room = count + hn::Lanes(df) <= patch.columns * patch.rows;
+      const bool has_room = count + hn::Lanes(df) <= tile.columns * tile.rows;
       float* const axes[3] = {slots.x + count, slots.y + count, slots.z + count};
       for (int axis = 0; axis < 3; ++axis) {
         extent[axis].extend(known, p[axis]);
@@ -87,10 +86,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lockbox::kernels {
 
-HWY_EXPORT(back_project_patch);
+HWY_EXPORT(back_project_tile);
 
-std::size_t back_project(const DepthPatch& patch, const PointSlots& slots, PointBounds& bounds) {
-  return HWY_DYNAMIC_DISPATCH(back_project_patch)(patch, slots, bounds);
+std::size_t back_project(const DepthTile& tile, const PointSlots& slots, PointBounds& bounds) {
+  return HWY_DYNAMIC_DISPATCH(back_project_tile)(tile, slots, bounds);
 }
 
 }  // namespace lockbox::kernels

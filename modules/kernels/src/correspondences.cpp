@@ -35,9 +35,9 @@ HWY_INLINE Residuals residuals_of(const CorrespondenceSpan& correspondences, std
   transform(camera_from_body, result.p, off);
   for (int axis = 0; axis < 3; ++axis) off[axis] = hn::Sub(off[axis], target[axis]);
   result.residual = dot(result.direction, off);
-  result.inverse_variance =
-      hn::Div(hn::Set(df, 1.0F),
-              hn::Add(hn::LoadU(df, correspondences.variance + i), hn::Set(df, loss.spread2)));
+  result.inverse_variance = hn::Div(
+      hn::Set(df, 1.0F),
+      hn::Add(hn::LoadU(df, correspondences.variance + i), hn::Set(df, loss.annealing_variance)));
   const Float half = hn::Mul(hn::Set(df, -0.5F), hn::Mul(hn::Mul(result.residual, result.residual),
                                                          result.inverse_variance));
   result.gaussian = hn::Exp(df, hn::Max(half, hn::Set(df, -80.0F)));  // exp of less is no float
@@ -72,7 +72,7 @@ CorrespondenceSums accumulate_correspondences_lanes(const CorrespondenceSpan& co
                                                     const RigidMotion& camera_from_body,
                                                     const CorrespondenceLoss& loss) {
   const FloatTag df;
-  const float outlier_cost = 0.5F * loss.cut * loss.cut;
+  const float outlier_cost = 0.5F * loss.gate * loss.gate;
   const Float outlier = hn::Set(df, std::exp(-outlier_cost));
   NormalSumLanes lanes;
   lanes.set_zero();
@@ -125,7 +125,7 @@ void multiply_runs_of(const CorrespondenceSpan& correspondences,
                       const RigidMotion& camera_from_body, const CorrespondenceLoss& loss,
                       const std::size_t* ends, std::size_t runs, CorrespondenceProducts* products) {
   const FloatTag df;
-  const Float outlier = hn::Set(df, std::exp(-0.5F * loss.cut * loss.cut));
+  const Float outlier = hn::Set(df, std::exp(-0.5F * loss.gate * loss.gate));
   CorrespondenceRows rows;
   for (std::size_t i = 0; i < correspondences.size; i += hn::Lanes(df)) {
     const Residuals at = residuals_of(correspondences, i, camera_from_body, loss);
@@ -150,7 +150,7 @@ double correspondence_cost_lanes(const CorrespondenceSpan& correspondences,
                                  const RigidMotion& camera_from_body,
                                  const CorrespondenceLoss& loss) {
   const FloatTag df;
-  const float outlier_cost = 0.5F * loss.cut * loss.cut;
+  const float outlier_cost = 0.5F * loss.gate * loss.gate;
   const Float outlier = hn::Set(df, std::exp(-outlier_cost));
   Float cost = hn::Zero(df);
   for (std::size_t i = 0; i < correspondences.size; i += hn::Lanes(df)) {

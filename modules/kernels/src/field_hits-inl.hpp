@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
 
 /// A nearest surface whose outward normal makes less than this angle's cosine with the viewing ray
-/// is the far side of the body: what the camera sees there cannot be it. Outlines (cosine near 0)
+/// is the far side of the body: what the camera sees there cannot be it. Contours (cosine near 0)
 /// must stay, for points beyond them pull the body sideways.
 constexpr float kFarSideCosine = 0.6F;
 
@@ -60,7 +60,8 @@ HWY_INLINE Hit hit_at(const FieldView& field, const RigidMotion& motion, const P
       hn::Max(hn::Zero(df), hn::Sub(dot(hit.normal, hit.normal), hn::Div(along2, p2)));
   const Float variance =
       hn::MulAdd(hn::Div(along2, z2), hn::Mul(depth_sigma, depth_sigma),
-                 hn::MulAdd(across, lateral2, hn::Set(df, noise.spread * noise.spread + 1e-10F)));
+                 hn::MulAdd(across, lateral2,
+                            hn::Set(df, noise.annealing_sigma * noise.annealing_sigma + 1e-10F)));
   const auto far_side =
       hn::And(hn::Gt(hit.along, hn::Zero(df)),
               hn::Gt(along2, hn::Mul(hn::Set(df, kFarSideCosine * kFarSideCosine), p2)));
@@ -89,12 +90,12 @@ HWY_INLINE Float density2(const Hit& hit, const Float stretch) {
 
 /// Whether what lies `off` behind the points on their rays is within their reach.
 HWY_INLINE hn::Mask<FloatTag> is_within_reach(const PointNoise& noise, const Float z,
-                                              const Float off, const float cut) {
+                                              const Float off, const float gate) {
   const FloatTag df;
   const Float depth_sigma = sigma_z(noise, z);
-  const Float variance =
-      hn::MulAdd(depth_sigma, depth_sigma, hn::Set(df, noise.spread * noise.spread));
-  return hn::Lt(hn::Mul(off, off), hn::Mul(hn::Set(df, cut * cut), variance));
+  const Float variance = hn::MulAdd(depth_sigma, depth_sigma,
+                                    hn::Set(df, noise.annealing_sigma * noise.annealing_sigma));
+  return hn::Lt(hn::Mul(off, off), hn::Mul(hn::Set(df, gate * gate), variance));
 }
 
 /// Whether the nearest surface, taken for a plane, passes through the points that lie `off` behind

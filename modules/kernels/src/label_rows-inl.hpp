@@ -9,7 +9,7 @@
 #endif
 
 #include "hwy/highway.h"
-#include "lockbox/kernels/outlines.hpp"
+#include "lockbox/kernels/contours.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {

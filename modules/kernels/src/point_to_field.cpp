@@ -44,7 +44,7 @@ HWY_INLINE void store_planes(const Hit& hit, const hn::Mask<FloatTag> where,
 
 void look_up_points(const FieldView& field, const RigidMotion& motion, const PointNoise& noise,
                     const PointSpan& points, const PredictedPixels& predicted, float body,
-                    float cut, const FieldHits& hits, const BodyPlanes& planes, bool& has_planes) {
+                    float gate, const FieldHits& hits, const BodyPlanes& planes, bool& has_planes) {
   const FloatTag df;
   const auto place = [&](std::size_t i, Float q[3]) HWY_ATTR {
     Float p[3];
@@ -60,7 +60,7 @@ void look_up_points(const FieldView& field, const RigidMotion& motion, const Poi
     const Float depth = hn::LoadU(df, predicted.depth + i);
     const Float off = hn::Sub(depth, p[2]);
     const auto shows_body = hn::Eq(hn::LoadU(df, predicted.body + i), hn::Set(df, body));
-    const auto is_near = is_within_reach(noise, p[2], off, cut);
+    const auto is_near = is_within_reach(noise, p[2], off, gate);
     const auto stands_before = hn::AndNot(is_near, hn::Gt(off, hn::Set(df, kClearlyBefore)));
     hit.inverse_variance =
         hn::IfThenZeroElse(hn::And(shows_body, stands_before), hit.inverse_variance);
@@ -129,7 +129,7 @@ HWY_INLINE Float likelihood(const Float distance, const Float inverse_variance) 
 template <bool WithWeights>
 double associate_points_with(const Candidates& candidates, std::span<float* const> weight) {
   const FloatTag df;
-  const float outlier_cost = 0.5F * candidates.cut * candidates.cut;
+  const float outlier_cost = 0.5F * candidates.gate * candidates.gate;
   const Float c = hn::Set(df, outlier_cost);
   const Float outlier = hn::Set(df, std::exp(-outlier_cost));
   const Float one = hn::Set(df, 1.0F);
@@ -220,10 +220,10 @@ HWY_EXPORT(total_association_cost);
 HWY_EXPORT(accumulate_points);
 
 void look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
-             const PointSpan& points, const PredictedPixels& predicted, float body, float cut,
+             const PointSpan& points, const PredictedPixels& predicted, float body, float gate,
              const FieldHits& hits, const BodyPlanes& planes, bool& has_planes) {
   HWY_DYNAMIC_DISPATCH(look_up_points)
-  (field, body_from_camera, noise, points, predicted, body, cut, hits, planes, has_planes);
+  (field, body_from_camera, noise, points, predicted, body, gate, hits, planes, has_planes);
 }
 
 void frozen_distance(const RigidMotion& body_from_camera, const PointSpan& points,

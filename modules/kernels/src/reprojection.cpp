@@ -82,7 +82,7 @@ void land_points(const PointSpan& points, const RigidMotion& camera_from_body,
   }
 }
 
-std::size_t points_seen_through(const Landings& landings, std::size_t size, const PointNoise& noise,
+std::size_t points_in_violation(const Landings& landings, std::size_t size, const PointNoise& noise,
                                 float zone, std::uint32_t* result) {
   const FloatTag df;
   const IntTag di;
@@ -117,16 +117,16 @@ HWY_AFTER_NAMESPACE();
 namespace lockbox::kernels {
 
 HWY_EXPORT(land_points);
-HWY_EXPORT(points_seen_through);
+HWY_EXPORT(points_in_violation);
 
 void land(const PointSpan& points, const RigidMotion& camera_from_body, const MeasuredDepth& image,
           const Landings& result) {
   HWY_DYNAMIC_DISPATCH(land_points)(points, camera_from_body, image, result);
 }
 
-std::size_t seen_through(const Landings& landings, std::size_t count, const PointNoise& noise,
-                         float zone, std::uint32_t* result) {
-  return HWY_DYNAMIC_DISPATCH(points_seen_through)(landings, count, noise, zone, result);
+std::size_t free_space_violations(const Landings& landings, std::size_t count,
+                                  const PointNoise& noise, float zone, std::uint32_t* result) {
+  return HWY_DYNAMIC_DISPATCH(points_in_violation)(landings, count, noise, zone, result);
 }
 
 }  // namespace lockbox::kernels

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much a neighbour that lies beyond an outline says of the outline's normal.
+// How much a neighbour that lies beyond a contour says of the contour's normal.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "lockbox/kernels/outlines.hpp"
+#include "lockbox/kernels/contours.hpp"
 
 namespace lockbox::kernels {
 

@@ -15,19 +15,19 @@ Eigen::VectorXd motion_scales(const KinematicTree& tree) {
   std::vector<BodyJacobian> jacobians;
   forward_kinematics(tree, rest, poses);
   body_jacobians(tree, poses, jacobians);
-  Eigen::VectorXd levers = Eigen::VectorXd::Zero(6 + tree.variables());
+  Eigen::VectorXd scales = Eigen::VectorXd::Zero(6 + tree.variables());
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
     const Eigen::AlignedBox3d box = bounds(tree.bodies[b].mesh);
     for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
       const Eigen::Vector3d p = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
-      for (Eigen::Index i = 0; i < levers.size(); ++i) {
+      for (Eigen::Index i = 0; i < scales.size(); ++i) {
         const Twist twist = jacobians[b].col(i);
         const Eigen::Vector3d motion = twist.head<3>() + twist.tail<3>().cross(p);
-        levers[i] = std::max(levers[i], motion.norm());
+        scales[i] = std::max(scales[i], motion.norm());
       }
     }
   }
-  return levers;
+  return scales;
 }
 
 }  // namespace lockbox

@@ -6,7 +6,7 @@
 namespace lockbox {
 namespace {
 
-constexpr std::array<std::string_view, 6> kJudgementColumns = {
+constexpr std::array<std::string_view, 6> kStatusColumns = {
     "residual_rms", "explained", "contradicted", "latency_ms", "belief", "alternatives"};
 constexpr std::string_view kSigmaSuffix = ".sigma";
 
@@ -18,7 +18,7 @@ bool is_reserved_column(std::string_view name) {
                         name.substr(name.size() - kSigmaSuffix.size()) == kSigmaSuffix;
   return is_sigma || name == kStatusColumn ||
          std::any_of(kPoseColumns.begin(), kPoseColumns.end(), is_name) ||
-         std::any_of(kJudgementColumns.begin(), kJudgementColumns.end(), is_name);
+         std::any_of(kStatusColumns.begin(), kStatusColumns.end(), is_name);
 }
 
 }  // namespace lockbox

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "foreign_states.hpp"
+#include "lockbox/core/csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/readable_text.hpp"
@@ -16,22 +17,6 @@
 
 namespace lockbox {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const auto end = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
 
 /// Where each value of a row stands.
 struct Columns {
@@ -76,7 +61,7 @@ std::size_t required_column(const std::string& file, const ColumnByName& by_name
 Columns read_header(const std::string& file, std::string_view line, const KinematicTree& tree) {
   Columns columns;
   ColumnByName left;  // columns whose meaning is not known yet
-  for (const std::string_view name : split(line, ',')) {
+  for (const std::string_view name : split_fields(line)) {
     const std::size_t column = columns.names.size();
     columns.names.emplace_back(name);
     if (name.empty()) {
@@ -148,8 +133,8 @@ StatesFile read_states(const std::filesystem::path& file, const KinematicTree& t
   if (content.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     content.remove_prefix(kByteOrderMark.size());
   }
-  const auto lines = split(content, '\n');
-  const auto names = split(lines.front(), ',');
+  const auto lines = split_fields(content, '\n');
+  const auto names = split_fields(lines.front());
   if (std::find(names.begin(), names.end(), kPoseColumns.front()) == names.end()) {
     if (const auto foreign = foreign_states(file, lines)) throw InputError(name, *foreign);
   }
@@ -160,7 +145,7 @@ StatesFile read_states(const std::filesystem::path& file, const KinematicTree& t
   }
   for (std::size_t i = 1; i < lines.size(); ++i) {
     if (lines[i].empty()) continue;
-    const Row row{name, static_cast<int>(i) + 1, columns, split(lines[i], ',')};
+    const Row row{name, static_cast<int>(i) + 1, columns, split_fields(lines[i])};
     if (row.fields.size() != columns.names.size()) {
       throw InputError(name, row.line,
                        "has " + std::to_string(row.fields.size()) + " fields, the header " +

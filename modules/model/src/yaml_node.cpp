@@ -6,17 +6,12 @@
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
-#include "lockbox/core/text_file.hpp"
+#include "lockbox/core/yaml_map.hpp"
 
 namespace lockbox {
 
 YamlNode YamlNode::read(const std::filesystem::path& file) {
-  const std::string text = read_text_file(file);
-  try {
-    return {file.string(), YAML::Load(text)};
-  } catch (const YAML::Exception& error) {
-    throw InputError(file.string(), error.mark.line + 1, "not YAML: " + error.msg);
-  }
+  return {file.string(), load_yaml(file, "YAML")};
 }
 
 std::vector<std::pair<std::string, YamlNode>> YamlNode::entries() const {

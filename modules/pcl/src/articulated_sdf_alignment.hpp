@@ -151,14 +151,14 @@ bool ArticulatedSdfRegistration<PointT, Scalar>::begin(const Matrix4& guess) {
 template <typename PointT, typename Scalar>
 void ArticulatedSdfRegistration<PointT, Scalar>::find_configuration() {
   ScanRegistration& registration = state_->registration;
-  AlignOptions annealing;
-  annealing.spread = reach() / registration.options().cut;
-  annealing.iterations = std::max(1, this->max_iterations_);
-  annealing.narrowing = std::clamp(2 * annealing.iterations / 3, 1, kMaxNarrowing);
-  annealing.on_iteration = [this](const Configuration& configuration, bool is_narrow) {
+  AlignOptions align_options;
+  align_options.annealing_sigma = reach() / registration.options().gate;
+  align_options.iterations = std::max(1, this->max_iterations_);
+  align_options.narrowing = std::clamp(2 * align_options.iterations / 3, 1, kMaxNarrowing);
+  align_options.on_iteration = [this](const Configuration& configuration, bool is_narrow) {
     return go_on(configuration, is_narrow);
   };
-  const bool came_to_rest = registration.align(annealing);
+  const bool came_to_rest = registration.align(align_options);
   if (state_->criteria->getConvergenceState() ==
       ConvergenceCriteria::CONVERGENCE_CRITERIA_NO_CORRESPONDENCES) {
     return;

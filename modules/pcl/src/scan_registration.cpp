@@ -64,13 +64,13 @@ bool ScanRegistration::begin(const Scan& scan, const Eigen::Isometry3d& T_base_c
   return T_image_cloud.has_value();
 }
 
-bool ScanRegistration::align(const AlignOptions& annealing) {
-  found_ = &registration_->align(cloud_, placed_, annealing);
-  return found_->converged;
+bool ScanRegistration::align(const AlignOptions& align_options) {
+  registration_->align(cloud_, placed_, align_options, found_);
+  return found_.converged;
 }
 
 void ScanRegistration::accept() {
-  result_ = *found_;
+  result_ = found_;
   placed_ = result_.configuration;
   joints_.q = placed_.q;
 }

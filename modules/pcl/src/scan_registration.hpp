@@ -43,7 +43,7 @@ class ScanRegistration {
   bool begin(const Scan& scan, const Eigen::Isometry3d& T_base_cloud);
 
   /// Aligns from there, within the scan that begin() was given.
-  bool align(const AlignOptions& annealing);
+  bool align(const AlignOptions& align_options);
 
   /// Takes what align() found as where the model is, the joints and the result.
   void accept();
@@ -71,8 +71,8 @@ class ScanRegistration {
 
   TiledCloud cloud_;
   Eigen::Isometry3d T_camera_cloud_ = Eigen::Isometry3d::Identity();
-  Configuration placed_;  ///< in the camera's frame
-  const RegistrationResult* found_ = nullptr;
+  Configuration placed_;      ///< in the camera's frame
+  RegistrationResult found_;  ///< by align(), until accept()
 };
 
 }  // namespace lockbox

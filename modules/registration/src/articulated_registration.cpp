@@ -7,7 +7,7 @@
 #include "descent.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/verification/agreement_meter.hpp"
+#include "lockbox/verification/consistency_check.hpp"
 #include "refinement.hpp"
 #include "size_meter.hpp"
 
@@ -35,27 +35,28 @@ struct ArticulatedRegistration::Stages {
         steps(of.tree, how),
         objective(of, how, steps.moves(), with),
         descent(how, objective, steps),
-        outline_step(how, objective, steps),
-        relief_step(of, how, objective, steps, with),
+        contour_step(how, objective, steps),
+        prominence_step(of, how, objective, steps, with),
         edge_step(of, how, objective, steps, with),
         size_meter(of, how, steps) {
     options.locked.resize(static_cast<std::size_t>(of.tree.variables()), false);
   }
 
-  const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
-                                  const AlignOptions& annealing);
-  /// Steps by outlines and by low relief. clusters: of residuals, with the weights of these steps.
-  void refine_without_edges(const Configuration& start, const AlignOptions& annealing,
+  void align(const TiledCloud& cloud, const Configuration& start, const AlignOptions& align_options,
+             RegistrationResult& result);
+  /// Steps by contours and by low prominence. clusters: of residuals, with the weights of these
+  /// steps.
+  void refine_without_edges(const Configuration& start, const AlignOptions& align_options,
                             Linearization& solution, Estimate& refined,
-                            std::vector<TileSystem>& clusters, ReliefSightings& seen);
+                            std::vector<TileSystem>& clusters, JointMatches& seen);
   /// Before edges add to it.
   void estimate_covariance(const Linearization& solution, const std::vector<TileSystem>& clusters,
-                           const ReliefSightings& seen, CovarianceEstimator& estimated) const;
+                           const JointMatches& seen, CovarianceEstimator& estimated) const;
   /// The consistency check; meanwhile: what is done along with it.
   void compare_with_image(const BodyPoses& at, FunctionRef<void()> meanwhile,
-                          AgreementMeter& compared) const;
+                          ConsistencyCheck& compared) const;
   void report(const Descended& descended, const Estimate& refined, const Linearization& solution,
-              const CovarianceEstimator& estimated, const AgreementMeter& compared,
+              const CovarianceEstimator& estimated, const ConsistencyCheck& compared,
               RegistrationResult& reported) const;
 
   const ArticulatedModel& model;
@@ -64,60 +65,58 @@ struct ArticulatedRegistration::Stages {
   Steps steps;
   Objective objective;
   Descent descent;
-  OutlineStep outline_step;
-  ReliefStep relief_step;
+  ContourStep contour_step;
+  ProminenceStep prominence_step;
   EdgeStep edge_step;
   SizeMeter size_meter;
 
   Estimate estimate;
   BodyPoses poses;                ///< of the estimate
   std::vector<TileSystem> tiles;  ///< clusters of residuals
-  ReliefSightings sightings;
-  AgreementMeter agreement;
+  JointMatches matches;
+  ConsistencyCheck agreement;
   CovarianceEstimator covariance;
-  RegistrationResult result;
 };
 
-const RegistrationResult& ArticulatedRegistration::Stages::align(const TiledCloud& cloud,
-                                                                 const Configuration& start,
-                                                                 const AlignOptions& annealing) {
-  objective.begin(cloud, annealing);
-  const Descended& descended = descent.run(start, annealing);
+void ArticulatedRegistration::Stages::align(const TiledCloud& cloud, const Configuration& start,
+                                            const AlignOptions& align_options,
+                                            RegistrationResult& result) {
+  objective.begin(cloud, align_options);
+  const Descended& descended = descent.run(start, align_options);
   // The covariance, and what the model explains, belong to the solution.
   Linearization& solution = objective.linearize(descended.configuration, 0.0);
   estimate.configuration = descended.configuration;
-  descent.find_rest(solution, annealing.hold_joints, estimate.at_rest);
-  refine_without_edges(start, annealing, solution, estimate, tiles, sightings);
+  descent.find_rest(solution, align_options.hold_joints, estimate.at_rest);
+  refine_without_edges(start, align_options, solution, estimate, tiles, matches);
   forward_kinematics(model.tree, estimate.configuration, poses);
   // Neither needs the other.
   const auto covariance_of_points = [&] {
-    estimate_covariance(solution, tiles, sightings, covariance);
+    estimate_covariance(solution, tiles, matches, covariance);
   };
   compare_with_image(poses, covariance_of_points, agreement);
-  if (annealing.iterations > 0 && annealing.at_edges) {
-    edge_step.take(poses, annealing.hold_joints, estimate, covariance);
+  if (align_options.iterations > 0 && align_options.at_edges) {
+    edge_step.take(poses, align_options.hold_joints, estimate, covariance);
   }
   covariance.add_floors(steps.moves().scales());
   report(descended, estimate, solution, covariance, agreement, result);
-  return result;
 }
 
 void ArticulatedRegistration::Stages::refine_without_edges(
-    const Configuration& start, const AlignOptions& annealing, Linearization& solution,
-    Estimate& refined, std::vector<TileSystem>& clusters, ReliefSightings& seen) {
+    const Configuration& start, const AlignOptions& align_options, Linearization& solution,
+    Estimate& refined, std::vector<TileSystem>& clusters, JointMatches& seen) {
   clusters.clear();
   objective.append_tile_systems(clusters);
   seen.assign(static_cast<std::size_t>(model.tree.variables()), std::nullopt);
   if (!objective.sees_free_space()) return;
-  outline_step.take(solution, annealing.hold_joints, refined, clusters);
-  if (annealing.iterations > 0 && !annealing.hold_joints) {
-    relief_step.take(start.q, solution, refined, seen);
+  contour_step.take(solution, align_options.hold_joints, refined, clusters);
+  if (align_options.iterations > 0 && !align_options.hold_joints) {
+    prominence_step.take(start.q, solution, refined, seen);
   }
 }
 
 void ArticulatedRegistration::Stages::compare_with_image(const BodyPoses& at,
                                                          FunctionRef<void()> meanwhile,
-                                                         AgreementMeter& compared) const {
+                                                         ConsistencyCheck& compared) const {
   const PredictedView& view = objective.view();
   compared.measure(model, view.surface(), view.samples(), at, objective.cloud(), options, executor,
                    meanwhile);
@@ -125,7 +124,7 @@ void ArticulatedRegistration::Stages::compare_with_image(const BodyPoses& at,
 
 void ArticulatedRegistration::Stages::estimate_covariance(const Linearization& solution,
                                                           const std::vector<TileSystem>& clusters,
-                                                          const ReliefSightings& seen,
+                                                          const JointMatches& seen,
                                                           CovarianceEstimator& estimated) const {
   estimated.estimate(solution.data, clusters, options.noise_correlation, solution.jacobians,
                      steps.scale(), steps.held());
@@ -138,7 +137,7 @@ void ArticulatedRegistration::Stages::estimate_covariance(const Linearization& s
 void ArticulatedRegistration::Stages::report(const Descended& descended, const Estimate& refined,
                                              const Linearization& solution,
                                              const CovarianceEstimator& estimated,
-                                             const AgreementMeter& compared,
+                                             const ConsistencyCheck& compared,
                                              RegistrationResult& reported) const {
   reported.configuration = refined.configuration;
   reported.at_rest = refined.at_rest;
@@ -151,7 +150,7 @@ void ArticulatedRegistration::Stages::report(const Descended& descended, const E
   reported.base_turning_sigma = turning_sigma(turns, model.round_axes);
   reported.agreement = compared.total();
   reported.body_agreement = compared.bodies();
-  reported.outline = compared.outline();
+  reported.contour = compared.contour();
   reported.flush_bodies = objective.view().continued().flush_bodies();
   const ModelTerm::Totals& totals = objective.totals();
   reported.explained_points = totals.points;
@@ -176,10 +175,17 @@ ArticulatedRegistration::ArticulatedRegistration(ArticulatedRegistration&&) noex
 ArticulatedRegistration& ArticulatedRegistration::operator=(ArticulatedRegistration&&) noexcept =
     default;
 
-const RegistrationResult& ArticulatedRegistration::align(const TiledCloud& cloud,
-                                                         const Configuration& start,
-                                                         const AlignOptions& annealing) {
-  return stages_->align(cloud, start, annealing);
+RegistrationResult ArticulatedRegistration::align(const TiledCloud& cloud,
+                                                  const Configuration& start,
+                                                  const AlignOptions& align_options) {
+  RegistrationResult result;
+  align(cloud, start, align_options, result);
+  return result;
+}
+
+void ArticulatedRegistration::align(const TiledCloud& cloud, const Configuration& start,
+                                    const AlignOptions& align_options, RegistrationResult& result) {
+  stages_->align(cloud, start, align_options, result);
 }
 
 SizeMeasurement ArticulatedRegistration::measure_size(const Configuration& configuration) {

@@ -6,15 +6,16 @@
 namespace lockbox {
 namespace {
 
-constexpr double kNearEnough = 0.002;          // metres: a step that is as good as exact
-constexpr double kNearEnoughToSettle = 0.004;  // the same, where the last iteration follows
-constexpr int kMostToSettle = 2;               // times the iterations, if more than a step is left
+constexpr double kNearEnough = 0.002;         // metres: a step that is as good as exact
+constexpr double kNearEnoughForFine = 0.004;  // the same, where the last iteration follows
+constexpr int kMostFineIterations = 2;        // times the iterations, if more than a step is left
 constexpr int kMaxDampings = 5;
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 
-/// The share of the start's spread that iteration k of n still allows: 1 at first, 0 at last.
-double spread_share(int k, int n) {
+/// The share of the start's annealing sigma that iteration k of n still allows: 1 at first, 0 at
+/// last.
+double annealing_share(int k, int n) {
   if (n < 2) {
     return k == 0 ? 1.0 : 0.0;
   }
@@ -27,52 +28,56 @@ double spread_share(int k, int n) {
 Descent::Descent(const RegistrationOptions& options, Objective& objective, Steps& steps)
     : step_tolerance_(options.step_tolerance), objective_(objective), steps_(steps) {}
 
-const Descended& Descent::run(const Configuration& start, const AlignOptions& annealing) {
+const Descended& Descent::run(const Configuration& start, const AlignOptions& align_options) {
   found_.configuration = start;
   found_.last_step.setZero(steps_.scale().unit.size());
   found_.iterations = 0;
   found_.converged = false;
-  const bool settles =
-      annealing.is_predicted && annealing.iterations > 1 && objective_.sees_free_space();
-  if (settles && objective_.has_rough_view()) {
+  const bool is_coarse_to_fine =
+      align_options.is_predicted && align_options.iterations > 1 && objective_.sees_free_space();
+  if (is_coarse_to_fine && objective_.has_rough_view()) {
     objective_.look_roughly();
   } else {
     objective_.look_closely();
   }
-  const int narrowing = annealing.narrowing > 0 ? annealing.narrowing : annealing.iterations;
-  const auto spread_of = [&](int k) {
-    return k < annealing.iterations ? annealing.spread * spread_share(k, narrowing) : 0.0;
+  const int narrowing =
+      align_options.narrowing > 0 ? align_options.narrowing : align_options.iterations;
+  const auto annealing_sigma_of = [&](int k) {
+    return k < align_options.iterations
+               ? align_options.annealing_sigma * annealing_share(k, narrowing)
+               : 0.0;
   };
-  const int iterations = annealing.iterations - (settles ? 1 : 0);
+  const int iterations = align_options.iterations - (is_coarse_to_fine ? 1 : 0);
   bool go_on = true;
   for (int k = 0; k < iterations && go_on; ++k) {
-    const Linearization& at = objective_.linearize(found_.configuration, spread_of(k));
-    const bool is_narrow = spread_of(k) == 0.0;
-    if (settles && steps_.add_short(at.all, annealing.hold_joints, kNearEnoughToSettle,
-                                    found_.configuration)) {
-      go_on = report(annealing, is_narrow);
+    const Linearization& at = objective_.linearize(found_.configuration, annealing_sigma_of(k));
+    const bool is_narrow = annealing_sigma_of(k) == 0.0;
+    if (is_coarse_to_fine && steps_.add_short(at.all, align_options.hold_joints, kNearEnoughForFine,
+                                              found_.configuration)) {
+      go_on = report(align_options, is_narrow);
       break;
     }
-    const bool moved = improve(at, annealing.hold_joints, spread_of(k + 1));
+    const bool moved = improve(at, align_options.hold_joints, annealing_sigma_of(k + 1));
     found_.converged = !moved && is_narrow;
-    go_on = report(annealing, is_narrow) && !found_.converged;
+    go_on = report(align_options, is_narrow) && !found_.converged;
   }
-  if (settles) settle(annealing, go_on);
+  if (is_coarse_to_fine) run_fine_iterations(align_options, go_on);
   return found_;
 }
 
 /// The last iteration, of all points: mostly what is left is one step, as good as exact.
-void Descent::settle(const AlignOptions& annealing, bool is_to_report) {
+void Descent::run_fine_iterations(const AlignOptions& align_options, bool is_to_report) {
   objective_.look_closely();
   bool moves_on = true;
-  for (int k = 0; k < kMostToSettle * annealing.iterations && moves_on; ++k) {
+  for (int k = 0; k < kMostFineIterations * align_options.iterations && moves_on; ++k) {
     const Linearization& at = objective_.linearize(found_.configuration, 0.0);
-    const Eigen::VectorXd& step = steps_.best(at.all, found_.configuration, annealing.hold_joints);
-    moves_on = steps_.moves().of(step) > kNearEnough && improve(at, annealing.hold_joints, 0.0);
+    const Eigen::VectorXd& step =
+        steps_.best(at.all, found_.configuration, align_options.hold_joints);
+    moves_on = steps_.moves().of(step) > kNearEnough && improve(at, align_options.hold_joints, 0.0);
   }
   found_.converged = !moves_on;
   if (!moves_on) found_.last_step.setZero();
-  if (is_to_report) report(annealing, true);
+  if (is_to_report) report(align_options, true);
 }
 
 void Descent::find_rest(const Linearization& at, bool hold_joints, Configuration& at_rest) {
@@ -81,14 +86,14 @@ void Descent::find_rest(const Linearization& at, bool hold_joints, Configuration
 }
 
 /// An iteration; false if it is to be the last.
-bool Descent::report(const AlignOptions& annealing, bool is_narrow) {
+bool Descent::report(const AlignOptions& align_options, bool is_narrow) {
   ++found_.iterations;
-  return !annealing.on_iteration || annealing.on_iteration(found_.configuration, is_narrow);
+  return !align_options.on_iteration || align_options.on_iteration(found_.configuration, is_narrow);
 }
 
 /// Takes the best acceptable step; false if there was none, or none worth taking. Mostly the first
 /// trial is taken: then the next linearisation is made along with its cost.
-bool Descent::improve(const Linearization& at, bool hold_joints, double next_spread) {
+bool Descent::improve(const Linearization& at, bool hold_joints, double next_sigma) {
   found_.last_step.setZero();
   double damping = 0.0;
   for (int trial = 0; trial <= kMaxDampings; ++trial) {
@@ -98,7 +103,7 @@ bool Descent::improve(const Linearization& at, bool hold_joints, double next_spr
     }
     candidate_ = found_.configuration;
     apply_step(step, candidate_);
-    const auto ahead = trial == 0 ? std::optional(next_spread) : std::nullopt;
+    const auto ahead = trial == 0 ? std::optional(next_sigma) : std::nullopt;
     if (objective_.cost(candidate_, ahead) < at.cost) {
       found_.configuration = candidate_;
       found_.last_step = step;

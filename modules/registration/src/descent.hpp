@@ -22,15 +22,15 @@ class Descent {
 
   /// In the cloud that the objective has begun with. Valid until the next call. From a prediction,
   /// a few of many points are enough to come near, and near is where what is left is settled.
-  const Descended& run(const Configuration& start, const AlignOptions& annealing);
+  const Descended& run(const Configuration& start, const AlignOptions& align_options);
 
   /// Where it would have ended, if that is near; at: linearised where it did end.
   void find_rest(const Linearization& at, bool hold_joints, Configuration& at_rest);
 
  private:
-  void settle(const AlignOptions& annealing, bool is_to_report);
-  bool report(const AlignOptions& annealing, bool is_narrow);
-  bool improve(const Linearization& at, bool hold_joints, double next_spread);
+  void run_fine_iterations(const AlignOptions& align_options, bool is_to_report);
+  bool report(const AlignOptions& align_options, bool is_narrow);
+  bool improve(const Linearization& at, bool hold_joints, double next_sigma);
 
   double step_tolerance_;  ///< metres
   Objective& objective_;

@@ -21,14 +21,14 @@ void Linearization::forget(Eigen::Index unknown) {
   for (BodyJacobian& jacobian : jacobians) jacobian.col(unknown).setZero();
 }
 
-bool Objective::Place::is(const Configuration& other, double other_spread) const {
-  return spread == other_spread && configuration.q == other.q &&
+bool Objective::Place::is(const Configuration& other, double other_sigma) const {
+  return annealing_sigma == other_sigma && configuration.q == other.q &&
          configuration.T_camera_base.matrix() == other.T_camera_base.matrix();
 }
 
-void Objective::Place::set(const Configuration& other, double other_spread) {
+void Objective::Place::set(const Configuration& other, double other_sigma) {
   configuration = other;
-  spread = other_spread;
+  annealing_sigma = other_sigma;
 }
 
 Objective::Objective(const ArticulatedModel& model, const RegistrationOptions& options,
@@ -43,12 +43,12 @@ Objective::Objective(const ArticulatedModel& model, const RegistrationOptions& o
   systems_.resize(model.tree.bodies.size());
 }
 
-void Objective::begin(const TiledCloud& cloud, const AlignOptions& annealing) {
+void Objective::begin(const TiledCloud& cloud, const AlignOptions& align_options) {
   cloud_ = &cloud;
-  is_predicted_ = annealing.is_predicted;
+  is_predicted_ = align_options.is_predicted;
   forget_linearizations();
-  if (!annealing.goes_on) {
-    selected_.spread.reset();
+  if (!align_options.goes_on) {
+    selected_.annealing_sigma.reset();
     approach_view_.forget();
     full_view_.forget();
   }
@@ -65,23 +65,23 @@ bool Objective::has_rough_view() const {
 void Objective::look_through(PredictedView& view) {
   if (view_ == &view) return;
   view_ = &view;
-  selected_.spread.reset();
+  selected_.annealing_sigma.reset();
   forget_linearizations();
 }
 
 void Objective::forget_linearizations() {
-  linearized_.spread.reset();
-  ahead_.spread.reset();
+  linearized_.annealing_sigma.reset();
+  ahead_.annealing_sigma.reset();
 }
 
 ModelTerm::Scene Objective::scene() const {
   return {model_, view_->points(), cloud_->camera(), view_->prediction(), options_, executor_};
 }
 
-void Objective::look_at(const Configuration& configuration, double spread) {
+void Objective::look_at(const Configuration& configuration, double annealing_sigma) {
   if (view_->shows(configuration, moves_)) return;
-  view_->look_at(*cloud_, model_, configuration, options_.cut * spread, is_predicted_, options_,
-                 executor_);
+  view_->look_at(*cloud_, model_, configuration, options_.gate * annealing_sigma, is_predicted_,
+                 options_, executor_);
 }
 
 const PredictedView& Objective::view_of(const Configuration& configuration) {
@@ -89,18 +89,18 @@ const PredictedView& Objective::view_of(const Configuration& configuration) {
   return *view_;
 }
 
-Linearization& Objective::linearize(const Configuration& configuration, double spread) {
+Linearization& Objective::linearize(const Configuration& configuration, double annealing_sigma) {
   Linearization& at = linearization_;
-  if (linearized_.is(configuration, spread)) return at;  // the last step was not taken
-  look_at(configuration, spread);
+  if (linearized_.is(configuration, annealing_sigma)) return at;  // the last step was not taken
+  look_at(configuration, annealing_sigma);
   forward_kinematics(model_.tree, configuration, at.poses);
   body_jacobians(model_.tree, at.poses, at.jacobians);
   std::fill(systems_.begin(), systems_.end(), BodySystem{});
-  linearize_points(configuration, spread);
+  linearize_points(configuration, annealing_sigma);
   at.free_cost = 0.0;
   if (sees_free_space()) {
-    select_free_space(configuration, spread);
-    at.free_cost = free_term_.linearize(at.poses, spread, systems_);
+    select_free_space(configuration, annealing_sigma);
+    at.free_cost = free_term_.linearize(at.poses, annealing_sigma, systems_);
   }
   at.data.set_zero(6 + model_.tree.variables());
   for (std::size_t b = 0; b < systems_.size(); ++b) {
@@ -109,46 +109,45 @@ Linearization& Objective::linearize(const Configuration& configuration, double s
   at.all = at.data;
   at.collision_cost = collision_.sum_up(model_, at.poses, &at.all);
   at.cost = (at.model_cost + at.free_cost) / options_.noise_correlation + at.collision_cost;
-  linearized_.set(configuration, spread);
+  linearized_.set(configuration, annealing_sigma);
   return at;
 }
 
 /// The model term, and collisions along with it.
-void Objective::linearize_points(const Configuration& configuration, double spread) {
+void Objective::linearize_points(const Configuration& configuration, double annealing_sigma) {
   Linearization& at = linearization_;
   const auto collide = [&](std::size_t i) { collision_.evaluate_part(model_, at.poses, i); };
   const Loop collisions{collision_.begin(at.poses), collide};
-  if (ahead_.is(configuration, spread)) {
+  if (ahead_.is(configuration, annealing_sigma)) {
     at.model_cost = model_term_.take_ahead(systems_);
     executor_.for_each({collisions});
   } else {
-    at.model_cost = model_term_.linearize(scene(), at.poses, spread, systems_, collisions);
+    at.model_cost = model_term_.linearize(scene(), at.poses, annealing_sigma, systems_, collisions);
   }
-  ahead_.spread.reset();
+  ahead_.annealing_sigma.reset();
 }
 
 /// A selection lasts while the configuration stays where it was made: selecting anew at each
 /// iteration would never let the last steps come to rest.
-void Objective::select_free_space(const Configuration& configuration, double spread) {
-  if (selected_.spread && spread <= *selected_.spread &&
+void Objective::select_free_space(const Configuration& configuration, double annealing_sigma) {
+  if (selected_.annealing_sigma && annealing_sigma <= *selected_.annealing_sigma &&
       moves_.between(selected_.configuration, configuration) < kStaleSelection) {
     return;
   }
-  free_term_.select({model_, view_->surface(), view_->samples(), view_->outlines(),
+  free_term_.select({model_, view_->surface(), view_->samples(), view_->contours(),
                      view_->continued(), *cloud_, options_, executor_},
-                    linearization_.poses, spread);
-  selected_.set(configuration, spread);
+                    linearization_.poses, annealing_sigma);
+  selected_.set(configuration, annealing_sigma);
 }
 
-double Objective::cost(const Configuration& configuration, std::optional<double> next_spread) {
-  if (next_spread && !view_->shows(configuration, moves_)) next_spread.reset();
+double Objective::cost(const Configuration& configuration, std::optional<double> next_sigma) {
+  if (next_sigma && !view_->shows(configuration, moves_)) next_sigma.reset();
   forward_kinematics(model_.tree, configuration, trial_poses_);
   const auto collide = [&](std::size_t i) { collision_.evaluate_part(model_, trial_poses_, i); };
   const Loop collisions{collision_.begin(trial_poses_), collide};
-  double cost = next_spread
-                    ? model_term_.cost_ahead(scene(), trial_poses_, *next_spread, collisions)
-                    : model_term_.cost(scene(), trial_poses_, collisions);
-  if (next_spread) ahead_.set(configuration, *next_spread);
+  double cost = next_sigma ? model_term_.cost_ahead(scene(), trial_poses_, *next_sigma, collisions)
+                           : model_term_.cost(scene(), trial_poses_, collisions);
+  if (next_sigma) ahead_.set(configuration, *next_sigma);
   if (sees_free_space()) cost += free_term_.cost(trial_poses_);
   return cost / options_.noise_correlation + collision_.sum_up(model_, trial_poses_, nullptr);
 }
@@ -157,10 +156,10 @@ void Objective::append_tile_systems(std::vector<TileSystem>& systems) const {
   model_term_.append_tile_systems(systems);
 }
 
-void Objective::weigh_outlines(double weight, std::vector<TileSystem>& systems) {
+void Objective::weigh_contours(double weight, std::vector<TileSystem>& systems) {
   Linearization& at = linearization_;
   std::fill(systems_.begin(), systems_.end(), BodySystem{});
-  free_term_.add_outlines(weight - options_.lambda_free, systems_);
+  free_term_.add_contours(weight - options_.lambda_free, systems_);
   for (std::size_t b = 0; b < systems_.size(); ++b) {
     for (NormalEquations* equations : {&at.data, &at.all}) {
       equations->add(systems_[b], at.jacobians[b], 1.0 / options_.noise_correlation);

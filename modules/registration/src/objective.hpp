@@ -40,7 +40,7 @@ class Objective {
             const MotionMetric& moves, const Executor& executor);
 
   /// Compares with this cloud until the next call; it must live as long.
-  void begin(const TiledCloud& cloud, const AlignOptions& annealing);
+  void begin(const TiledCloud& cloud, const AlignOptions& align_options);
 
   /// Whether there is an image, and it is to be looked through where nothing should be seen.
   bool sees_free_space() const;
@@ -51,20 +51,20 @@ class Objective {
   /// Whether looking roughly takes fewer points.
   bool has_rough_view() const;
 
-  /// spread: metres that the configuration may still be off. It stays as it is while that, the view
-  /// and the configuration do. Valid until the next call.
-  Linearization& linearize(const Configuration& configuration, double spread);
+  /// annealing_sigma: metres that the configuration may still be off. It stays as it is while that,
+  /// the view and the configuration do. Valid until the next call.
+  Linearization& linearize(const Configuration& configuration, double annealing_sigma);
 
-  /// The cost under the selection of the last linearisation. With next_spread, the model term is
+  /// The cost under the selection of the last linearisation. With next_sigma, the model term is
   /// linearised there on the way, unless the model has to be drawn anew for that.
-  double cost(const Configuration& configuration, std::optional<double> next_spread = std::nullopt);
+  double cost(const Configuration& configuration, std::optional<double> next_sigma = std::nullopt);
 
   /// Clusters of residuals of the last linearisation: those of points.
   void append_tile_systems(std::vector<TileSystem>& systems) const;
 
-  /// In the last linearisation outlines get this weight instead of lambda_free; appends the
+  /// In the last linearisation contours get this weight instead of lambda_free; appends the
   /// clusters of free space.
-  void weigh_outlines(double weight, std::vector<TileSystem>& systems);
+  void weigh_contours(double weight, std::vector<TileSystem>& systems);
 
   /// The view in hand, drawn anew if it does not show that configuration.
   const PredictedView& view_of(const Configuration& configuration);
@@ -76,20 +76,20 @@ class Objective {
 
  private:
   void look_through(PredictedView& view);
-  void look_at(const Configuration& configuration, double spread);
+  void look_at(const Configuration& configuration, double annealing_sigma);
   void forget_linearizations();
   ModelTerm::Scene scene() const;
-  void linearize_points(const Configuration& configuration, double spread);
-  void select_free_space(const Configuration& configuration, double spread);
+  void linearize_points(const Configuration& configuration, double annealing_sigma);
+  void select_free_space(const Configuration& configuration, double annealing_sigma);
 
-  /// A linearisation is there, of this configuration and with this spread.
+  /// A linearisation is there, of this configuration and with this annealing sigma.
   struct Place {
     Configuration configuration;
-    std::optional<double> spread;  ///< none: there is none
+    std::optional<double> annealing_sigma;  ///< none: there is none
 
-    bool is(const Configuration& other, double other_spread) const;
+    bool is(const Configuration& other, double other_sigma) const;
     /// Reuses its memory.
-    void set(const Configuration& other, double other_spread);
+    void set(const Configuration& other, double other_sigma);
   };
 
   const ArticulatedModel& model_;

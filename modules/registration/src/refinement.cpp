@@ -9,7 +9,7 @@
 namespace lockbox {
 namespace {
 
-/// Points near edges, and outlines, have told before part of what edges tell.
+/// Points near edges, and contours, have told before part of what edges tell.
 constexpr double kOverlap = 0.5;
 constexpr double kSurelyStandsOut = 4.0;  // standard deviations of a depth
 constexpr double kPixelsOff = 2.0;        // that points and image may disagree by
@@ -17,14 +17,14 @@ constexpr double kMostObjection = 4.5;    // of cost: three standard deviations
 
 }  // namespace
 
-OutlineStep::OutlineStep(const RegistrationOptions& options, Objective& objective, Steps& steps)
-    : weight_(options.noise_correlation / options.outline_correlation),
+ContourStep::ContourStep(const RegistrationOptions& options, Objective& objective, Steps& steps)
+    : weight_(options.noise_correlation / options.contour_correlation),
       objective_(objective),
       steps_(steps) {}
 
-void OutlineStep::take(Linearization& at, bool hold_joints, Estimate& estimate,
+void ContourStep::take(Linearization& at, bool hold_joints, Estimate& estimate,
                        std::vector<TileSystem>& tiles) {
-  objective_.weigh_outlines(weight_, tiles);
+  objective_.weigh_contours(weight_, tiles);
   const Eigen::VectorXd& step = steps_.best(at.all, estimate.configuration, hold_joints);
   const PinholeCamera& camera = objective_.cloud().camera();
   if (steps_.moves().of(step) > steps_.farthest_refinement(camera, estimate.configuration)) {
@@ -41,44 +41,44 @@ void OutlineStep::take(Linearization& at, bool hold_joints, Estimate& estimate,
   }
 }
 
-ReliefStep::ReliefStep(const ArticulatedModel& model, const RegistrationOptions& options,
-                       Objective& objective, const Steps& steps, const Executor& executor)
+ProminenceStep::ProminenceStep(const ArticulatedModel& model, const RegistrationOptions& options,
+                               Objective& objective, const Steps& steps, const Executor& executor)
     : model_(model),
       options_(options),
       objective_(objective),
       steps_(steps),
-      low_relief_(model, options, executor) {}
+      low_prominence_(model, options, executor) {}
 
-void ReliefStep::take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate,
-                      ReliefSightings& sightings) {
-  for (int v = 0; v < model_.tree.variables() && options_.sight_low_relief; ++v) {
-    const double prominence = low_relief_.prominence(v, estimate.configuration);
+void ProminenceStep::take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate,
+                          JointMatches& matches) {
+  for (int v = 0; v < model_.tree.variables() && options_.match_low_prominence; ++v) {
+    const double prominence = low_prominence_.prominence(v, estimate.configuration);
     if (prominence > kSurelyStandsOut || steps_.held()[static_cast<std::size_t>(6 + v)]) continue;
-    auto& sighting = sightings[static_cast<std::size_t>(v)];
-    sighting = low_relief_.find_near(objective_.cloud(), estimate.configuration, v, start[v]);
+    auto& match = matches[static_cast<std::size_t>(v)];
+    match = low_prominence_.find_near(objective_.cloud(), estimate.configuration, v, start[v]);
     if (prominence > options_.free_space_tolerance &&
-        !is_elsewhere(estimate.configuration, v, sighting)) {
-      sighting.reset();
+        !is_elsewhere(estimate.configuration, v, match)) {
+      match.reset();
       continue;
     }
     at.forget(6 + v);
-    if (!sighting) continue;
-    estimate.configuration.q[v] = sighting->position;
-    estimate.at_rest.q[v] = sighting->position;
+    if (!match) continue;
+    estimate.configuration.q[v] = match->position;
+    estimate.at_rest.q[v] = match->position;
   }
 }
 
 /// Farther off than the image errs, and the other terms do not mind: points have pulled the joint
 /// along. Where they do mind, what stands out far at places misleads the image, which takes a pixel
 /// at an edge for the mean of both sides.
-bool ReliefStep::is_elsewhere(const Configuration& estimate, int variable,
-                              const std::optional<JointSighting>& sighting) {
-  if (!sighting) return false;
-  const double off = std::abs(sighting->position - estimate.q[variable]);
-  const double pixel = low_relief_.pixel_step(objective_.cloud().camera(), estimate, variable);
-  if (off < kPixelsOff * pixel || off < options_.cut * std::sqrt(sighting->variance)) return false;
+bool ProminenceStep::is_elsewhere(const Configuration& estimate, int variable,
+                                  const std::optional<JointMatch>& match) {
+  if (!match) return false;
+  const double off = std::abs(match->position - estimate.q[variable]);
+  const double pixel = low_prominence_.pixel_step(objective_.cloud().camera(), estimate, variable);
+  if (off < kPixelsOff * pixel || off < options_.gate * std::sqrt(match->variance)) return false;
   candidate_ = estimate;
-  candidate_.q[variable] = sighting->position;
+  candidate_.q[variable] = match->position;
   const double objection = objective_.cost(candidate_) - objective_.cost(estimate);
   return objection < kMostObjection;
 }
@@ -86,8 +86,8 @@ bool ReliefStep::is_elsewhere(const Configuration& estimate, int variable,
 EdgeStep::EdgeStep(const ArticulatedModel& model, const RegistrationOptions& options,
                    Objective& objective, Steps& steps, const Executor& executor)
     : model_(model),
-      tiles_per_joint_(
-          options.refine_at_edges ? view_detail(options.point_budget).edge_tiles_per_joint : 0),
+      patches_per_joint_(
+          options.refine_at_edges ? view_detail(options.point_budget).edge_patches_per_joint : 0),
       objective_(objective),
       steps_(steps),
       edges_(model.tree, options, executor) {}
@@ -95,10 +95,10 @@ EdgeStep::EdgeStep(const ArticulatedModel& model, const RegistrationOptions& opt
 void EdgeStep::take(const BodyPoses& poses, bool hold_joints, Estimate& estimate,
                     CovarianceEstimator& covariance) {
   const TiledCloud& cloud = objective_.cloud();
-  if (tiles_per_joint_ == 0 || !cloud.has_image()) return;
+  if (patches_per_joint_ == 0 || !cloud.has_image()) return;
   const PredictedView& view = objective_.view();
   body_jacobians(model_.tree, poses, jacobians_);
-  edges_.linearize(cloud, view.surface(), view.continued(), tiles_per_joint_, poses, jacobians_);
+  edges_.linearize(cloud, view.surface(), view.continued(), patches_per_joint_, poses, jacobians_);
   at_edges_.information = edges_.information();
   at_edges_.gradient = edges_.gradient();
   for (Eigen::Index i = 0; i < steps_.scale().unit.size(); ++i) {
@@ -107,7 +107,7 @@ void EdgeStep::take(const BodyPoses& poses, bool hold_joints, Estimate& estimate
   all_.information = kOverlap * covariance.information() + at_edges_.information;
   all_.hessian = all_.information;
   all_.gradient = at_edges_.gradient;
-  objective_.collision().evaluate(model_, poses, &all_);
+  objective_.collision().linearize(model_, poses, all_);
   const Eigen::VectorXd& step = steps_.best(all_, estimate.configuration, hold_joints);
   const double farthest = steps_.farthest_refinement(cloud.camera(), estimate.configuration);
   if (steps_.moves().of(step) > farthest) return;

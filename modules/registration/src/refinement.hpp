@@ -8,7 +8,7 @@
 
 #include "lockbox/solver/covariance.hpp"
 #include "lockbox/terms/edge_term.hpp"
-#include "lockbox/terms/low_relief.hpp"
+#include "lockbox/terms/low_prominence.hpp"
 #include "objective.hpp"
 #include "steps.hpp"
 
@@ -17,15 +17,15 @@ namespace lockbox {
 /// The estimate while it is refined.
 struct Estimate {
   Configuration configuration;
-  Configuration at_rest;  ///< before outlines and edges: where to begin the next time
+  Configuration at_rest;  ///< before contours and edges: where to begin the next time
 };
 
-/// One more step, in which outlines weigh what their pixels are worth. From farther off, such
+/// One more step, in which contours weigh what their pixels are worth. From farther off, such
 /// weights would keep the estimate in wrong minima.
-class OutlineStep {
+class ContourStep {
  public:
   /// Objective and steps must outlive it.
-  OutlineStep(const RegistrationOptions& options, Objective& objective, Steps& steps);
+  ContourStep(const RegistrationOptions& options, Objective& objective, Steps& steps);
 
   /// at: the last linearisation, which gets these weights. tiles: the clusters of residuals, which
   /// follow the step; those of free space are added.
@@ -41,30 +41,30 @@ class OutlineStep {
 
 /// By joint variable, where the image shows it; none for those that were not looked for, or not
 /// seen.
-using ReliefSightings = std::vector<std::optional<JointSighting>>;
+using JointMatches = std::vector<std::optional<JointMatch>>;
 
-/// Joints of low relief are where the image shows them; what points say about them is noise. Of
+/// Joints of low prominence are where the image shows them; what points say about them is noise. Of
 /// those that stand out a little more, points say more than the image, unless they are far off.
-class ReliefStep {
+class ProminenceStep {
  public:
   /// Model, objective and steps must outlive it.
-  ReliefStep(const ArticulatedModel& model, const RegistrationOptions& options,
-             Objective& objective, const Steps& steps, const Executor& executor);
+  ProminenceStep(const ArticulatedModel& model, const RegistrationOptions& options,
+                 Objective& objective, const Steps& steps, const Executor& executor);
 
   /// start: the joint variables before the descent. at: what it says about such joints is
-  /// forgotten. sightings: none of each variable before.
+  /// forgotten. matches: none of each variable before.
   void take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate,
-            ReliefSightings& sightings);
+            JointMatches& matches);
 
  private:
   bool is_elsewhere(const Configuration& estimate, int variable,
-                    const std::optional<JointSighting>& sighting);
+                    const std::optional<JointMatch>& match);
 
   const ArticulatedModel& model_;
   RegistrationOptions options_;
   Objective& objective_;
   const Steps& steps_;
-  LowRelief low_relief_;
+  LowProminence low_prominence_;
   Configuration candidate_;
 };
 
@@ -83,7 +83,7 @@ class EdgeStep {
 
  private:
   const ArticulatedModel& model_;
-  std::size_t tiles_per_joint_;  ///< 0: the step is not taken
+  std::size_t patches_per_joint_;  ///< 0: the step is not taken
   Objective& objective_;
   Steps& steps_;
   EdgeTerm edges_;

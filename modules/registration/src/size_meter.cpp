@@ -16,8 +16,8 @@ using Index = Eigen::Index;
 /// Of sizes, if the image says nothing: standard deviation. Doubled, nothing changes where the
 /// image does.
 constexpr double kAnySize = 0.1;
-/// How far outlines are sought, as a share of the object's extent: what is off in size by as much
-/// is still found. Doubled, more of what is around the object is mistaken for its outline.
+/// How far contours are sought, as a share of the object's extent: what is off in size by as much
+/// is still found. Doubled, more of what is around the object is mistaken for its contour.
 constexpr double kSought = 0.12;
 /// The same, of what they are sought in the rounds that follow.
 constexpr std::array kRounds = {1.0, 0.5, 0.25, 0.1, 0.1};
@@ -28,17 +28,17 @@ constexpr double kFacesSought = 0.25;
 constexpr double kPointOff = 0.002;
 constexpr double kSideOff = 0.0005;
 constexpr double kSidePixels = 0.25;
-/// Of what an outline is sought, from which on it was rather not found.
+/// Of what a contour is sought, from which on it was rather not found.
 constexpr double kSurelySeen = 0.74;
 constexpr double kHeld = 1e12;  // 1 / variance of what does not move
 constexpr std::size_t kMostFacePoints = 3000;
 /// Of the length of a field's gradient from 1: near edges it is shorter.
 constexpr double kFlat = 0.03;
 
-/// Of a residual with this variance: 1 where it is small, 0 for outliers beyond the cut.
-double inlier_share(double residual, double variance, double cut) {
+/// Of a residual with this variance: 1 where it is small, 0 for outliers beyond the gate.
+double inlier_share(double residual, double variance, double gate) {
   const double gaussian = std::exp(-0.5 * residual * residual / variance);
-  return gaussian / (gaussian + std::exp(-0.5 * cut * cut));
+  return gaussian / (gaussian + std::exp(-0.5 * gate * gate));
 }
 
 }  // namespace
@@ -56,9 +56,9 @@ SizeMeasurement SizeMeter::measure(const PredictedView& view, const TiledCloud& 
   step_.setZero(steps_.scale().unit.size() + kSizeUnknowns);
   choose_faces(view);
   for (const double round : kRounds) {
-    const double spread = round * kSought * extent_ / options_.cut;
-    add_outlines(view, cloud, spread);
-    add_faces(cloud, kFacesSought * spread);
+    const double annealing_sigma = round * kSought * extent_ / options_.gate;
+    add_contours(view, cloud, annealing_sigma);
+    add_faces(cloud, kFacesSought * annealing_sigma);
     take_step();
   }
   const Index size = step_.size() - kSizeUnknowns;
@@ -98,7 +98,7 @@ Eigen::Vector3d SizeMeter::motion(int body, const Eigen::Vector3d& point) const 
 }
 
 /// Each is compared where it would be seen by now: where it was, another face may be measured.
-void SizeMeter::add_faces(const TiledCloud& cloud, double spread) {
+void SizeMeter::add_faces(const TiledCloud& cloud, double annealing_sigma) {
   faces_.set_zero(poses_.size());
   const PinholeCamera& camera = cloud.camera();
   const SensorNoise& noise = options_.noise;
@@ -117,51 +117,55 @@ void SizeMeter::add_faces(const TiledCloud& cloud, double spread) {
     const double residual = n.dot(z * ray - q);
     const double variance = std::pow(along * noise.sigma_z(z), 2) +
                             across2 * std::pow(noise.sigma_lateral(z, camera.fx), 2) +
-                            kPointOff * kPointOff + spread * spread;
+                            kPointOff * kPointOff + annealing_sigma * annealing_sigma;
     faces_.add({face.body, false, face.normal, face.normal.dot(face.point)},
                size_row(T, base_, q, -n, 0.0), residual, weight(residual, variance));
   }
 }
 
-void SizeMeter::add_outlines(const PredictedView& view, const TiledCloud& cloud, double spread) {
-  outlines_.set_zero(poses_.size());
-  for (std::size_t i = 0; i < view.outlines().bands(); ++i) {
-    for (std::span<const OutlinePoint> rest(view.outlines().band(i)); !rest.empty();) {
+void SizeMeter::add_contours(const PredictedView& view, const TiledCloud& cloud,
+                             double annealing_sigma) {
+  contours_.set_zero(poses_.size());
+  for (std::size_t i = 0; i < view.contours().bands(); ++i) {
+    for (std::span<const ContourPoint> rest(view.contours().band(i)); !rest.empty();) {
       const int body = rest.front().body;
       const auto end = std::find_if(rest.begin(), rest.end(),
-                                    [body](const OutlinePoint& p) { return p.body != body; });
+                                    [body](const ContourPoint& p) { return p.body != body; });
       const auto own = rest.first(static_cast<std::size_t>(end - rest.begin()));
       rest = rest.subspan(own.size());
-      add_outlines_of_body(own, cloud, spread);
+      add_contours_of_body(own, cloud, annealing_sigma);
     }
   }
 }
 
-void SizeMeter::add_outlines_of_body(std::span<const OutlinePoint> own, const TiledCloud& cloud,
-                                     double spread) {
+void SizeMeter::add_contours_of_body(std::span<const ContourPoint> own, const TiledCloud& cloud,
+                                     double annealing_sigma) {
   moved_.assign(own.begin(), own.end());
-  for (OutlinePoint& point : moved_) point.p_body += motion(point.body, point.p_body);
+  for (ContourPoint& point : moved_) point.p_body += motion(point.body, point.p_body);
   const Eigen::Isometry3d& T = poses_[static_cast<std::size_t>(own.front().body)];
-  observed_.look(moved_, T, cloud, options_, spread);
+  observed_.look(moved_, T, cloud, options_, annealing_sigma);
   for (std::size_t k = 0; k < own.size(); ++k) {
     if (!observed_.is_seen(k)) continue;
     const Eigen::Vector3d point = T * moved_[k].p_body;
     const double pixel = point.z() / cloud.camera().fx;
-    const double sought = options_.cut * std::hypot(options_.noise.lateral_pixels * pixel, spread);
+    const double sought =
+        options_.gate * std::hypot(options_.noise.lateral_pixels * pixel, annealing_sigma);
     if (std::abs(observed_.offset_of(k)) > kSurelySeen * sought) continue;
     const double growth = step_[step_.size() - 1];
     const double residual = pixel * growth - observed_.offset_of(k);
-    const double variance = observed_.variance_of(k) + kPointOff * kPointOff + spread * spread;
-    const OutlinePoint& outline = own[k];
-    outlines_.add(
-        {outline.body, true, outline.normal_body, outline.normal_body.dot(outline.p_body)},
-        size_row(T, base_, point, T.linear() * outline.normal_body, pixel), residual,
-        outline.pixels * weight(residual, variance));
+    const double variance =
+        observed_.variance_of(k) + kPointOff * kPointOff + annealing_sigma * annealing_sigma;
+    const ContourPoint& contour = own[k];
+    contours_.add(
+        {contour.body, true, contour.normal_body, contour.normal_body.dot(contour.p_body)},
+        size_row(T, base_, point, T.linear() * contour.normal_body, pixel), residual,
+        contour.pixels * weight(residual, variance));
   }
 }
 
 double SizeMeter::weight(double residual, double variance) const {
-  return inlier_share(residual, variance, options_.cut) / (variance * options_.outline_correlation);
+  return inlier_share(residual, variance, options_.gate) /
+         (variance * options_.contour_correlation);
 }
 
 /// What nothing is known of stays where it is.
@@ -177,7 +181,7 @@ void SizeMeter::take_step() {
   hessian_ = prior.asDiagonal();
   gradient_ = prior.cwiseProduct(step_);
   faces_.add_to(jacobians_, side_off_, hessian_, gradient_);
-  outlines_.add_to(jacobians_, side_off_, hessian_, gradient_);
+  contours_.add_to(jacobians_, side_off_, hessian_, gradient_);
   factors_.compute(hessian_);
   step_ -= factors_.solve(gradient_);
 }

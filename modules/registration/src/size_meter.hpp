@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lockbox/registration/articulated_registration.hpp"
-#include "lockbox/terms/observed_outline.hpp"
+#include "lockbox/terms/observed_contour.hpp"
 #include "lockbox/terms/size_system.hpp"
 #include "lockbox/view/predicted_view.hpp"
 #include "steps.hpp"
@@ -34,10 +34,10 @@ class SizeMeter {
     Eigen::Vector3d normal;
   };
   void choose_faces(const PredictedView& view);
-  void add_faces(const TiledCloud& cloud, double spread);
-  void add_outlines(const PredictedView& view, const TiledCloud& cloud, double spread);
-  void add_outlines_of_body(std::span<const OutlinePoint> own, const TiledCloud& cloud,
-                            double spread);
+  void add_faces(const TiledCloud& cloud, double annealing_sigma);
+  void add_contours(const PredictedView& view, const TiledCloud& cloud, double annealing_sigma);
+  void add_contours_of_body(std::span<const ContourPoint> own, const TiledCloud& cloud,
+                            double annealing_sigma);
   void take_step();
   Eigen::Vector3d motion(int body, const Eigen::Vector3d& point) const;
   double weight(double residual, double variance) const;
@@ -53,9 +53,9 @@ class SizeMeter {
   double extent_ = 0.0;    ///< metres, of what is visible
   std::vector<FacePoint> face_points_;
   SizeSystem faces_;
-  SizeSystem outlines_;
-  ObservedOutline observed_;
-  std::vector<OutlinePoint> moved_;
+  SizeSystem contours_;
+  ObservedContour observed_;
+  std::vector<ContourPoint> moved_;
   // Of (base twist, joint variables, across, along, growth).
   Eigen::VectorXd step_;
   Eigen::MatrixXd hessian_;

@@ -10,7 +10,7 @@ namespace lockbox {
 
 Steps::Steps(const KinematicTree& tree, const RegistrationOptions& options)
     : tree_(tree),
-      cut_(options.cut),
+      gate_(options.gate),
       noise_(options.noise),
       moves_(tree),
       scale_(step_scale(tree)),
@@ -36,7 +36,7 @@ bool Steps::add_short(const NormalEquations& equations, bool hold_joints, double
 }
 
 double Steps::farthest_refinement(const PinholeCamera& camera, const Configuration& from) const {
-  return cut_ * noise_.sigma_lateral(from.T_camera_base.translation().norm(), camera.fx);
+  return gate_ * noise_.sigma_lateral(from.T_camera_base.translation().norm(), camera.fx);
 }
 
 void Steps::set_limits(const Configuration& from, bool hold_joints) {

@@ -37,7 +37,7 @@ class Steps {
   void set_limits(const Configuration& from, bool hold_joints);
 
   const KinematicTree& tree_;
-  double cut_;
+  double gate_;
   SensorNoise noise_;
   MotionMetric moves_;
   StepScale scale_;

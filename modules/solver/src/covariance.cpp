@@ -21,16 +21,16 @@ constexpr int kEnoughTiles = 8;  // to tell how much they vary
 /// Where an object is not its model, whole faces are off together, and the estimate goes with them:
 /// what it takes up of that, beside what it leaves for residuals to show. Of an object 1 % too
 /// large that is 2 to 3, of axes 3 mm off 1 to 2 (lockbox and cabinet, `lockbox experiment
-/// mismatch`, seed 53; shown on seed 91 and a third model). Doubled, joints of short levers are no
-/// longer known.
+/// mismatch`, seed 53; shown on seed 91 and a third model). Doubled, joints of small motion scales
+/// are no longer known.
 constexpr double kTakenUp = 1.5;
 
 constexpr double kObservableShare = 0.1;  // of a unit: where the solver, too, draws the line
 
-/// lever: metres that surfaces move for a unit of the unknown, at most.
-double systematic_floor(Index unknown, double lever) {
+/// motion_scale: metres that surfaces move for a unit of the unknown, at most.
+double systematic_floor(Index unknown, double motion_scale) {
   if (unknown < 6) return unknown < 3 ? kBaseFloor : kBaseTurnFloor;
-  return lever > 0.0 ? kJointFloor / lever : 0.0;
+  return motion_scale > 0.0 ? kJointFloor / motion_scale : 0.0;
 }
 
 }  // namespace
@@ -127,9 +127,10 @@ void CovarianceEstimator::sum_tiles(const std::vector<BodyJacobian>& jacobians) 
   }
 }
 
-/// By body, metres by which surfaces lie elsewhere than the model says, from what tiles pull beyond
-/// noise: the variance between studies of DerSimonian and Laird (1986), for a tile that is off by d
-/// pulls by H_t d. Not less than of all bodies together: part of its own a body has followed.
+/// By body, metres by which surfaces lie elsewhere than the model says, from gradients of tiles
+/// beyond noise: the variance between studies of DerSimonian and Laird (1986), for a tile that is
+/// off by d has the gradient H_t d. Not less than of all bodies together: part of its own a body
+/// has followed.
 void CovarianceEstimator::measure_misfits(double noise_correlation, std::size_t bodies) {
   excess_.assign(bodies + 1, {});
   for (const TileSystem& tile : merged_) {
@@ -167,7 +168,7 @@ void CovarianceEstimator::carry_misfits(const std::vector<BodyJacobian>& jacobia
   for (Index i = 0; i < n; ++i) misled_[i] = told_[i] > 0.0 ? misled_[i] / told_[i] : 0.0;
 }
 
-/// Adds c sum H_t H^-1 H_t, what the tiles would pull more if the estimate had not followed them.
+/// Adds c sum H_t H^-1 H_t, how much smaller gradients are as the estimate has followed them.
 void CovarianceEstimator::restore_what_was_followed(double noise_correlation,
                                                     const std::vector<BodyJacobian>& jacobians) {
   body_covariances_.resize(jacobians.size());
@@ -242,14 +243,14 @@ void CovarianceEstimator::add_information(const Eigen::MatrixXd& information) {
   invert(information_, covariance_);
 }
 
-void CovarianceEstimator::add_floors(const Eigen::VectorXd& levers) {
+void CovarianceEstimator::add_floors(const Eigen::VectorXd& motion_scales) {
   const Index n = unit_.size();
   sigma_.setZero(n);
   sigma_of_noise_.setZero(n);
   observable_.assign(static_cast<std::size_t>(n), true);
   for (Index i = 0; i < n; ++i) {
     if (!(unit_[i] > 0.0)) continue;
-    covariance_(i, i) += std::pow(systematic_floor(i, levers[i]), 2);
+    covariance_(i, i) += std::pow(systematic_floor(i, motion_scales[i]), 2);
     sigma_of_noise_[i] = std::sqrt(covariance_(i, i));
     covariance_(i, i) += std::pow(kTakenUp * misled_[i], 2);
     sigma_[i] = std::sqrt(covariance_(i, i));

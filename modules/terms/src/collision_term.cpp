@@ -59,31 +59,31 @@ void CollisionTerm::compare(const ArticulatedModel& model, const ErodedSurface& 
   const SignedDistanceField& field = *model.fields[static_cast<std::size_t>(other)];
   half.cost = 0.0;
   half.system = {};
-  half.clear_ways.resize(surface.patches.size());
+  half.clear_ways.resize(surface.groups.size());
   const Eigen::AlignedBox3f box = field.bounds().cast<float>();
   const Eigen::Isometry3f T = T_other_body.cast<float>();
   const auto eroded = static_cast<float>(erosion);
   const kernels::RigidMotion motion = to_rigid_motion(T_other_body);
-  std::array<float, ErodedSurface::kSamplesInPatch> distance;
-  for (std::size_t k = 0; k < surface.patches.size(); ++k) {
-    const ErodedSurface::Patch& patch = surface.patches[k];
+  std::array<float, ErodedSurface::kSamplesInGroup> distance;
+  for (std::size_t k = 0; k < surface.groups.size(); ++k) {
+    const ErodedSurface::Group& group = surface.groups[k];
     ClearWay& clear_way = half.clear_ways[k];
-    const double off = field.bounds().squaredExteriorDistance(T_other_body * patch.centre);
-    if (off > patch.radius * patch.radius ||
-        clear_way.covers(T_other_body, patch.centre, patch.radius)) {
+    const double off = field.bounds().squaredExteriorDistance(T_other_body * group.centre);
+    if (off > group.radius * group.radius ||
+        clear_way.covers(T_other_body, group.centre, group.radius)) {
       continue;
     }
     kernels::look_up_distance(field.view(), motion,
-                              {surface.x.data() + patch.first, surface.y.data() + patch.first,
-                               surface.z.data() + patch.first, patch.size},
+                              {surface.x.data() + group.first, surface.y.data() + group.first,
+                               surface.z.data() + group.first, group.size},
                               distance.data());
     clear_way = ClearWay(T_other_body, field);
     clear_way.note(*std::min_element(distance.begin(),
-                                     distance.begin() + static_cast<std::ptrdiff_t>(patch.size)) +
+                                     distance.begin() + static_cast<std::ptrdiff_t>(group.size)) +
                    eroded);
-    for (std::size_t i = 0; i < patch.size; ++i) {
+    for (std::size_t i = 0; i < group.size; ++i) {
       if (distance[i] + eroded < kDistanceRounding) {
-        add_sample(field, box, T, surface.samples[patch.first + i], eroded, half);
+        add_sample(field, box, T, surface.samples[group.first + i], eroded, half);
       }
     }
   }
@@ -110,11 +110,20 @@ void CollisionTerm::add_sample(const SignedDistanceField& field, const Eigen::Al
   half.system.gradient += w * inside->depth * row;
 }
 
-double CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                               NormalEquations* equations) {
+double CollisionTerm::linearize(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                                NormalEquations& equations) {
+  evaluate(model, T_camera_body);
+  return sum_up(model, T_camera_body, &equations);
+}
+
+double CollisionTerm::cost(const ArticulatedModel& model, const BodyPoses& T_camera_body) {
+  evaluate(model, T_camera_body);
+  return sum_up(model, T_camera_body, nullptr);
+}
+
+void CollisionTerm::evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body) {
   executor_.for_each(begin(T_camera_body),
                      [&](std::size_t i) { evaluate_part(model, T_camera_body, i); });
-  return sum_up(model, T_camera_body, equations);
 }
 
 /// A step that is taken was evaluated when it was tried.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "lockbox/kernels/outlines.hpp"
+#include "lockbox/kernels/contours.hpp"
 
 namespace lockbox {
 namespace {
@@ -14,13 +14,13 @@ namespace {
 /// little elsewhere.
 constexpr int kAside = 1;
 
-int tiles_along(int pixels) {
+int patches_along(int pixels) {
   return (pixels + EdgeSelection::kSide - 1) / EdgeSelection::kSide;
 }
 
 /// How the inverse depth changes around a pixel of a view, 1/metre and pixel of it.
-struct Relief {
-  Relief(const RenderedDepth& view, const Pixel& pixel) {
+struct DepthStep {
+  DepthStep(const RenderedDepth& view, const Pixel& pixel) {
     const float* const z = view.depth.data() + view.index(pixel.u, pixel.v);
     const float here = 1.0F / *z;
     const float left = 1.0F / *(z - 1);
@@ -47,8 +47,8 @@ Eigen::Vector2f flow(const Eigen::Vector3f& p, const BodyJacobian& screws, int c
 
 void EdgeSelection::select(const VisibleSurface& surface, const PinholeCamera& camera,
                            float least_bend, const Executor& executor) {
-  columns_ = tiles_along(camera.width);
-  rows_.resize(static_cast<std::size_t>(tiles_along(camera.height)));
+  columns_ = patches_along(camera.width);
+  rows_.resize(static_cast<std::size_t>(patches_along(camera.height)));
   executor.for_each(rows_.size(), [&](std::size_t number) {
     Row& row = rows_[number];
     row.shows_edge.assign(static_cast<std::size_t>(columns_), 0);
@@ -87,7 +87,7 @@ void EdgeSelection::find_edges(const VisibleSurface& surface, float least_bend, 
   }
 }
 
-/// The tiles around a column of pixels.
+/// The patches around a column of pixels.
 void EdgeSelection::mark(int camera_column, Row& row) const {
   const int first = std::max(camera_column - kAside, 0) / kSide;
   const int last = std::min((camera_column + kAside) / kSide, columns_ - 1);
@@ -124,21 +124,21 @@ void EdgeSelection::score(const VisibleSurface& surface, const std::vector<BodyJ
   for (const Pixel& pixel : row.edges) {
     const std::size_t i = view.index(pixel.u, pixel.v);
     const auto body = static_cast<std::size_t>(view.id[i]);
-    const Relief relief(view, pixel);
-    if (variables[body].empty() || !relief.is_nearer) continue;
+    const DepthStep step(view, pixel);
+    if (variables[body].empty() || !step.is_nearer) continue;
     const auto depth = static_cast<double>(view.depth[i]);
     const Eigen::Vector3f p =
         surface.view_camera().back_project(pixel.u, pixel.v, depth).cast<float>();
     const auto column = static_cast<std::size_t>(surface.camera_pixel(pixel.u, pixel.v).u / kSide);
     for (const int v : variables[body]) {
-      const float change = relief.gradient.dot(flow(p, screws[body], 6 + v));
+      const float change = step.gradient.dot(flow(p, screws[body], 6 + v));
       row.scores[column * variables_ + static_cast<std::size_t>(v)] +=
-          change * change / (relief.gradient.squaredNorm() + variance);
+          change * change / (step.gradient.squaredNorm() + variance);
     }
   }
 }
 
-/// Adds tiles to the rows' columns.
+/// Adds patches to the rows' columns.
 void EdgeSelection::find_best(std::size_t variable, std::size_t most) {
   scores_.clear();
   for (std::size_t r = 0; r < rows_.size(); ++r) {

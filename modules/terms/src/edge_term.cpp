@@ -15,16 +15,16 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr int kMargin = 2;               // pixels around the image, into which tiles look
-constexpr std::size_t kLeastPixels = 3;  // of a tile
+constexpr int kMargin = 2;               // pixels around the image, into which patches look
+constexpr std::size_t kLeastPixels = 3;  // of a patch
 /// Tiles: few enough that what is drawn of them stays in the cache, enough that windows overlap
 /// little.
 constexpr std::size_t kMostInStrip = 16;
 /// Bends of less than this many standard deviations of a pixel's own error tell nothing.
 constexpr double kLeastBend = 0.1;
 
-constexpr int kSide = EdgeTile::kSide;
-constexpr int kSamples = EdgeTile::kSamples;
+constexpr int kSide = EdgePatch::kSide;
+constexpr int kSamples = EdgePatch::kSamples;
 
 std::size_t index(const Pixel& pixel, const PinholeCamera& camera) {
   return static_cast<std::size_t>(pixel.v) * static_cast<std::size_t>(camera.width) +
@@ -51,7 +51,7 @@ EdgeTerm::~EdgeTerm() = default;
 EdgeTerm::EdgeTerm(EdgeTerm&&) noexcept = default;
 
 void EdgeTerm::linearize(const TiledCloud& cloud, const VisibleSurface& view,
-                         const ContinuedEdges& continued, std::size_t tiles_per_joint,
+                         const ContinuedEdges& continued, std::size_t patches_per_joint,
                          const BodyPoses& T_camera_body,
                          const std::vector<BodyJacobian>& jacobians) {
   view_ = &view;
@@ -59,10 +59,10 @@ void EdgeTerm::linearize(const TiledCloud& cloud, const VisibleSurface& view,
   prepare(cloud.camera(), T_camera_body);
   express_in_camera(T_camera_body, jacobians);
   selection_.select(view, cloud.camera(), least_bend_, executor_);
-  if (tiles_per_joint != kAllTiles && tree_.variables() > 0) {
+  if (patches_per_joint != kAllPatches && tree_.variables() > 0) {
     const double sigma = options_.noise.depth_quadratic;
     selection_.keep_best(view, screws_, variables_, static_cast<float>(sigma * sigma),
-                         tiles_per_joint, executor_);
+                         patches_per_joint, executor_);
   }
   cut_into_strips();
   executor_.for_each(strip_count_, [&](std::size_t i) { sum_strip(cloud, strips_[i]); });
@@ -74,9 +74,9 @@ void EdgeTerm::prepare(const PinholeCamera& camera, const BodyPoses& T_camera_bo
   for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
     items_.push_back(body_item(tree_, b, T_camera_body[b]));
   }
-  const auto whole_tiles = [](int pixels) { return (pixels + kSide - 1) / kSide * kSide; };
-  const PinholeCamera padded{whole_tiles(camera.width) + 2 * kMargin,
-                             whole_tiles(camera.height) + 2 * kMargin,
+  const auto whole_patches = [](int pixels) { return (pixels + kSide - 1) / kSide * kSide; };
+  const PinholeCamera padded{whole_patches(camera.width) + 2 * kMargin,
+                             whole_patches(camera.height) + 2 * kMargin,
                              camera.fx,
                              camera.fy,
                              camera.cx + kMargin,
@@ -85,15 +85,15 @@ void EdgeTerm::prepare(const PinholeCamera& camera, const BodyPoses& T_camera_bo
   sample_renderer_->prepare(items_);
 }
 
-/// The windows of neighbouring tiles.
+/// The windows of neighbouring patches.
 void EdgeTerm::draw_samples(int first_column, int end_column, int row,
                             RenderedInverseDepth& samples) const {
-  const auto begin_of_window = [](int tile) {
-    return kSamples * (kMargin + kSide * tile) - EdgeTile::kReach;
+  const auto begin_of_window = [](int patch) {
+    return kSamples * (kMargin + kSide * patch) - EdgePatch::kReach;
   };
   sample_renderer_->draw(
       {begin_of_window(first_column), begin_of_window(row),
-       kSamples * kSide * (end_column - first_column - 1) + EdgeTile::kWindow, EdgeTile::kWindow},
+       kSamples * kSide * (end_column - first_column - 1) + EdgePatch::kWindow, EdgePatch::kWindow},
       samples);
 }
 
@@ -141,7 +141,7 @@ void EdgeTerm::sum_neighbours(const TiledCloud& cloud, int first_column, int end
                               Worker& worker, Strip& strip) const {
   draw_samples(first_column, end_column, strip.row, worker.samples);
   for (int column = first_column; column < end_column; ++column) {
-    if (!worker.tile.read(worker.samples, kSamples * kSide * (column - first_column), 0)) continue;
+    if (!worker.patch.read(worker.samples, kSamples * kSide * (column - first_column), 0)) continue;
     compare(cloud, {kSide * column, kSide * strip.row}, worker);
     if (worker.noise.count() < kLeastPixels) continue;
     worker.add_whitened(strip.products);
@@ -149,7 +149,7 @@ void EdgeTerm::sum_neighbours(const TiledCloud& cloud, int first_column, int end
   }
 }
 
-/// Of the tile in hand, whose first pixel is given, adds the pixels that measure an edge of the
+/// Of the patch in hand, whose first pixel is given, adds the pixels that measure an edge of the
 /// model before the model and agree with it at all.
 void EdgeTerm::compare(const TiledCloud& cloud, const Pixel& first, Worker& worker) const {
   worker.find_variables(variables_, screws_);
@@ -158,35 +158,35 @@ void EdgeTerm::compare(const TiledCloud& cloud, const Pixel& first, Worker& work
   for (int row = 0; row < rows; ++row) {
     find_edges(cloud, first, row, worker);
     if (worker.columns.empty()) continue;
-    worker.tile.begin_row(row, worker.columns.front(), worker.columns.back() + 1);
+    worker.patch.begin_row(row, worker.columns.front(), worker.columns.back() + 1);
     for (const int column : worker.columns) compare_pixel(cloud, first, column, row, worker);
   }
 }
 
-/// The columns of a row of the tile whose pixels measure an edge.
+/// The columns of a row of the patch whose pixels measure an edge.
 void EdgeTerm::find_edges(const TiledCloud& cloud, const Pixel& first, int row,
                           Worker& worker) const {
   worker.columns.clear();
   const int columns = std::min(kSide, cloud.camera().width - first.u);
-  for (auto left = worker.tile.bending(row, least_bend_); left != 0; left &= left - 1) {
+  for (auto left = worker.patch.bending(row, least_bend_); left != 0; left &= left - 1) {
     const int column = std::countr_zero(left);
     if (column >= columns) break;
     const std::size_t i = index({first.u + column, first.v + row}, cloud.camera());
     if (!(cloud.depth()[i] > 0.0F) || !cloud.keeps(i)) continue;
     if (continued_->covers(view_->view_pixel(i))) continue;
-    if (!worker.tile.may_show_nothing(column, row)) worker.columns.push_back(column);
+    if (!worker.patch.may_show_nothing(column, row)) worker.columns.push_back(column);
   }
 }
 
 void EdgeTerm::compare_pixel(const TiledCloud& cloud, const Pixel& first, int column, int row,
                              Worker& worker) const {
   const Pixel pixel{first.u + column, first.v + row};
-  worker.tile.look_at(column);
-  const float mean = worker.tile.mean();
+  worker.patch.look_at(column);
+  const float mean = worker.patch.mean();
   const float residual = 1.0F / cloud.depth()[index(pixel, cloud.camera())] - mean;
-  const float own = worker.noise.own_variance(mean) + worker.tile.variance();
-  const auto cut = static_cast<float>(options_.cut * options_.cut);
-  if (residual * residual > cut * (own + worker.noise.shared_variance())) return;
+  const float own = worker.noise.own_variance(mean) + worker.patch.variance();
+  const auto gate = static_cast<float>(options_.gate * options_.gate);
+  if (residual * residual > gate * (own + worker.noise.shared_variance())) return;
   const std::span<float> values = worker.noise.add(column, row, own);
   worker.differentiate(pixel, cloud.camera(), values);
   values.back() = residual;

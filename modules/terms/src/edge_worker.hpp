@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one thread needs to compare tiles, and the sums that come of one.
+// What one thread needs to compare patches, and the sums that come of one.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,21 +10,21 @@
 #include <span>
 #include <vector>
 
+#include "lockbox/terms/edge_patch.hpp"
 #include "lockbox/terms/edge_term.hpp"
-#include "lockbox/terms/edge_tile.hpp"
-#include "lockbox/terms/tile_noise.hpp"
+#include "lockbox/terms/patch_noise.hpp"
 
 namespace lockbox {
 
 /// The memory of one thread.
 struct EdgeTerm::Worker {
   using Index = Eigen::Index;
-  static constexpr int kSide = EdgeTile::kSide;
-  /// A tile whose chi^2 is larger than its pixels by this factor shows something else, too.
+  static constexpr int kSide = EdgePatch::kSide;
+  /// A patch whose chi^2 is larger than its pixels by this factor shows something else, too.
   static constexpr double kFit = 2.0;
 
   Worker(const SensorNoise& sensor, Index unknowns)
-      : samples(), tile(sensor.lateral_pixels), noise(sensor, kSide) {
+      : samples(), patch(sensor.lateral_pixels), noise(sensor, kSide) {
     variables.reserve(static_cast<std::size_t>(unknowns));
     for (auto& screw : screws) screw.setZero(6, unknowns - 6);
     columns.reserve(kSide);
@@ -37,15 +37,15 @@ struct EdgeTerm::Worker {
   void find_variables(const std::vector<std::vector<int>>& by_body,
                       const std::vector<BodyJacobian>& by_unknowns) {
     variables.clear();
-    for (const std::int16_t body : tile.bodies()) {
+    for (const std::int16_t body : patch.bodies()) {
       for (const int v : by_body[static_cast<std::size_t>(body)]) {
         if (std::find(variables.begin(), variables.end(), v) == variables.end()) {
           variables.push_back(v);
         }
       }
     }
-    for (std::size_t b = 0; b < tile.bodies().size(); ++b) {
-      const BodyJacobian& screw = by_unknowns[static_cast<std::size_t>(tile.bodies()[b])];
+    for (std::size_t b = 0; b < patch.bodies().size(); ++b) {
+      const BodyJacobian& screw = by_unknowns[static_cast<std::size_t>(patch.bodies()[b])];
       for (std::size_t k = 0; k < variables.size(); ++k) {
         screws[b].col(static_cast<Index>(k)) = screw.col(6 + variables[k]).cast<float>();
       }
@@ -57,8 +57,8 @@ struct EdgeTerm::Worker {
                      std::span<float> values) const {
     const Eigen::Vector3f ray = camera.back_project(pixel.u, pixel.v, 1.0).cast<float>();
     Eigen::Map<Eigen::VectorXf> derivative(values.data(), residual_column());
-    for (std::size_t b = 0; b < tile.bodies().size(); ++b) {
-      const Eigen::Matrix<float, 6, 1> by_twist = tile.derivative(b, ray.x(), ray.y(), camera);
+    for (std::size_t b = 0; b < patch.bodies().size(); ++b) {
+      const Eigen::Matrix<float, 6, 1> by_twist = patch.derivative(b, ray.x(), ray.y(), camera);
       derivative.head<6>() += by_twist;
       for (std::size_t k = 0; k < variables.size(); ++k) {
         derivative[6 + static_cast<Index>(k)] += by_twist.dot(screws[b].col(static_cast<Index>(k)));
@@ -91,12 +91,12 @@ struct EdgeTerm::Worker {
     return 6 + variables[static_cast<std::size_t>(column - 6)];
   }
 
-  RenderedInverseDepth samples;  ///< of neighbouring tiles in a row
-  EdgeTile tile;
-  TileNoise noise;
-  std::vector<int> variables;  ///< that move anything in the tile
-  /// By body of the tile: from these variables to its twist in the camera's frame.
-  std::array<Eigen::Matrix<float, 6, Eigen::Dynamic>, EdgeTile::kMostBodies> screws;
+  RenderedInverseDepth samples;  ///< of neighbouring patches in a row
+  EdgePatch patch;
+  PatchNoise noise;
+  std::vector<int> variables;  ///< that move anything in the patch
+  /// By body of the patch: from these variables to its twist in the camera's frame.
+  std::array<Eigen::Matrix<float, 6, Eigen::Dynamic>, EdgePatch::kMostBodies> screws;
   std::vector<int> columns;  ///< of the row in hand: pixels that measure an edge
 };
 

@@ -26,17 +26,17 @@ DistanceSample move_onto_level(const SignedDistanceField& field, float level, Ei
 }
 
 /// Samples follow each other along a space-filling curve.
-std::vector<ErodedSurface::Patch> patches_of(const std::vector<ErodedSurface::Sample>& samples) {
-  std::vector<ErodedSurface::Patch> patches;
-  for (std::size_t first = 0; first < samples.size(); first += ErodedSurface::kSamplesInPatch) {
-    const std::size_t size = std::min(ErodedSurface::kSamplesInPatch, samples.size() - first);
+std::vector<ErodedSurface::Group> groups_of(const std::vector<ErodedSurface::Sample>& samples) {
+  std::vector<ErodedSurface::Group> groups;
+  for (std::size_t first = 0; first < samples.size(); first += ErodedSurface::kSamplesInGroup) {
+    const std::size_t size = std::min(ErodedSurface::kSamplesInGroup, samples.size() - first);
     Eigen::AlignedBox3d box;
     for (std::size_t i = first; i < first + size; ++i) {
       box.extend(samples[i].p_body.cast<double>());
     }
-    patches.push_back({first, kernels::padded(size), box.center(), 0.5 * box.diagonal().norm()});
+    groups.push_back({first, kernels::padded(size), box.center(), 0.5 * box.diagonal().norm()});
   }
-  return patches;
+  return groups;
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ ErodedSurface erode(const SignedDistanceField& field, std::span<const SurfaceSam
   for (auto* axis : {&eroded.x, &eroded.y, &eroded.z}) {
     axis->resize(kernels::padded(eroded.samples.size()), kernels::kPadding);
   }
-  eroded.patches = patches_of(eroded.samples);
+  eroded.groups = groups_of(eroded.samples);
   return eroded;
 }
 

@@ -15,11 +15,11 @@ namespace {
 
 /// How far from a body, metres, the points of a tile may lie to be its own.
 double gate_of(const Tile& tile, const PinholeCamera& camera, const TermOptions& options,
-               double spread) {
+               double annealing_sigma) {
   const double depth = static_cast<double>(tile.bounds.max().z());
   const double sigma =
       std::max(options.noise.sigma_z(depth), options.noise.sigma_lateral(depth, camera.fx));
-  return options.cut * std::hypot(sigma, spread);
+  return options.gate * std::hypot(sigma, annealing_sigma);
 }
 
 std::size_t tiles_in_chunk(const PointTiles& points, std::size_t first, std::size_t most) {
@@ -59,8 +59,8 @@ void ModelTerm::prepare(Linearization& linearization) const {
   }
 }
 
-void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index, double spread,
-                                  Chunk& chunk) const {
+void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index,
+                                  double annealing_sigma, Chunk& chunk) const {
   const PointTiles& points = scene.points;
   const std::size_t first = chunk_index * kTilesPerChunk;
   const std::size_t tiles = tiles_in_chunk(points, first, kTilesPerChunk);
@@ -70,7 +70,7 @@ void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index, d
     const Tile& tile = points.tiles()[first + k];
     if (tile.count > 0) {
       bounds.extend(tile.bounds);
-      gates[k] = gate_of(tile, scene.camera, scene.options, spread);
+      gates[k] = gate_of(tile, scene.camera, scene.options, annealing_sigma);
     }
   }
   const double widest = *std::max_element(gates.begin(), gates.end());
@@ -99,13 +99,14 @@ void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index, d
   chunk.tile_systems.resize(chunk.bodies.size());
 }
 
-double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index, double spread,
-                                  const Chunk* frozen, Linearization& linearization) {
+double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index,
+                                  double annealing_sigma, const Chunk* frozen,
+                                  Linearization& linearization) {
   const PointTiles& points = scene.points;
   Scratch scratch(scratch_[Executor::worker()]);
   Chunk& chunk = linearization[chunk_index];
-  select_candidates(scene, chunk_index, spread, chunk);
-  chunk.spread = spread;
+  select_candidates(scene, chunk_index, annealing_sigma, chunk);
+  chunk.annealing_sigma = annealing_sigma;
   chunk.cost = 0.0;
   chunk.totals = {};
   const std::size_t first_tile = chunk_index * kTilesPerChunk;
@@ -125,12 +126,13 @@ double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index, d
   return cost;
 }
 
-double ModelTerm::linearize(const Scene& scene, const BodyPoses& T_camera_body, double spread,
-                            std::vector<BodySystem>& systems, const Loop& beside) {
+double ModelTerm::linearize(const Scene& scene, const BodyPoses& T_camera_body,
+                            double annealing_sigma, std::vector<BodySystem>& systems,
+                            const Loop& beside) {
   begin(scene, T_camera_body);
   prepare(last_);
   const auto linearize_one = [&](std::size_t chunk) {
-    linearize_chunk(scene, chunk, spread, nullptr, last_);
+    linearize_chunk(scene, chunk, annealing_sigma, nullptr, last_);
   };
   scene.executor.for_each({{chunks_, linearize_one}, beside});
   return sum_up(systems);
@@ -149,12 +151,12 @@ double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body, const
   return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
 }
 
-double ModelTerm::cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double spread,
-                             const Loop& beside) {
+double ModelTerm::cost_ahead(const Scene& scene, const BodyPoses& T_camera_body,
+                             double annealing_sigma, const Loop& beside) {
   begin(scene, T_camera_body);
   prepare(ahead_);
   const auto linearize_one = [&](std::size_t chunk) {
-    chunk_costs_[chunk] = linearize_chunk(scene, chunk, spread, &last_[chunk], ahead_);
+    chunk_costs_[chunk] = linearize_chunk(scene, chunk, annealing_sigma, &last_[chunk], ahead_);
   };
   scene.executor.for_each({{chunks_, linearize_one}, beside});
   return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);

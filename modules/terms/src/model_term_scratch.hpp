@@ -46,8 +46,8 @@ struct ModelTerm::Scratch {
             {chunk.body_numbers.data() + first, count},
             scene.predicted.body.data() + tile.first,
             scene.points.pooled().data() + tile.first,
-            static_cast<float>(scene.options.cut * chunk.spread),
-            static_cast<float>(scene.options.cut),
+            static_cast<float>(scene.options.gate * chunk.annealing_sigma),
+            static_cast<float>(scene.options.gate),
             static_cast<float>(scene.options.visible_odds)};
   }
   std::array<const float*, kMaxCandidates> distance;  ///< to be set before candidates()

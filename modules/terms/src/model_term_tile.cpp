@@ -17,9 +17,9 @@ kernels::PointSpan points_of(const PointTiles& points, const Tile& tile) {
 }
 
 kernels::PointNoise point_noise(const SensorNoise& noise, const PinholeCamera& camera,
-                                double spread) {
+                                double annealing_sigma) {
   return {static_cast<float>(noise.depth_floor), static_cast<float>(noise.depth_quadratic),
-          static_cast<float>(noise.lateral_pixels / camera.fx), static_cast<float>(spread),
+          static_cast<float>(noise.lateral_pixels / camera.fx), static_cast<float>(annealing_sigma),
           static_cast<float>(noise.depth_linear)};
 }
 
@@ -48,9 +48,9 @@ void ModelTerm::look_up(const Scene& scene, std::size_t tile_index, std::size_t 
   const int body = chunk.bodies[candidate];
   const auto b = static_cast<std::size_t>(body);
   kernels::look_up(scene.model.fields[b]->view(), bodies_[b].from_camera,
-                   point_noise(scene.options.noise, scene.camera, chunk.spread),
+                   point_noise(scene.options.noise, scene.camera, chunk.annealing_sigma),
                    points_of(scene.points, tile), predicted_pixels(scene, tile),
-                   static_cast<float>(body), static_cast<float>(scene.options.cut), hits,
+                   static_cast<float>(body), static_cast<float>(scene.options.gate), hits,
                    chunk.planes_of(tile_of_chunk), chunk.has_planes[tile_of_chunk]);
 }
 

@@ -9,7 +9,7 @@
 namespace lockbox {
 namespace {
 
-/// Distances in pixels at which the neighbourhood is probed: dense near the sample, where outlines
+/// Distances in pixels at which the neighbourhood is probed: dense near the sample, where contours
 /// are decided, sparse far from it, where a direction is all that is needed.
 constexpr std::array<int, 14> kProbeRadii{1, 2, 3, 4, 5, 6, 7, 8, 11, 15, 20, 27, 36, 48};
 constexpr std::array<std::array<int, 2>, 8> kProbeDirections{
@@ -38,7 +38,8 @@ bool ObservedSurface::belongs_to(int body, const Eigen::Vector3d& p_camera) cons
   const DistanceSample at = model_.fields[b]->sample((T_body_camera_[b] * p_camera).cast<float>());
   const auto distance = static_cast<double>(at.distance);
   const double sigma = sigma_z(p_camera.z());
-  return distance * distance < options_.cut * options_.cut * (sigma * sigma + spread_ * spread_);
+  return distance * distance <
+         options_.gate * options_.gate * (sigma * sigma + annealing_sigma_ * annealing_sigma_);
 }
 
 bool ObservedSurface::shows_object(const Pixel& pixel, int body) const {

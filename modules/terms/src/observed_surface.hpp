@@ -15,16 +15,16 @@ namespace lockbox {
 class ObservedSurface {
  public:
   /// All of these must outlive the object. T_body_camera: where the bodies are now, which may
-  /// differ a little from what the view shows. spread: metres that they may be off.
+  /// differ a little from what the view shows. annealing_sigma: metres that they may be off.
   ObservedSurface(const ArticulatedModel& model, const VisibleSurface& surface,
                   const BodyPoses& T_body_camera, const TiledCloud& cloud,
-                  const ViewOptions& options, double spread)
+                  const ViewOptions& options, double annealing_sigma)
       : model_(model),
         surface_(surface),
         T_body_camera_(T_body_camera),
         cloud_(cloud),
         options_(options),
-        spread_(spread) {}
+        annealing_sigma_(annealing_sigma) {}
 
   double sigma_z(double z) const { return options_.noise.sigma_z(z); }
   double sigma_lateral(double z) const {
@@ -62,7 +62,7 @@ class ObservedSurface {
   const BodyPoses& T_body_camera_;
   const TiledCloud& cloud_;
   const ViewOptions& options_;
-  double spread_;
+  double annealing_sigma_;
 };
 
 }  // namespace lockbox

@@ -37,9 +37,10 @@ SizeRow size_row(const Eigen::Isometry3d& T_camera_body, const Eigen::Vector3d& 
                  const Eigen::Vector3d& point, const Eigen::Vector3d& direction, double pixel) {
   const Eigen::Vector3d n = T_camera_body.linear().transpose() * direction;
   const Eigen::Vector3d p = T_camera_body.inverse() * point;
-  const Eigen::Vector3d lever = point - base;
+  const Eigen::Vector3d from_base = point - base;
   SizeRow row;
-  row << n, p.cross(n), direction.head<2>().dot(lever.head<2>()), direction.z() * lever.z(), pixel;
+  row << n, p.cross(n), direction.head<2>().dot(from_base.head<2>()), direction.z() * from_base.z(),
+      pixel;
   return row;
 }
 
@@ -58,7 +59,7 @@ void SizeSystem::add(const Side& side, const SizeRow& row, double residual, doub
   const SizeRow weighted = weight * row;
   body.hessian.noalias() += weighted * row.transpose();
   body.gradient.noalias() += residual * weighted;
-  Sums& sums = sides_[{side.body, side.is_outline, sector_of(side.direction),
+  Sums& sums = sides_[{side.body, side.is_contour, sector_of(side.direction),
                        static_cast<int>(std::lround(side.offset / kSideDepth))}];
   sums.weight += weight;
   sums.row += weighted;

@@ -30,20 +30,19 @@ int rounds_a_frame(const TrackerOptions& options) {
 
 }  // namespace
 
-bool keep_better(const RegistrationResult& registered, const TrackerOptions& options,
-                 RegistrationResult& best) {
-  const bool is_better = conviction(registered, options) > conviction(best, options);
-  if (is_better) best = registered;
+bool keep_better(const Answer& answer, const TrackerOptions& options, Answer& best) {
+  const bool is_better = score(answer, options) > score(best, options);
+  if (is_better) best = answer;
   return is_better;
 }
 
-void doubt_base(double rival_distance, RegistrationResult& registered) {
-  registered.rival_distance = rival_distance;
-  registered.covariance.diagonal().head<3>().array() += rival_distance * rival_distance;
-  registered.sigma.head<3>() = registered.covariance.diagonal().head<3>().cwiseSqrt();
+void doubt_base(double rival_distance, Answer& answer) {
+  answer.rival_distance = rival_distance;
+  answer.covariance.diagonal().head<3>().array() += rival_distance * rival_distance;
+  answer.sigma.head<3>() = answer.covariance.diagonal().head<3>().cwiseSqrt();
 }
 
-void keep_doubts(const RegistrationResult& answer, RegistrationResult& followed) {
+void keep_doubts(const Answer& answer, Answer& followed) {
   doubt_base(answer.rival_distance, followed);
   std::transform(answer.observable.begin(), answer.observable.end(), followed.observable.begin(),
                  followed.observable.begin(), std::logical_and<>());
@@ -51,18 +50,18 @@ void keep_doubts(const RegistrationResult& answer, RegistrationResult& followed)
 
 Acquisition::Acquisition(const ArticulatedModel& model, const TrackerOptions& options,
                          const Executor& executor, ArticulatedRegistration& registration,
-                         TiledCloud& cloud)
+                         const TiledCloud& cloud)
     : model_(model),
       options_(options),
       executor_(executor),
       registration_(registration),
       cloud_(cloud) {}
 
-std::optional<RegistrationResult> Acquisition::find(const DepthFrame& frame,
-                                                    const std::optional<Configuration>& guess,
-                                                    SearchScope scope) {
+std::optional<Answer> Acquisition::find(const DepthFrame& frame,
+                                        const std::optional<Configuration>& guess,
+                                        SearchScope scope) {
   best_.reset();
-  if (guess && scope != SearchScope::anywhere && find_from(frame, *guess, scope)) {
+  if (guess && scope != SearchScope::anywhere && find_from(*guess, scope)) {
     return best_;
   }
   if (scope != SearchScope::near) {
@@ -85,10 +84,10 @@ void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
   // What is believed less is not what the most convincing one is mistaken for.
   const double least_belief =
       candidates.empty() ? 0.0 : (1.0 - options_.convincing_belief) * candidates.front().belief;
-  std::optional<RegistrationResult> likeliest;
+  std::optional<Answer> likeliest;
   for (const Candidate& candidate : candidates) {
     if (candidate.evidence < least_evidence() || candidate.belief < least_belief) break;
-    const RegistrationResult found = registered(candidate, narrow());
+    const Answer found = registered(candidate, narrow());
     if (ends_search(candidate, found)) {
       doubt_if_rivalled(candidate, candidates);
       return;
@@ -96,13 +95,13 @@ void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
     if (!likeliest) likeliest = found;
   }
   // None is sure: that for which the image speaks most.
-  if (!likeliest || judge(*likeliest, options_) == TrackingStatus::lost) return;
+  if (!likeliest || classify(*likeliest, options_) == TrackingStatus::lost) return;
   best_ = likeliest;
   doubt_if_rivalled(candidates.front(), candidates);
 }
 
-RegistrationResult Acquisition::registered(const Candidate& candidate, const AlignOptions& how) {
-  RegistrationResult found = registration_.align(cloud_, candidate.configuration, how);
+Answer Acquisition::registered(const Candidate& candidate, const AlignOptions& how) {
+  Answer found = registration_.align(cloud_, candidate.configuration, how);
   found.belief = candidate.belief;
   doubt_joints(candidate.margins, found);
   return found;
@@ -131,7 +130,7 @@ void Acquisition::note_alternatives(const Candidate& answer,
 }
 
 bool Acquisition::is_found() const {
-  return best_ && judge(*best_, options_) == TrackingStatus::tracking;
+  return best_ && classify(*best_, options_) == TrackingStatus::tracking;
 }
 
 /// Other readings are tried once. What they have told holds until something is found.
@@ -154,28 +153,26 @@ SearchFailure Acquisition::explain(const DepthFrame& frame) {
 /// Wrong answers drift off when gates open. Right ones may, too, along the table they stand on;
 /// then iterations within narrow gates, few as in any frame, keep them where the search has put
 /// them.
-bool Acquisition::ends_search(const Candidate& candidate, const RegistrationResult& found) {
+bool Acquisition::ends_search(const Candidate& candidate, const Answer& found) {
   const bool stays = consider(found);
   if (!stays && candidate.belief < options_.convincing_belief) return false;
   // An answer before it may explain more, while something contradicts that: then neither is sure.
-  if (stays && judge(*best_, options_) != TrackingStatus::tracking) return true;
-  const RegistrationResult kept =
-      registered(candidate, {0.0, options_.registration.max_iterations});
-  const bool is_kept = judge(kept, options_) == TrackingStatus::tracking;
+  if (stays && classify(*best_, options_) != TrackingStatus::tracking) return true;
+  const Answer kept = registered(candidate, {0.0, options_.registration.max_iterations});
+  const bool is_kept = classify(kept, options_) == TrackingStatus::tracking;
   if (is_kept) best_ = kept;
   return stays || is_kept;
 }
 
-void Acquisition::doubt_joints(const JointMargins& margins, RegistrationResult& registered) const {
+void Acquisition::doubt_joints(const JointMargins& margins, Answer& answer) const {
   for (int v = 0; v < model_.tree.variables(); ++v) {
-    if (is_doubtful(registered, v, margins, model_.tree, options_)) {
-      registered.observable[static_cast<std::size_t>(6 + v)] = false;
+    if (is_doubtful(answer, v, margins, model_.tree, options_)) {
+      answer.observable[static_cast<std::size_t>(6 + v)] = false;
     }
   }
 }
 
-bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess,
-                            SearchScope scope) {
+bool Acquisition::find_from(const Configuration& guess, SearchScope scope) {
   if (is_enough(registration_.align(cloud_, guess, narrow()), guess, scope)) return true;
   const bool is_on_its_way = best_->last_move > options_.most_last_move;
   if (is_on_its_way &&
@@ -186,56 +183,54 @@ bool Acquisition::find_from(const DepthFrame& frame, const Configuration& guess,
   if (!contradicted.empty() && consider(with_joints_sought(best_->at_rest, contradicted))) {
     return true;
   }
-  if (is_enough(find_near(frame, guess), guess, scope)) return true;
+  if (is_enough(find_near(guess), guess, scope)) return true;
   // Frames that did not wait for a search went by, and joints may have moved anywhere in them.
   return options_.background_search &&
          consider(with_joints_sought(
              best_->at_rest, options_.registration.free_variables(model_.tree.variables())));
 }
 
-RegistrationResult Acquisition::with_joints_sought(const Configuration& start,
-                                                   const std::vector<int>& variables) {
+Answer Acquisition::with_joints_sought(const Configuration& start,
+                                       const std::vector<int>& variables) {
   const SoughtJoints sought = find_joints(start, variables);
-  RegistrationResult registered = registration_.align(cloud_, sought.configuration, narrow());
-  doubt_joints(sought.margins, registered);
-  return registered;
+  Answer answer = registration_.align(cloud_, sought.configuration, narrow());
+  doubt_joints(sought.margins, answer);
+  return answer;
 }
 
 AlignOptions Acquisition::narrow() const {
-  return {options_.start_joint_spread, options_.start_joint_iterations};
+  return {options_.start_joint_sigma, options_.start_joint_iterations};
 }
 
 /// Keeps it if it is the best so far; true if nothing else is to be sought.
-bool Acquisition::is_enough(const RegistrationResult& found, const Configuration& guess,
-                            SearchScope scope) {
+bool Acquisition::is_enough(const Answer& found, const Configuration& guess, SearchScope scope) {
   if (consider(found)) return true;
   const bool is_where_given =
       scope == SearchScope::given_first &&
-      registration_.moves().between(guess, found.at_rest) <= options_.start_spread;
+      registration_.moves().between(guess, found.at_rest) <= options_.start_sigma;
   if (!is_where_given || !agrees(found, options_) || !rests(found, options_)) return false;
   best_ = found;
   return true;
 }
 
 /// Keeps it if it is the best so far; true if it is judged `tracking`.
-bool Acquisition::consider(const RegistrationResult& found) {
+bool Acquisition::consider(const Answer& found) {
   if (!best_) best_ = found;
   keep_better(found, options_, *best_);
-  return judge(found, options_) == TrackingStatus::tracking;
+  return classify(found, options_) == TrackingStatus::tracking;
 }
 
-const RegistrationResult& Acquisition::find_near(const DepthFrame& frame,
-                                                 const Configuration& guess) {
-  keep_object(guess);
+Answer Acquisition::find_near(const Configuration& guess) {
+  find_object(guess);
   const Configuration placed =
-      registration_.align(cloud_, guess, {options_.start_spread, options_.start_iterations, true})
+      registration_.align(object_, guess, {options_.start_sigma, options_.start_iterations, true})
           .at_rest;
-  cloud_.assign(frame, options_.cloud, executor_);
   return registration_.align(cloud_, placed, narrow());
 }
 
-/// Only the points that may be the object: table, walls and clutter would pull at wide gates.
-void Acquisition::keep_object(const Configuration& start) {
+/// Table, walls and clutter would pull at wide gates.
+void Acquisition::find_object(const Configuration& start) {
+  object_ = cloud_;
   BodyPoses poses;
   forward_kinematics(model_.tree, start, poses);
   std::vector<ExpectedBody> expected;
@@ -248,7 +243,7 @@ void Acquisition::keep_object(const Configuration& start) {
   segmentation.depth_noise = options_.registration.noise.sigma_inverse_depth();
   const ObjectSegmenter segmenter(segmentation);
   if (const auto mask = segmenter.segment(cloud_, expected, options_.start_margin)) {
-    cloud_.keep(*mask);
+    object_.keep(*mask);
   }
 }
 

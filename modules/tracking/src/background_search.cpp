@@ -51,26 +51,27 @@ void BackgroundSearch::start(const DepthFrame& frame, const std::optional<Config
   running_ = std::async(std::launch::async, [this, guess, scope] { return find(guess, scope); });
 }
 
-BackgroundSearch::Answer BackgroundSearch::find(const std::optional<Configuration>& guess,
-                                                SearchScope scope) {
+std::optional<Answer> BackgroundSearch::find(const std::optional<Configuration>& guess,
+                                             SearchScope scope) {
   // Here, because it takes a while: what the camera sees meanwhile need not wait.
   if (!seeker_) seeker_ = std::make_unique<Seeker>(model_, options_, executor_);
   seeker_->cloud.assign(frame_, options_.cloud, executor_);
-  Answer answer = seeker_->acquisition.find(frame_, guess, scope);
+  std::optional<Answer> answer = seeker_->acquisition.find(frame_, guess, scope);
   if (answer) catch_up(*answer);
   return answer;
 }
 
 /// Base and joints may have gone far while they were sought: they are sought around where they
 /// were, again and again, which takes longer than a frame may take.
-void BackgroundSearch::catch_up(RegistrationResult& answer) {
-  const auto is_tracking = [this](const RegistrationResult& found) {
-    return judge(found, options_) == TrackingStatus::tracking;
+void BackgroundSearch::catch_up(Answer& answer) {
+  const auto is_tracking = [this](const Answer& found) {
+    return classify(found, options_) == TrackingStatus::tracking;
   };
   for (int round = 0; round < kMostRoundsToCatchUp && is_tracking(answer); ++round) {
     if (!take_newest()) return;
     seeker_->cloud.assign(frame_, options_.cloud, executor_);
-    Answer followed = seeker_->acquisition.find(frame_, answer.at_rest, SearchScope::near);
+    std::optional<Answer> followed =
+        seeker_->acquisition.find(frame_, answer.at_rest, SearchScope::near);
     if (!followed || !is_tracking(*followed)) return;
     keep_doubts(answer, *followed);
     answer = *followed;
@@ -96,11 +97,11 @@ bool BackgroundSearch::take_newest() {
   return true;
 }
 
-std::optional<RegistrationResult> BackgroundSearch::take() {
+std::optional<Answer> BackgroundSearch::take() {
   if (!is_busy() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     return std::nullopt;
   }
-  Answer answer;
+  std::optional<Answer> answer;
   try {
     answer = running_.get();
   } catch (const Stopped&) {

@@ -120,7 +120,7 @@ std::string of_place(const SearchFailure::Place& place) {
   // Half: from there on the model may be a part of something larger.
   if (place.continued > 0.5) {
     text << " The surface goes on beyond " << percent(place.continued)
-         << " of its outline, as a wall or table does.";
+         << " of its contour, as a wall or table does.";
   }
   return text.str();
 }

@@ -6,11 +6,11 @@
 namespace lockbox {
 namespace {
 
-constexpr double kLeastSpread = 0.003;    // metres
-constexpr double kLargestSpread = 0.005;  // metres: wider gates drag parts onto each other
-constexpr double kSpreadFactor = 1.0;     // of the latest surface error
-constexpr double kSpreadDecay = 0.7;      // a frame
-constexpr double kLongestStep = 0.2;      // seconds: beyond it no velocity says anything
+constexpr double kLeastSigma = 0.003;    // metres
+constexpr double kLargestSigma = 0.005;  // metres: wider gates drag parts onto each other
+constexpr double kSigmaFactor = 1.0;     // of the latest surface error
+constexpr double kSigmaDecay = 0.7;      // a frame
+constexpr double kLongestStep = 0.2;     // seconds: beyond it no velocity says anything
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void MotionPredictor::reset(double stamp, const Configuration& configuration) {
   last_observable_.assign(static_cast<std::size_t>(6 + tree_.variables()), true);
   base_velocity_.setZero();
   joint_velocity_.setZero();
-  spread_ = kLargestSpread;
+  annealing_sigma_ = kLargestSigma;
 }
 
 Configuration MotionPredictor::predict(double stamp) const {
@@ -58,8 +58,9 @@ void MotionPredictor::update(double stamp, const Configuration& configuration,
     base_velocity_.setZero();
     joint_velocity_.setZero();
   }
-  spread_ = std::clamp(std::max(kSpreadDecay * spread_, kSpreadFactor * surface_error),
-                       kLeastSpread, kLargestSpread);
+  annealing_sigma_ =
+      std::clamp(std::max(kSigmaDecay * annealing_sigma_, kSigmaFactor * surface_error),
+                 kLeastSigma, kLargestSigma);
   stamp_ = stamp;
   last_ = configuration;
   last_observable_ = observable;

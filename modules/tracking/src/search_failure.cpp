@@ -9,7 +9,7 @@
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/symmetry.hpp"
-#include "lockbox/tracking/judgement.hpp"
+#include "lockbox/tracking/classification.hpp"
 
 namespace lockbox {
 namespace {
@@ -73,7 +73,7 @@ SearchFailure::Place place(const RegistrationResult& answer, const KinematicTree
   place.explained = answer.agreement.explained;
   place.contradicted = answer.agreement.contradicted;
   place.occluded = answer.agreement.occluded;
-  place.continued = answer.outline.continued();
+  place.continued = answer.contour.continued();
   double most = 0.0;
   for (std::size_t b = 0; b < answer.body_agreement.size(); ++b) {
     const Agreement& body = answer.body_agreement[b];
@@ -124,10 +124,10 @@ void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
     if (candidates.empty()) return std::nullopt;
     // What may as well be elsewhere, or nowhere, tells nothing of the reading.
     if (candidates.front().rival_distance > options.most_rival_distance) return std::nullopt;
-    const RegistrationResult& found =
+    const Answer found =
         registration.align(cloud, candidates.front().configuration,
-                           {options.start_joint_spread, options.start_joint_iterations});
-    if (judge(found, options) != TrackingStatus::tracking) return std::nullopt;
+                           {options.start_joint_sigma, options.start_joint_iterations});
+    if (classify(found, options) != TrackingStatus::tracking) return std::nullopt;
     return found.configuration;
   };
   const auto in_mirror = found_in(mirrored(frame));

@@ -87,20 +87,19 @@ const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
 
 void Tracker::Loop::follow(const DepthFrame& frame) {
   const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
-  const RegistrationResult& registered =
+  const Answer registered =
       registration_.align(cloud_, prediction,
-                          {.spread = predictor_.spread(),
+                          {.annealing_sigma = predictor_.annealing_sigma(),
                            .iterations = options_.registration.max_iterations,
                            .is_predicted = status_ == TrackingStatus::tracking});
   is_found_anew_ = false;
   const bool is_as_before = is_doubted_as_before(registered);
   if (is_as_before) ++frames_doubted_;
-  const RegistrationResult& followed = is_as_before ? with_doubts_kept(prediction, registered)
-                                       : has_leapt(registered)
-                                           ? with_leap_followed(frame, prediction, registered)
-                                           : come_to_rest(prediction, registered);
-  const RegistrationResult& found =
-      rival_distance_ > 0.0 ? with_rival_sought(frame, followed) : followed;
+  const Answer followed = is_as_before ? with_doubts_kept(prediction, registered)
+                          : has_leapt(registered)
+                              ? with_leap_followed(frame, prediction, registered)
+                              : come_to_rest(prediction, registered);
+  const Answer found = rival_distance_ > 0.0 ? with_rival_sought(frame, followed) : followed;
   const bool was_believed = status_ == TrackingStatus::tracking;
   report(found);
   if (status_ == TrackingStatus::lost && !guess_) forget();
@@ -119,35 +118,34 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
   }
 }
 
-void Tracker::Loop::measure_size(const RegistrationResult& found) {
+void Tracker::Loop::measure_size(const Answer& found) {
   if (!is_known() || !size_record_.is_due()) return;
   size_record_.add(registration_.measure_size(found.configuration));
 }
 
 /// Bodies contradict the image that did so a frame ago, when all else was believed.
-bool Tracker::Loop::is_doubted_as_before(const RegistrationResult& registered) const {
+bool Tracker::Loop::is_doubted_as_before(const Answer& registered) const {
   if (doubted_.empty() || frames_doubted_ >= kFramesToDoubtParts) return false;
   const std::vector<int> now = contradicted_bodies(registered, options_);
   return !now.empty() && std::includes(doubted_.begin(), doubted_.end(), now.begin(), now.end());
 }
 
 /// A base that contradicts the image may be on its way elsewhere: then the image is asked again.
-const RegistrationResult& Tracker::Loop::with_doubts_kept(const Configuration& prediction,
-                                                          const RegistrationResult& registered) {
-  best_ = come_to_rest(prediction, registered);
-  best_.belief = doubted_.front() == 0 ? belief_by_image(best_.configuration) : belief_;
-  return best_;
+Answer Tracker::Loop::with_doubts_kept(const Configuration& prediction, const Answer& registered) {
+  Answer kept = come_to_rest(prediction, registered);
+  kept.belief = doubted_.front() == 0 ? belief_by_image(kept.configuration) : belief_;
+  return kept;
 }
 
 /// Asks the image whether it is the object, if that decides.
-void Tracker::Loop::verify(RegistrationResult& found) {
-  if (is_believable(found, options_) || judge(found, options_) == TrackingStatus::lost) return;
+void Tracker::Loop::verify(Answer& found) {
+  if (is_believable(found, options_) || classify(found, options_) == TrackingStatus::lost) return;
   found.belief = belief_by_image(found.configuration);
   frames_doubted_ = 0;
 }
 
 /// One frame may mistake a stranger for the part that comes back; the second one tells.
-void Tracker::Loop::count_frames_in_sight(const RegistrationResult& found) {
+void Tracker::Loop::count_frames_in_sight(const Answer& found) {
   for (int v = 0; v < model_.tree.variables(); ++v) {
     const auto unknown = static_cast<std::size_t>(6 + v);
     int& frames = frames_in_sight_[static_cast<std::size_t>(v)];
@@ -159,89 +157,87 @@ void Tracker::Loop::count_frames_in_sight(const RegistrationResult& found) {
 }
 
 /// Gates stay as narrow as ever: wide ones drag parts onto each other, many steps do not.
-const RegistrationResult& Tracker::Loop::come_to_rest(const Configuration& prediction,
-                                                      const RegistrationResult& registered) {
-  const RegistrationResult* result = &registered;
+Answer Tracker::Loop::come_to_rest(const Configuration& prediction, const Answer& registered) {
+  Answer result = registered;
   Configuration start = prediction;
-  for (int round = 0; round < options_.most_rounds && is_on_its_way(start, *result); ++round) {
-    start = result->at_rest;
-    result = &registration_.align(cloud_, start, further());
+  for (int round = 0; round < options_.most_rounds && is_on_its_way(start, result); ++round) {
+    start = result.at_rest;
+    result = registration_.align(cloud_, start, further());
   }
-  return *result;
+  return result;
 }
 
 /// From where the last alignment of the frame has ended.
 AlignOptions Tracker::Loop::further() const {
-  return {
-      .spread = predictor_.spread(), .iterations = options_.further_iterations, .goes_on = true};
+  return {.annealing_sigma = predictor_.annealing_sigma(),
+          .iterations = options_.further_iterations,
+          .goes_on = true};
 }
 
 /// What has come farther than the gate is wide was pulled along by what little was within it, and
 /// may be uncertain enough for steps of millimetres to be no more than noise.
-bool Tracker::Loop::is_on_its_way(const Configuration& start,
-                                  const RegistrationResult& result) const {
+bool Tracker::Loop::is_on_its_way(const Configuration& start, const Answer& result) const {
   return result.last_move > options_.resting_move ||
          registration_.moves().between(start, result.at_rest) >
-             options_.registration.cut * predictor_.spread();
+             options_.registration.gate * predictor_.annealing_sigma();
 }
 
-bool Tracker::Loop::is_hidden_at_once(const RegistrationResult& registered) const {
+bool Tracker::Loop::is_hidden_at_once(const Answer& registered) const {
   return registered.agreement.explained < result_.explained - kSuddenlyHidden;
 }
 
 /// What leaps farther between two frames than the gate is wide is seen through where it was.
-bool Tracker::Loop::has_leapt(const RegistrationResult& registered) const {
+bool Tracker::Loop::has_leapt(const Answer& registered) const {
   const bool is_explained =
       is_kept_ ? agrees(registered, options_) : is_believable(registered, options_);
   return !is_explained || is_hidden_at_once(registered);
 }
 
 /// Whether there is nothing to be sought.
-bool Tracker::Loop::is_settled(const RegistrationResult& registered) const {
-  return judge(registered, options_) == TrackingStatus::tracking ||
+bool Tracker::Loop::needs_no_search(const Answer& registered) const {
+  return classify(registered, options_) == TrackingStatus::tracking ||
          (is_kept_ && agrees(registered, options_) && rests(registered, options_));
 }
 
 /// It is followed until it rests; joints are sought over their ranges, then the base around where
 /// it was last believed to be. Live, what does not help in the first frame of doubt is left to the
 /// search, which does all that, too.
-const RegistrationResult& Tracker::Loop::with_leap_followed(const DepthFrame& frame,
-                                                            const Configuration& prediction,
-                                                            const RegistrationResult& registered) {
+Answer Tracker::Loop::with_leap_followed(const DepthFrame& frame, const Configuration& prediction,
+                                         const Answer& registered) {
   const bool is_hidden = is_hidden_at_once(registered);
-  best_ = registered;
+  Answer best = registered;
   if (!options_.background_search || frames_searched_ == 0) {
     // It may be on its way still: then nothing is to be sought.
-    const Configuration start = best_.at_rest;
-    const RegistrationResult& followed = registration_.align(cloud_, start, further());
-    keep_better(come_to_rest(start, followed), options_, best_);
-    carry_parts(prediction, best_);
-    seek_contradicted_joints(best_);
+    const Configuration start = best.at_rest;
+    const Answer followed = registration_.align(cloud_, start, further());
+    keep_better(come_to_rest(start, followed), options_, best);
+    carry_parts(prediction, best);
+    seek_contradicted_joints(best);
   }
-  verify(best_);
+  verify(best);
   if (is_hidden && guess_ && !options_.background_search) {
     // By itself, when the estimate lies behind it.
-    keep_better(acquisition_.find_near(frame, *guess_), options_, best_);
+    keep_better(acquisition_.find_near(*guess_), options_, best);
   }
-  if (!is_settled(best_)) {
+  if (!needs_no_search(best)) {
     const bool anywhere = options_.search_anywhere && frames_searched_ >= kFramesOfDoubt;
     if (const auto found = sought(frame, anywhere ? SearchScope::near_first : SearchScope::near)) {
-      is_found_anew_ = keep_better(*found, options_, best_);
+      is_found_anew_ = keep_better(*found, options_, best);
     }
   }
-  return best_;
+  return best;
 }
 
 /// While the base was on its way, parts were dragged along by whatever lay near. Where it is now,
 /// they start anew as predicted; of two answers that explain the image, that is the likelier one.
-void Tracker::Loop::carry_parts(const Configuration& prediction, RegistrationResult& best) {
+void Tracker::Loop::carry_parts(const Configuration& prediction, Answer& best) {
   const Configuration carried{best.at_rest.T_camera_base, prediction.q};
-  const double gate = options_.registration.cut * predictor_.spread();
+  const double gate = options_.registration.gate * predictor_.annealing_sigma();
   if (registration_.moves().between(prediction, carried) <= gate) return;
-  const RegistrationResult& registered = registration_.align(
-      cloud_, carried, {predictor_.spread(), options_.registration.max_iterations});
-  const RegistrationResult& at_rest = come_to_rest(carried, registered);
-  if (judge(at_rest, options_) == TrackingStatus::tracking) {
+  const Answer registered = registration_.align(
+      cloud_, carried, {predictor_.annealing_sigma(), options_.registration.max_iterations});
+  const Answer at_rest = come_to_rest(carried, registered);
+  if (classify(at_rest, options_) == TrackingStatus::tracking) {
     best = at_rest;
   } else {
     keep_better(at_rest, options_, best);

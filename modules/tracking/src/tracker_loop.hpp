@@ -11,7 +11,7 @@
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/tracking/acquisition.hpp"
 #include "lockbox/tracking/background_search.hpp"
-#include "lockbox/tracking/judgement.hpp"
+#include "lockbox/tracking/classification.hpp"
 #include "lockbox/tracking/motion_predictor.hpp"
 #include "lockbox/tracking/size_record.hpp"
 #include "lockbox/tracking/tracker.hpp"
@@ -35,39 +35,35 @@ class Tracker::Loop {
   bool is_known() const;
   bool shows_nothing_new(const DepthFrame& frame);
   void search(const DepthFrame& frame);
-  std::optional<RegistrationResult> sought(const DepthFrame& frame, SearchScope scope);
-  std::optional<RegistrationResult> sought_in_background(const DepthFrame& frame, SearchScope scope,
-                                                         bool is_due);
-  std::optional<RegistrationResult> brought_up_to_date(const RegistrationResult& answer);
-  std::optional<RegistrationResult> where_it_was();
+  std::optional<Answer> sought(const DepthFrame& frame, SearchScope scope);
+  std::optional<Answer> sought_in_background(const DepthFrame& frame, SearchScope scope,
+                                             bool is_due);
+  std::optional<Answer> brought_up_to_date(const Answer& answer);
+  std::optional<Answer> where_it_was();
   void stop_searching();
   void follow(const DepthFrame& frame);
   /// A joint that comes back into sight is sought until then.
   static constexpr int kFramesToKnowMotion = 2;
-  void measure_size(const RegistrationResult& found);
-  void count_frames_in_sight(const RegistrationResult& found);
+  void measure_size(const Answer& found);
+  void count_frames_in_sight(const Answer& found);
   Configuration with_hidden_joints_sought(const Configuration& prediction);
-  const RegistrationResult& come_to_rest(const Configuration& prediction,
-                                         const RegistrationResult& registered);
+  Answer come_to_rest(const Configuration& prediction, const Answer& registered);
   AlignOptions further() const;
-  bool is_on_its_way(const Configuration& start, const RegistrationResult& result) const;
-  bool is_hidden_at_once(const RegistrationResult& registered) const;
-  bool has_leapt(const RegistrationResult& registered) const;
-  bool is_settled(const RegistrationResult& registered) const;
-  bool is_flush(const RegistrationResult& found, int variable) const;
-  const RegistrationResult& with_leap_followed(const DepthFrame& frame,
-                                               const Configuration& prediction,
-                                               const RegistrationResult& registered);
-  const RegistrationResult& with_rival_sought(const DepthFrame& frame,
-                                              const RegistrationResult& followed);
-  bool is_doubted_as_before(const RegistrationResult& registered) const;
-  const RegistrationResult& with_doubts_kept(const Configuration& prediction,
-                                             const RegistrationResult& registered);
-  void verify(RegistrationResult& found);
-  void carry_parts(const Configuration& prediction, RegistrationResult& best);
-  void seek_contradicted_joints(RegistrationResult& best);
-  void report(const RegistrationResult& registered);
-  void report_belief(const RegistrationResult& registered, TrackingStatus before);
+  bool is_on_its_way(const Configuration& start, const Answer& result) const;
+  bool is_hidden_at_once(const Answer& registered) const;
+  bool has_leapt(const Answer& registered) const;
+  bool needs_no_search(const Answer& registered) const;
+  bool is_flush(const Answer& found, int variable) const;
+  Answer with_leap_followed(const DepthFrame& frame, const Configuration& prediction,
+                            const Answer& registered);
+  Answer with_rival_sought(const DepthFrame& frame, const Answer& followed);
+  bool is_doubted_as_before(const Answer& registered) const;
+  Answer with_doubts_kept(const Configuration& prediction, const Answer& registered);
+  void verify(Answer& found);
+  void carry_parts(const Configuration& prediction, Answer& best);
+  void seek_contradicted_joints(Answer& best);
+  void report(const Answer& registered);
+  void report_belief(const Answer& registered, TrackingStatus before);
   double belief_by_image(const Configuration& configuration);
   void report_status();
   void report_nothing();
@@ -97,7 +93,6 @@ class Tracker::Loop {
   JointMargins hidden_margins_;         ///< of those that were sought since they were hidden
   double rival_distance_ = 0.0;         ///< of what was last reported: until a search tells
   double base_turning_sigma_ = 0.0;     ///< likewise
-  RegistrationResult best_;             ///< of several tries at the same frame
   double belief_ = 0.0;                 ///< of what was last reported, where it was asked for
   std::vector<int> doubted_;            ///< bodies that contradicted that, in order
   int frames_doubted_ = 0;              ///< since the image was asked

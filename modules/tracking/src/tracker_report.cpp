@@ -13,7 +13,7 @@ double Tracker::Loop::belief_by_image(const Configuration& configuration) {
 }
 
 /// In view, and still not determined, because what is around it goes on in its surface.
-bool Tracker::Loop::is_flush(const RegistrationResult& found, int variable) const {
+bool Tracker::Loop::is_flush(const Answer& found, int variable) const {
   const int joint = model_.tree.variable_joint[static_cast<std::size_t>(variable)];
   const auto body =
       static_cast<std::size_t>(model_.tree.joints[static_cast<std::size_t>(joint)].child_body);
@@ -22,7 +22,7 @@ bool Tracker::Loop::is_flush(const RegistrationResult& found, int variable) cons
          found.body_agreement[body].explained >= options_.least_of_sought_body;
 }
 
-void Tracker::Loop::report(const RegistrationResult& registered) {
+void Tracker::Loop::report(const Answer& registered) {
   for (int v = 0; v < model_.tree.variables(); ++v) {
     is_flush_[static_cast<std::size_t>(v)] = is_flush(registered, v);
   }
@@ -35,7 +35,7 @@ void Tracker::Loop::report(const RegistrationResult& registered) {
   result_.contradicted = registered.agreement.contradicted;
   result_.occluded = registered.agreement.occluded;
   const TrackingStatus before = status_;
-  status_ = judge(registered, options_);
+  status_ = classify(registered, options_);
   belief_ = registered.belief;
   doubted_.clear();
   if (status_ == TrackingStatus::tracking) {
@@ -49,7 +49,7 @@ void Tracker::Loop::report(const RegistrationResult& registered) {
 /// Following tells nothing of what a search could not tell apart: then its belief stays. What was
 /// believed once, and is tracked since, is not believed less because more of it is hidden, only
 /// where the image speaks against it.
-void Tracker::Loop::report_belief(const RegistrationResult& registered, TrackingStatus before) {
+void Tracker::Loop::report_belief(const Answer& registered, TrackingStatus before) {
   if (status_ == TrackingStatus::lost) {
     result_.belief = 0.0;
     result_.alternatives.clear();

@@ -42,7 +42,7 @@ void Tracker::Loop::search(const DepthFrame& frame) {
   const auto found = sought(frame, options_.search_anywhere ? near_first : SearchScope::near);
   const bool is_first = status_ != TrackingStatus::lost && !guess_;
   // What was never found is not lost.
-  if (!found || (is_first && judge(*found, options_) == TrackingStatus::lost)) {
+  if (!found || (is_first && classify(*found, options_) == TrackingStatus::lost)) {
     report_nothing();
     return;
   }
@@ -61,8 +61,7 @@ void Tracker::Loop::search(const DepthFrame& frame) {
 }
 
 /// What is found in this frame, if a search is due, or one in the background has ended.
-std::optional<RegistrationResult> Tracker::Loop::sought(const DepthFrame& frame,
-                                                        SearchScope scope) {
+std::optional<Answer> Tracker::Loop::sought(const DepthFrame& frame, SearchScope scope) {
   const std::ptrdiff_t measured = measured_pixels(cloud_);
   if (is_another_view(measured, measured_before_)) {
     measured_before_ = measured;
@@ -70,7 +69,7 @@ std::optional<RegistrationResult> Tracker::Loop::sought(const DepthFrame& frame,
     acquisition_.begin_anew();
   }
   const bool is_near_due = search_is_due(frames_searched_, kLongestPauseNear);
-  std::optional<RegistrationResult> found;
+  std::optional<Answer> found;
   if (options_.background_search) {
     found = sought_in_background(frame, scope, is_near_due);
   } else if (search_is_due(frames_searched_, kLongestPauseAnywhere)) {
@@ -85,30 +84,28 @@ std::optional<RegistrationResult> Tracker::Loop::sought(const DepthFrame& frame,
 
 /// Where a search could not tell two places apart, following one of them does not, either: only
 /// another search may.
-const RegistrationResult& Tracker::Loop::with_rival_sought(const DepthFrame& frame,
-                                                           const RegistrationResult& followed) {
-  best_ = followed;
-  if (!(best_.rival_distance > 0.0)) doubt_base(rival_distance_, best_);
+Answer Tracker::Loop::with_rival_sought(const DepthFrame& frame, const Answer& followed) {
+  Answer best = followed;
+  if (!(best.rival_distance > 0.0)) doubt_base(rival_distance_, best);
   const auto found = sought(frame, SearchScope::anywhere);
   if (found &&
-      (judge(*found, options_) == TrackingStatus::tracking || found->belief > result_.belief)) {
-    best_ = *found;
+      (classify(*found, options_) == TrackingStatus::tracking || found->belief > result_.belief)) {
+    best = *found;
     is_found_anew_ = true;
   }
-  return best_;
+  return best;
 }
 
 /// Nothing here takes longer than it may take to follow a leap.
-std::optional<RegistrationResult> Tracker::Loop::sought_in_background(const DepthFrame& frame,
-                                                                      SearchScope scope,
-                                                                      bool is_due) {
+std::optional<Answer> Tracker::Loop::sought_in_background(const DepthFrame& frame,
+                                                          SearchScope scope, bool is_due) {
   if (!background_) {
     background_ = std::make_unique<BackgroundSearch>(model_, options_);
   }
-  std::optional<RegistrationResult> found;
+  std::optional<Answer> found;
   background_->show(frame);
   if (const auto answer = background_->take()) found = brought_up_to_date(*answer);
-  const auto is_found = [&] { return found && is_settled(*found); };
+  const auto is_found = [&] { return found && needs_no_search(*found); };
   // Following is no remedy where two places look alike: then only a search of the whole frame is.
   if (is_due && !is_found() && scope != SearchScope::anywhere) {
     if (auto here = where_it_was()) found = std::move(here);
@@ -124,18 +121,17 @@ std::optional<RegistrationResult> Tracker::Loop::sought_in_background(const Dept
 
 /// The answer is a few frames old. If the object has gone too far since, the next search begins at
 /// the answer: that takes less time, in which it goes less far.
-std::optional<RegistrationResult> Tracker::Loop::brought_up_to_date(
-    const RegistrationResult& answer) {
-  if (judge(answer, options_) == TrackingStatus::lost) return std::nullopt;
-  RegistrationResult here = registration_.align(
-      cloud_, answer.at_rest, {options_.start_joint_spread, options_.registration.max_iterations});
+std::optional<Answer> Tracker::Loop::brought_up_to_date(const Answer& answer) {
+  if (classify(answer, options_) == TrackingStatus::lost) return std::nullopt;
+  Answer here = registration_.align(
+      cloud_, answer.at_rest, {options_.start_joint_sigma, options_.registration.max_iterations});
   here.belief = answer.belief;
-  const auto is_tracking = [this](const RegistrationResult& registered) {
-    return judge(registered, options_) == TrackingStatus::tracking;
+  const auto is_tracking = [this](const Answer& registered) {
+    return classify(registered, options_) == TrackingStatus::tracking;
   };
   if (!is_tracking(here)) {
     keep_better(registration_.align(cloud_, here.at_rest,
-                                    {options_.start_joint_spread, options_.further_iterations}),
+                                    {options_.start_joint_sigma, options_.further_iterations}),
                 options_, here);
   }
   if (is_tracking(here) || !is_tracking(answer)) {
@@ -148,21 +144,21 @@ std::optional<RegistrationResult> Tracker::Loop::brought_up_to_date(
 }
 
 /// What only stood between comes back into view where it was, whatever a search is busy with.
-std::optional<RegistrationResult> Tracker::Loop::where_it_was() {
+std::optional<Answer> Tracker::Loop::where_it_was() {
   if (!guess_) {
     return std::nullopt;
   }
-  const double spread = options_.start_joint_spread;
-  const RegistrationResult& at_a_glance = registration_.align(cloud_, *guess_, {spread, 0});
-  if (judge(at_a_glance, options_) == TrackingStatus::lost) return std::nullopt;
-  const RegistrationResult& here =
-      registration_.align(cloud_, *guess_, {spread, options_.registration.max_iterations});
-  if (judge(here, options_) != TrackingStatus::tracking) return std::nullopt;
+  const double annealing_sigma = options_.start_joint_sigma;
+  const Answer at_a_glance = registration_.align(cloud_, *guess_, {annealing_sigma, 0});
+  if (classify(at_a_glance, options_) == TrackingStatus::lost) return std::nullopt;
+  Answer here =
+      registration_.align(cloud_, *guess_, {annealing_sigma, options_.registration.max_iterations});
+  if (classify(here, options_) != TrackingStatus::tracking) return std::nullopt;
   return here;
 }
 
 /// Over their whole ranges.
-void Tracker::Loop::seek_contradicted_joints(RegistrationResult& best) {
+void Tracker::Loop::seek_contradicted_joints(Answer& best) {
   sought_joints_ = contradicted_variables(best, model_.tree, options_);
   if (!sought_joints_.empty()) {
     keep_better(acquisition_.with_joints_sought(best.at_rest, sought_joints_), options_, best);

@@ -24,11 +24,11 @@ inline constexpr double kMostModelTolerance = 0.004;
 inline constexpr double kLeastModelTolerance = 0.0015;
 /// The same across the ray. Unit: metres. Source: woodwork and printed parts. Doubled, parts that
 /// stand out by less than 24 mm no longer tell.
-inline constexpr double kOutlineTolerance = 0.005;
-/// What an outline is off by for the camera's sake, of a 640-column image. Unit: pixels. Source:
+inline constexpr double kContourTolerance = 0.005;
+/// What a contour is off by for the camera's sake, of a 640-column image. Unit: pixels. Source:
 /// its calibration, and what a sensor's window smears. Doubled, handles of two pixels no longer
 /// tell.
-inline constexpr double kOutlinePixels = 1.0;
+inline constexpr double kContourPixels = 1.0;
 
 /// What a straight contour that was foretold tells. Unit: nats. Source: where it lies and how it is
 /// turned, each to three cells of 240, and what begins there. Doubled, boxes pass for the model
@@ -47,8 +47,8 @@ inline constexpr double kFlush = 0.02;
 /// add to it, or take it away. Doubled, steps of the object that are a little higher than the
 /// model's, but not high enough there, speak against it.
 inline constexpr double kFaint = 0.5;
-/// The share of contours on the object's faces that its model lacks. Source: not recorded. Doubled,
-/// such a line costs 0.7 nats less.
+/// The share of contours on the object's faces that its model lacks. Source: not recorded; as
+/// many as are flush. Doubled, such a line costs 0.7 nats less.
 inline constexpr double kUnmodelled = 0.02;
 
 /// The share of cells beyond which a surface ends. Source: contours in rooms, of which a cell of
@@ -78,7 +78,8 @@ inline constexpr double kLeastSeen = 0.25;
 
 /// Inverse depths that a sensor measures. Unit: 1 / metre. Source: from 0.35 m on.
 inline constexpr double kInverseRange = 2.5;
-/// Within it a cell agrees with what is foretold. Unit: standard deviations. Source: not recorded.
+/// Within it a cell agrees with what is foretold. Unit: standard deviations. Source: of
+/// normal errors one in 370 is beyond it.
 inline constexpr double kAgree = 3.0;
 
 /// Places in a room and ways to be turned that can be told apart, the logarithm of their number.

@@ -12,7 +12,7 @@
 namespace lockbox {
 namespace {
 
-/// Cells from an outline at which the surfaces on its two sides are compared: beyond what its
+/// Cells from a contour at which the surfaces on its two sides are compared: beyond what its
 /// tolerance and a sensor's window smear, and as far as a surface is taken to be smooth.
 constexpr std::array kDistances{3, 5, 7, 9};
 /// Cells within which a line that single cells show is the one that is looked for.
@@ -21,7 +21,7 @@ constexpr int kNear = 5;
 constexpr int kWindow = 4;
 static_assert(kWindow * kWindow == static_cast<int>(evidence::kWindow));
 
-/// What a smooth surface with a step in it has: height, two slopes, a bend across the outline, and
+/// What a smooth surface with a step in it has: height, two slopes, a bend across the contour, and
 /// the step.
 using Surface = Eigen::Matrix<double, 5, 1>;
 constexpr int kStep = 4;
@@ -64,7 +64,7 @@ std::span<const FaintSteps::Line> FaintSteps::weigh(std::span<UnseenCell> cells,
   return lines_;
 }
 
-/// True if it lies at the model's outline, and surfaces are seen on both sides.
+/// True if it lies at the model's contour, and surfaces are seen on both sides.
 bool FaintSteps::take_samples(const UnseenCell& cell, const SceneCells& scene,
                               const ShownModel& model, const ContourLines& scene_lines) {
   if (scene_lines.passes(scene, cell.u, cell.v, kNear, cell.direction)) return false;
@@ -86,7 +86,7 @@ bool FaintSteps::take_samples(const UnseenCell& cell, const SceneCells& scene,
   return true;
 }
 
-/// A surface is fitted to both sides of the outline. It errs by what the samples are off, of which
+/// A surface is fitted to both sides of the contour. It errs by what the samples are off, of which
 /// those in one window are one.
 double FaintSteps::nats_of_samples(const SceneCells& scene) {
   windows_.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Steps that no single cell of an outline shows, but all of them together do: a board stands out
+// Steps that no single cell of a contour shows, but all of them together do: a board stands out
 // from its wall by little more than a cell's noise.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "cell_judgement.hpp"
+#include "cell_classification.hpp"
 #include "contour_lines.hpp"
 #include "scene_cells.hpp"
 
@@ -37,11 +37,11 @@ class FaintSteps {
                               const ShownModel& model, const ContourLines& scene_lines);
 
  private:
-  /// What was measured at some distance from an outline, inside or outside.
+  /// What was measured at some distance from a contour, inside or outside.
   struct Sample {
     int u;
     int v;
-    float across;  ///< cells from the outline, positive outside
+    float across;  ///< cells from the contour, positive outside
     float value;   ///< 1/metre
   };
 

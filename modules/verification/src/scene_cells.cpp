@@ -56,10 +56,10 @@ double SceneCells::deviation(double inverse_depth, const Sight& sight) const {
   return std::hypot(deviation(inverse_depth), noise_ * std::sqrt(sight.variances()));
 }
 
-int SceneCells::outline_reach(double inverse_depth) const {
+int SceneCells::contour_reach(double inverse_depth) const {
   const double cells_a_metre = camera_.fx * inverse_depth;
-  return static_cast<int>(std::ceil(evidence::kOutlineTolerance * cells_a_metre +
-                                    evidence::kOutlinePixels * width() / 640.0));
+  return static_cast<int>(std::ceil(evidence::kContourTolerance * cells_a_metre +
+                                    evidence::kContourPixels * width() / 640.0));
 }
 
 double SceneCells::density(int u, int v) const {

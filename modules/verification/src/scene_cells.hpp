@@ -75,8 +75,8 @@ class SceneCells {
   /// The same of what is foretold from two other cells.
   double deviation(double inverse_depth, const Sight& sight) const;
 
-  /// Cells by which an outline may be off, all told.
-  int outline_reach(double inverse_depth) const;
+  /// Cells by which a contour may be off, all told.
+  int contour_reach(double inverse_depth) const;
 
   /// The density of the cell's measurement, if nothing is known but its surroundings: surfaces go
   /// on from there, or something else begins, anywhere.

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "cell_judgement.hpp"
+#include "cell_classification.hpp"
 #include "contour_lines.hpp"
 #include "evidence_constants.hpp"
 #include "faint_steps.hpp"
@@ -81,7 +81,7 @@ struct Verifier::Workspace {
   std::optional<SceneCells> scene;
   std::unique_ptr<DepthRenderer> renderer;
   ShownModel shown;
-  CellJudgement judgement;
+  CellClassification classified;
   ContourLines scene_lines;
   ContourLines model_lines;
   ContourLines faint_lines;  ///< of the model, those that are hardly ones, too
@@ -131,7 +131,7 @@ void Verifier::Workspace::draw(const Configuration& configuration) {
 }
 
 Evidence Verifier::Workspace::sum_up() {
-  Evidence evidence = judgement.judge(*scene, shown, tree.bodies.size(), executor);
+  Evidence evidence = classified.classify(*scene, shown, tree.bodies.size(), executor);
   sums.resize(static_cast<std::size_t>(scene->height()));
   for (Sums& row : sums) row.clear();
   const ImageWindow& drawn = shown.image.drawn;
@@ -162,8 +162,8 @@ double Verifier::Workspace::chance_of_a_line() const {
   const ImageWindow& drawn = shown.image.drawn;
   for (int v = drawn.top; v < drawn.top + drawn.height; v += kApart) {
     for (int u = drawn.left; u < drawn.right(); u += kApart) {
-      if (judgement.at(shown.index(u, v)) != Seen::explained) continue;
-      const int reach = scene->outline_reach(shown.at(u, v));
+      if (classified.at(shown.index(u, v)) != Seen::explained) continue;
+      const int reach = scene->contour_reach(shown.at(u, v));
       all += kSights.size();
       for (const Sight& sight : kSights)
         matched += model_lines.passes(*scene, u, v, reach, sight.way());
@@ -175,7 +175,7 @@ double Verifier::Workspace::chance_of_a_line() const {
 void Verifier::Workspace::compare_row(int v) {
   Sums& sum = sums[static_cast<std::size_t>(v)];
   for (int u = shown.image.drawn.left; u < shown.image.drawn.right(); ++u) {
-    if (judgement.at(shown.index(u, v)) == Seen::nothing) continue;
+    if (classified.at(shown.index(u, v)) == Seen::nothing) continue;
     sum.evidence.occluded += of_occluder(u, v);
     compare_lines(u, v, sum);
   }
@@ -190,7 +190,7 @@ bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direc
     const int at_v = v + static_cast<int>(std::lround(static_cast<float>(beyond) * way.y()));
     if (!scene->contains(at_u, at_v) || !(scene->at(at_u, at_v) > 0.0)) return false;
     const bool is_hidden = shown.at(at_u, at_v) > 0.0
-                               ? judgement.at(shown.index(at_u, at_v)) == Seen::occluder
+                               ? classified.at(shown.index(at_u, at_v)) == Seen::occluder
                                : scene->at(at_u, at_v) > nearest;
     if (is_hidden) return false;
   }
@@ -201,11 +201,11 @@ bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direc
 /// the model against it in so far as the scene goes on there.
 void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
   const std::size_t cell = shown.index(u, v);
-  if (judgement.at(cell) != Seen::explained) return;
-  if (!judgement.tells(shown.image.id[cell])) return;
+  if (classified.at(cell) != Seen::explained) return;
+  if (!classified.tells(shown.image.id[cell])) return;
   const Eigen::Vector2f& of_scene = scene_lines.direction(cell);
   const Eigen::Vector2f& of_model = model_lines.direction(cell);
-  const int reach = scene->outline_reach(shown.at(u, v));
+  const int reach = scene->contour_reach(shown.at(u, v));
   if (!of_scene.isZero()) {
     const int length = scene_lines.cells_of_line(cell);
     const double share = worth(length) / length;
@@ -225,12 +225,12 @@ void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
 
 /// Of an occluder's cell.
 double Verifier::Workspace::of_occluder(int u, int v) const {
-  if (judgement.at(shown.index(u, v)) != Seen::occluder) return 0.0;
+  if (classified.at(shown.index(u, v)) != Seen::occluder) return 0.0;
   double nats = 0.0;
   for (const auto& [du, dv] :
        {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0), std::pair(0, -1)}) {
     if (!scene->contains(u + du, v + dv)) continue;
-    const Seen there = judgement.at(shown.index(u + du, v + dv));
+    const Seen there = classified.at(shown.index(u + du, v + dv));
     if (there == Seen::explained || there == Seen::behind) nats -= evidence::kOccluderEdge;
   }
   return nats;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kCellSize = SamplingDensity::kCellSize;
 constexpr float kBend = 1.5e-5F;  // 1 / metre, from pixel to pixel of the view: 0.02 mm at 1.2 m
-/// Times the cut: how far off the face may be expected.
+/// Times the gate: how far off the face may be expected.
 constexpr double kReachOfCut = 2.0;
 constexpr int kRowsOfCells = 2;    // of a band
 constexpr int kCellsTogether = 4;  // along a band, for one tile
@@ -160,7 +160,7 @@ class BlockAverages::Band {
                                 static_cast<std::size_t>(u * scale);
     const auto depth = static_cast<double>(expected);
     const double sigma = scene.options.noise.sigma_z(depth) / depth;
-    const double gate = scene.options.cut * sigma;
+    const double gate = scene.options.gate * sigma;
     const std::size_t apart = std::max<std::size_t>(1, side / kRowsOfMean);
     const auto rows = static_cast<float>(apart);
     const kernels::PooledDeviation pooled = kernels::pool_deviations(

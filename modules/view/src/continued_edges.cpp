@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lockbox/view/outline.hpp"
+#include "lockbox/view/contour.hpp"
 
 namespace lockbox {
 namespace {
@@ -22,13 +22,13 @@ constexpr double kLeastReach = 0.02;
 /// it.
 constexpr double kGoesOn = 1.25;
 constexpr double kDiffers = 2.0 * kGoesOn;
-/// The share of a surface's pixels that noise leaves within the cut: all but a tenth of outliers.
+/// The share of a surface's pixels that noise leaves within the gate: all but a tenth of outliers.
 constexpr double kLeastNear = 0.9;
 /// Standard deviations of what is level: a seam between bodies.
 constexpr double kLevel = 0.1;
 /// Tri-linear distances turn normals within so many voxels of an edge.
 constexpr double kRoundedVoxels = 2.0;
-/// The share of its outline that goes on beyond a body which is flush with something: one side of
+/// The share of its contour that goes on beyond a body which is flush with something: one side of
 /// four. Beyond the edge of one that has moved on, its own surface goes on.
 constexpr double kLeastFlush = 0.25;
 constexpr int kLeastLength = 3;  // pixels of the view: less has no farther half
@@ -60,23 +60,23 @@ bool comes_level(const RenderedDepth& view, const TangentPlane& plane, const Pix
 /// What lies on both sides of the plane is not one surface that goes on in it, whatever its mean.
 class Behind {
  public:
-  explicit Behind(double cut) : cut_(cut) {}
+  explicit Behind(double gate) : gate_(gate) {}
 
   void add(double behind, bool is_far) {
     sum_ += behind;
     ++count_;
-    near_ += std::abs(behind) < cut_ ? 1 : 0;
+    near_ += std::abs(behind) < gate_ ? 1 : 0;
     far_sum_ += is_far ? behind : 0.0;
     far_count_ += is_far ? 1 : 0;
   }
   bool knows(int length) const { return 2 * count_ >= length && 4 * far_count_ >= length; }
-  double mean() const { return is_one_surface() ? sum_ / count_ : cut_; }
-  double far_mean() const { return is_one_surface() ? far_sum_ / far_count_ : cut_; }
+  double mean() const { return is_one_surface() ? sum_ / count_ : gate_; }
+  double far_mean() const { return is_one_surface() ? far_sum_ / far_count_ : gate_; }
 
  private:
   bool is_one_surface() const { return near_ >= kLeastNear * count_; }
 
-  double cut_;
+  double gate_;
   double sum_ = 0.0;
   double far_sum_ = 0.0;
   int count_ = 0;
@@ -151,7 +151,7 @@ void ContinuedEdges::look_along(const VisibleSurface& surface, const ViewEdges& 
   }
 }
 
-/// Where little of a body's outline goes on, the body may have moved on from where it was
+/// Where little of a body's contour goes on, the body may have moved on from where it was
 /// predicted, and what goes on is its own surface, which it must follow.
 void ContinuedEdges::find_flush_bodies(const RenderedDepth& view) {
   going_on_.assign(is_flush_.size(), 0);
@@ -202,7 +202,7 @@ void ContinuedEdges::look_across(const VisibleSurface& surface, const TiledCloud
   const auto stretch =
       static_cast<std::size_t>(kWays * (v / kStretchCell * columns_ + u / kStretchCell) + way);
   // Noise along the ray takes points of the face so far behind it that its side is nearer.
-  const double noisy = options_.cut * options_.noise.sigma_z(depth);
+  const double noisy = options_.gate * options_.noise.sigma_z(depth);
   Walk beyond{u, v, way, pixels(reach_) + 1, pixels(std::max(rounded, noisy)), stretch};
   if (walk(surface, cloud, plane, beyond)) row.walks.push_back(beyond);
 }
@@ -222,7 +222,7 @@ bool ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
   const std::int16_t body = view.id[view.index(walk.u, walk.v)];
   const double noise = options_.noise.sigma_z(depth);
   const auto behind = [&](double z, double goes_on) {
-    return std::clamp((z - goes_on) / noise, -options_.cut, options_.cut);
+    return std::clamp((z - goes_on) / noise, -options_.gate, options_.gate);
   };
   const auto measured_at = [&](int u, int v) {
     const Pixel seen = surface.camera_pixel(u, v);
@@ -232,8 +232,8 @@ bool ContinuedEdges::walk(const VisibleSurface& surface, const TiledCloud& cloud
   };
   // An edge that something else hides tells nothing.
   const double here = measured_at(walk.u, walk.v);
-  if (here > 0.0 && !(std::abs(behind(here, depth)) < options_.cut)) return false;
-  Behind measured(options_.cut);
+  if (here > 0.0 && !(std::abs(behind(here, depth)) < options_.gate)) return false;
+  Behind measured(options_.gate);
   double predicted = 0.0;
   for (int k = 1; k <= walk.length; ++k) {
     const int u = walk.u + k * du;

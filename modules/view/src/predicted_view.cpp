@@ -54,18 +54,18 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   surface_.predict(*points_, continued_, executor, prediction_);
 }
 
-/// What is taken from the view, at once: samples, outlines, and points if they are pooled.
+/// What is taken from the view, at once: samples, contours, and points if they are pooled.
 void PredictedView::gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_pooled,
                            const ViewOptions& options, const Executor& executor) {
   samples_.choose(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
-  const OutlinePoints::Scene outlined{
-      model, surface_, view_edges_, continued_, detail_.outline_spacing, options};
+  const ContourPoints::Scene contourd{
+      model, surface_, view_edges_, continued_, detail_.contour_spacing, options};
   const BlockAverages::Scene pooled{cloud, surface_, plan_.density(),
                                     point_budget_ > 0 ? kLeastSpacing : 1, options};
-  outlines_.begin(surface_.view());
+  contours_.begin(surface_.view());
   pooled_.begin(plan_.density());
   executor.for_each(
-      {{outlines_.bands(), [&](std::size_t i) { outlines_.find_band(outlined, i); }},
+      {{contours_.bands(), [&](std::size_t i) { contours_.find_band(contourd, i); }},
        {is_pooled ? pooled_.bands() : 0, [&](std::size_t i) { pooled_.fill_band(pooled, i); }},
        {samples_.rows(), [&](std::size_t i) { samples_.place_row(surface_, i); }}});
   samples_.finish();

@@ -11,10 +11,10 @@ constexpr int kMostColumns = 640;             // the same: one ray a pixel for c
 constexpr std::size_t kEnoughPoints = 20000;  // more tell where they are, but nothing of the view
 constexpr std::size_t kRaysToPoints = 2;
 /// With fewer points, which can only be asked for the sake of time, edges are compared only where
-/// they tell most about joints, and outlines are looked at at every other pixel.
+/// they tell most about joints, and contours are looked at at every other pixel.
 constexpr std::size_t kForAllEdges = 2000;
-constexpr std::size_t kTilesPerJoint = 30;
-/// With fewer, not at all, and outlines are looked at at every fourth pixel.
+constexpr std::size_t kPatchesPerJoint = 30;
+/// With fewer, not at all, and contours are looked at at every fourth pixel.
 constexpr std::size_t kForEdges = 1000;
 
 /// Pixels of the rectangle around all that the image may show of the model.
@@ -44,8 +44,8 @@ ViewDetail view_detail(std::size_t point_budget) {
       point_budget > 0 ? std::min(point_budget, kEnoughPoints) : kEnoughPoints;
   const std::size_t rays = kRaysToPoints * points;
   if (points < kForEdges) return {rays, 4, 0};
-  if (points < kForAllEdges) return {rays, 2, kTilesPerJoint};
-  return {rays, 1, kAllTiles};
+  if (points < kForAllEdges) return {rays, 2, kPatchesPerJoint};
+  return {rays, 1, kAllPatches};
 }
 
 int view_columns(std::size_t rays, const ArticulatedModel& model, const BodyPoses& T_camera_body,

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "lockbox/kernels/outlines.hpp"
+#include "lockbox/kernels/contours.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr float kRelief = 1.5e-3F;  // of the depth: a bend or a step within a body
+constexpr float kLeastStep = 1.5e-3F;  // of the depth: a bend or a step within a body
 constexpr std::size_t kEdgeRowsPerChunk = 8;
 
 }  // namespace
@@ -33,9 +33,10 @@ void ViewEdges::find_in_row(const RenderedDepth& view, int v, Row& row) {
   const std::size_t below = view.index(0, std::min(v + 1, view.height - 1));
   const float* z = view.depth.data();
   const std::int16_t* label = view.id.data();
-  row.count = kernels::find_edges(
-      {z + above, z + here, z + below}, {label + above, label + here, label + below},
-      static_cast<std::size_t>(first), static_cast<std::size_t>(end), kRelief, row.columns.data());
+  row.count = kernels::find_edges({z + above, z + here, z + below},
+                                  {label + above, label + here, label + below},
+                                  static_cast<std::size_t>(first), static_cast<std::size_t>(end),
+                                  kLeastStep, row.columns.data());
 }
 
 }  // namespace lockbox

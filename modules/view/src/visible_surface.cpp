@@ -84,7 +84,7 @@ void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_ca
   for (std::size_t b = 0; b < T_camera_body.size(); ++b) {
     T_body_camera_[b] = T_camera_body[b].inverse();
   }
-  measure_outline_distance(executor);
+  measure_contour_distance(executor);
   label_pixels(executor);
 }
 
@@ -104,12 +104,12 @@ void VisibleSurface::find_view_pixels() {
 }
 
 /// City-block distances, which are separable: along rows, then along columns.
-void VisibleSurface::measure_outline_distance(const Executor& executor) {
+void VisibleSurface::measure_contour_distance(const Executor& executor) {
   const ImageWindow& drawn = image_.drawn;
-  outline_distance_.resize(image_.id.size());
+  contour_distance_.resize(image_.id.size());
   const auto width = static_cast<std::size_t>(image_.width);
   const auto row_at = [&](std::size_t row) {
-    return outline_distance_.data() + image_.index(drawn.left, drawn.top) + row * width;
+    return contour_distance_.data() + image_.index(drawn.left, drawn.top) + row * width;
   };
   const auto rows = static_cast<std::size_t>(drawn.height);
   const auto columns = static_cast<std::size_t>(drawn.width);
@@ -152,7 +152,7 @@ void VisibleSurface::label_row(int v) {
   const int nearest_v = std::clamp(v, drawn.top, drawn.bottom() - 1);
   const int rows = std::abs(v - nearest_v);
   const std::int16_t* __restrict id = image_.id.data() + image_.index(0, nearest_v);
-  const std::uint8_t* __restrict distance = outline_distance_.data() + image_.index(0, nearest_v);
+  const std::uint8_t* __restrict distance = contour_distance_.data() + image_.index(0, nearest_v);
   std::int16_t* __restrict label = label_.data() + image_.index(0, v);
   const auto beside = [](int pixels) {
     return static_cast<std::int16_t>(std::max<int>(kFarthestLabel, -1 - pixels));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSamplesAPixel = 2;  // along each axis; smooths the edges
 constexpr float kAmbient = 0.35F;
-constexpr float kOutline = 0.45F;
+constexpr float kContour = 0.45F;
 /// A step in depth of this share of the distance is an edge that is worth a line.
 constexpr float kDepthStep = 0.002F;
 
@@ -100,7 +100,7 @@ Eigen::Vector3f ModelPainter::color_of_sample(int u, int v) const {
   const Eigen::Vector3f& color = color_of_item_[static_cast<std::size_t>(rendered_.id[i])];
   const Eigen::Vector3f normal = normal_at(rendered_, renderer_.camera(), u, v);
   float light = kAmbient + (1.0F - kAmbient) * std::max(0.0F, normal.dot(to_light));
-  if (is_edge(rendered_, u, v)) light *= kOutline;
+  if (is_edge(rendered_, u, v)) light *= kContour;
   return color * light;
 }
 

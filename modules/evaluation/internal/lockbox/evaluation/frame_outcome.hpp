@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lockbox/evaluation/judgement_count.hpp"
+#include "lockbox/evaluation/status_count.hpp"
 #include "lockbox/evaluation/tolerances.hpp"
 #include "lockbox/model/states_file.hpp"
 #include "lockbox/tracking/tracker.hpp"
@@ -31,7 +31,7 @@ struct FrameOutcome {
   bool is_wrongly_trusted() const { return status == TrackingStatus::tracking && !is_right(); }
 };
 
-JudgementCount count_judgements(const std::vector<FrameOutcome>& frames);
+StatusCount count_statuses(const std::vector<FrameOutcome>& frames);
 
 FrameOutcome compare(const KinematicTree& tree, const TrackingResult& result, const State& truth);
 

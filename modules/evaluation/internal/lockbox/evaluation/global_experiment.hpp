@@ -50,8 +50,8 @@ class GlobalExperiment {
   GlobalResult search_scene(std::uint64_t number);
 
  private:
-  void compare_with_truth(const RegistrationResult& found, const State& truth,
-                          const Eigen::VectorXd& bound, GlobalResult& result) const;
+  void compare_with_truth(const Answer& found, const State& truth, const Eigen::VectorXd& bound,
+                          GlobalResult& result) const;
 
   const ArticulatedModel& model_;
   PinholeCamera camera_;

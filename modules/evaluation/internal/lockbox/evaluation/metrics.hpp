@@ -9,8 +9,8 @@
 
 #include "lockbox/evaluation/bounds_file.hpp"
 #include "lockbox/evaluation/equal_poses.hpp"
-#include "lockbox/evaluation/judgement_count.hpp"
 #include "lockbox/evaluation/statistics.hpp"
+#include "lockbox/evaluation/status_count.hpp"
 #include "lockbox/evaluation/tolerances.hpp"
 #include "lockbox/model/kinematic_tree.hpp"
 #include "lockbox/model/states_file.hpp"
@@ -47,7 +47,7 @@ struct Evaluation {
   Statistics translation;            ///< metres, over frames that determine it
   Statistics rotation;               ///< radians
   std::vector<JointSummary> joints;  ///< in the order of the file
-  JudgementCount judgement;
+  StatusCount statuses;
 };
 
 /// Pairs each reference state with the estimate nearest in time, at most half a frame away (half

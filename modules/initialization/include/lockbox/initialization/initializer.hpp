@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where is it? From one frame and the model alone, without a guess.
 //
-// Flat pieces of the scene are matched with the flat sides of the model by the relief over them;
+// Flat pieces of the scene are matched with the flat sides of the model by the template over them;
 // the best poses are judged by drawing them, refined, their joints scanned, refined together, and
 // judged again by what they explain and what they contradict (docs/initialization.md).
 #pragma once

@@ -11,16 +11,16 @@
 
 namespace lockbox::kernels {
 
-inline constexpr std::size_t kMostPatchColumns = kLanes;
+inline constexpr std::size_t kMostTileColumns = kLanes;
 
 /// Rows and columns of a depth image in metres, 0 where nothing is known.
-struct DepthPatch {
+struct DepthTile {
   const float* depth;      ///< of its first pixel
-  const float* ray_x;      ///< by column, metres per metre of depth; kMostPatchColumns of them
+  const float* ray_x;      ///< by column, metres per metre of depth; kMostTileColumns of them
   const float* ray_y;      ///< by row
   std::uint32_t pixel;     ///< number of its first pixel
   std::uint32_t next_row;  ///< pixels from row to row
-  std::size_t columns;     ///< at most kMostPatchColumns
+  std::size_t columns;     ///< at most kMostTileColumns
   std::size_t rows;
 };
 
@@ -39,6 +39,6 @@ struct PointBounds {
 };
 
 /// Writes the points of the known pixels, row by row, and their bounds; returns how many.
-std::size_t back_project(const DepthPatch& patch, const PointSlots& slots, PointBounds& bounds);
+std::size_t back_project(const DepthTile& tile, const PointSlots& slots, PointBounds& bounds);
 
 }  // namespace lockbox::kernels

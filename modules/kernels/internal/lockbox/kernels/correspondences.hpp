@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inner loops of the free-space term: points of a body that are pulled to targets along fixed
+// The inner loops of the free-space term: points of a body and targets along fixed
 // directions.
 //
 // Written once with Highway, compiled for every instruction set, chosen at run time.
@@ -27,8 +27,8 @@ struct CorrespondenceSpan {
 /// What is assumed of residuals: Gaussian, with so much more variance (m^2) than by noise, or
 /// outliers beyond so many standard deviations.
 struct CorrespondenceLoss {
-  float spread2;
-  float cut;
+  float annealing_variance;
+  float gate;
 };
 
 struct CorrespondenceSums {

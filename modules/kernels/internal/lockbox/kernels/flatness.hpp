@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "lockbox/kernels/outlines.hpp"
+#include "lockbox/kernels/contours.hpp"
 
 namespace lockbox::kernels {
 

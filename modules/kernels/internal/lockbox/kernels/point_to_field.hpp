@@ -43,13 +43,13 @@ struct PointNoise {
   float depth_floor;          ///< metres
   float depth_quadratic;      ///< 1 / metre
   float lateral;              ///< metres per metre of depth: pixels / focal length
-  float spread;               ///< metres: how far off the configuration may still be (annealing)
+  float annealing_sigma;      ///< metres: how far off the configuration may still be (annealing)
   float depth_linear = 0.0F;  ///< metres a metre
 };
 
 /// What the points of a tile see in one body's field. Arrays of PointSpan::size.
 struct FieldHits {
-  float* distance;          ///< metres; kPadding off the field, which is beyond any cut
+  float* distance;          ///< metres; kPadding off the field, which is beyond any gate
   float* nearest;           ///< the same, to the nearest surface whatever won
   float* normal[3];         ///< gradient of the distance, body frame
   float* position[3];       ///< the point, or q of its plane, body frame
@@ -72,13 +72,13 @@ struct BodyPlanes {
 inline constexpr float kNoPlane = 1e30F;
 
 /// Distance, gradient and variance of every point. The variance is that of the point along the
-/// gradient n: (n.r)^2 sigma_z^2 + (|n|^2 - (n.r)^2 / |r|^2) sigma_lateral^2 + spread^2 with the
-/// ray r = p / z. Points beyond the field, or whose nearest surface faces away from the camera,
-/// get inverse_variance 0.
+/// gradient n: (n.r)^2 sigma_z^2 + (|n|^2 - (n.r)^2 / |r|^2) sigma_lateral^2 + annealing_sigma^2
+/// with the ray r = p / z. Points beyond the field, or whose nearest surface faces away from the
+/// camera, get inverse_variance 0.
 ///
 /// Noise along the ray is larger than across it, and may carry a point closer to another surface
 /// than to the one that it was measured on. Where that is predicted to be this body's, at q on the
-/// point's ray within cut standard deviations, the nearest surface competes with the plane there,
+/// point's ray within gate standard deviations, the nearest surface competes with the plane there,
 /// distance(q) + n(q).(p - q): that of the two wins near which a measurement is more likely. The
 /// density of measurements near a surface is that of the noise, thinned as it turns from the
 /// camera:
@@ -88,11 +88,11 @@ inline constexpr float kNoPlane = 1e30F;
 /// Planes that win are written to `planes`, other points are left as they are there. has_planes:
 /// whether an earlier body left any; the first ones set all offsets.
 ///
-/// A point that lies more than cut standard deviations, and 50 mm, before what its pixel is
+/// A point that lies more than gate standard deviations, and 50 mm, before what its pixel is
 /// predicted to show of the body gets inverse_variance 0, too: something else stands there, however
 /// near to another side of the body.
 void look_up(const FieldView& field, const RigidMotion& body_from_camera, const PointNoise& noise,
-             const PointSpan& points, const PredictedPixels& predicted, float body, float cut,
+             const PointSpan& points, const PredictedPixels& predicted, float body, float gate,
              const FieldHits& hits, const BodyPlanes& planes, bool& has_planes);
 
 /// The distances under the selection of an earlier look_up: to the body's planes where there are
@@ -120,16 +120,16 @@ struct Candidates {
   const float* visible;                            ///< by point: PredictedPixels::body
   const float* pooled;                             ///< by point: pixels that it is the mean of
   float reach;  ///< metres beside the predicted bodies where points may still be theirs
-  float cut;
+  float gate;
   float visible_odds;
 };
 
 /// The cost of a point: minus the logarithm of a mixture of Gaussians, one a body, and outliers,
 ///
-///   E = -log(e^-c + sum_l odds_l exp(-s_l / 2)),   s_l = distance_l^2 / variance_l,  c = cut^2
+///   E = -log(e^-c + sum_l odds_l exp(-s_l / 2)),   s_l = distance_l^2 / variance_l,  c = gate^2
 ///   / 2.
 ///
-/// For a single body it is s / 2 up to about the cut and c beyond it; among several it is their
+/// For a single body it is s / 2 up to about the gate and c beyond it; among several it is their
 /// soft minimum, which has no winner among equals. A body that is predicted to be what the point's
 /// pixel shows has odds `visible_odds`, others 1: where two bodies meet, both are near, and only
 /// visibility tells which one was measured. Points beyond reach have odds 0: no body can be there.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where rays that pass close beside a body touch it: points of its outline.
+// Where rays that pass close beside a body touch it: points of its contour.
 //
 // Written once with Highway, compiled for every instruction set, chosen at run time.
 #pragma once

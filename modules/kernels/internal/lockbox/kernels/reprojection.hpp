@@ -47,7 +47,7 @@ void land(const PointSpan& points, const RigidMotion& camera_from_body, const Me
 /// Writes the numbers, in order, of the points whose measured depth exceeds the expected one by
 /// more than zone standard deviations, and of those that are undecided; returns how many. count: of
 /// the points that are no padding, and the least size of the array.
-std::size_t seen_through(const Landings& landings, std::size_t count, const PointNoise& noise,
-                         float zone, std::uint32_t* result);
+std::size_t free_space_violations(const Landings& landings, std::size_t count,
+                                  const PointNoise& noise, float zone, std::uint32_t* result);
 
 }  // namespace lockbox::kernels

@@ -18,12 +18,12 @@ class Executor;
 class MotionMetric;
 class TiledCloud;
 
-/// Gates begin with the spread and end with the sensor's noise alone.
+/// Gates begin with the annealing sigma and end with the sensor's noise alone.
 struct AlignOptions {
-  double spread = 0.0;       ///< metres: how far surfaces may be from where the start puts them
-  int iterations = 3;        ///< linearisations, at most
-  bool hold_joints = false;  ///< move the base only
-  int narrowing = 0;         ///< linearisations until the spread is gone; 0: all of them
+  double annealing_sigma = 0.0;  ///< metres: how far surfaces may be from where the start puts them
+  int iterations = 3;            ///< linearisations, at most
+  bool hold_joints = false;      ///< move the base only
+  int narrowing = 0;  ///< linearisations until the annealing sigma is gone; 0: all of them
   /// The start is a prediction. Of flat faces, points are pooled (block_averages.hpp); of many
   /// points a few are enough for all iterations but the last, which follows as soon as steps are
   /// short. If its own is not, it may take twice as many linearisations again.
@@ -47,7 +47,7 @@ struct SizeMeasurement {
 /// What an alignment has found, and how sure it is of it.
 struct RegistrationResult {
   Configuration configuration;  ///< the estimate
-  /// Before the last step, in which outlines weigh more (docs/mathematics.md): where to begin the
+  /// Before the last step, in which contours weigh more (docs/mathematics.md): where to begin the
   /// next time.
   Configuration at_rest;
   Eigen::MatrixXd covariance;      ///< of (base twist, variables); twist in the base's frame
@@ -59,7 +59,7 @@ struct RegistrationResult {
   double base_turning_sigma = 0.0;
   Agreement agreement;                    ///< of the whole model with the image
   std::vector<Agreement> body_agreement;  ///< by body
-  OutlineAgreement outline;               ///< what the image shows beyond the outline
+  ContourAgreement contour;               ///< what the image shows beyond the contour
   /// By body: whether it is flush with what is around it, so that its edges tell little or nothing
   /// (continued_edges.hpp). Empty for clouds without an image.
   std::vector<bool> flush_bodies;
@@ -71,10 +71,6 @@ struct RegistrationResult {
   int iterations = 0;             ///< linearisations that were made
   /// Metres that the last iteration moved surfaces, at most, beyond what noise does: 0 at rest.
   double last_move = 0.0;
-  /// Metres to where the base may be as well, if a search of the whole view could not tell; else 0.
-  double rival_distance = 0.0;
-  /// The probability that this is the object, where the image was asked for it; else 0.
-  double belief = 0.0;
   bool converged = false;  ///< whether the last step was within RegistrationOptions::step_tolerance
 };
 
@@ -89,9 +85,14 @@ class ArticulatedRegistration {
   ArticulatedRegistration(ArticulatedRegistration&&) noexcept;
   ArticulatedRegistration& operator=(ArticulatedRegistration&&) noexcept;
 
-  /// The result is valid until the next call. A cloud without an image has no free-space term.
-  const RegistrationResult& align(const TiledCloud& cloud, const Configuration& start,
-                                  const AlignOptions& annealing);
+  /// Aligns the model with the cloud, from the start on. A cloud without an image has no free-space
+  /// term.
+  RegistrationResult align(const TiledCloud& cloud, const Configuration& start,
+                           const AlignOptions& align_options);
+
+  /// The same, into a result whose memory is used again.
+  void align(const TiledCloud& cloud, const Configuration& start, const AlignOptions& align_options,
+             RegistrationResult& result);
 
   /// In the cloud of the last alignment, of a configuration that was found there. A cloud without
   /// an image tells nothing. No later alignment depends on it.

@@ -20,14 +20,14 @@ struct RegistrationOptions : TermOptions, CollisionOptions {
   /// (docs/benchmarks.md).
   std::size_t point_budget = 20000;
 
-  /// As noise_correlation, of pixels of an outline, in the last step: there each is a witness
-  /// almost by itself. Unit: pixels. Source: docs/mathematics.md; 1 to 3.3 do
+  /// As noise_correlation, of pixels of a contour, in the refinement: there each errs almost
+  /// by itself. Unit: pixels. Source: docs/mathematics.md; 1 to 3.3 do
   /// nearly the same.
-  double outline_correlation = 2.0;
+  double contour_correlation = 2.0;
 
   /// Look for joints whose parts do not stand out of the noise in the image itself
-  /// (low_relief.hpp). Source: docs/mathematics.md.
-  bool sight_low_relief = true;
+  /// (low_prominence.hpp). Source: docs/mathematics.md.
+  bool match_low_prominence = true;
 
   /// Take a last step by the likelihood of the image at the model's own edges (edge_term.hpp),
   /// unless the point budget is below 1,000. Source: docs/mathematics.md.

@@ -4,7 +4,7 @@
 // what it is, and a systematic floor: what no amount of data averages away, and by how much the
 // tiles show the object to be unlike its model.
 //
-// The estimate has followed the noise of the tiles that determine it, so their pulls at the
+// The estimate has followed the noise of the tiles that determine it, so gradients at the
 // solution are smaller than the noise was: of E[g g'] = c H_t there remains c (H_t - H_t H^-1 H_t).
 // The rest is put back (as in Bell and McCaffrey 2002), with c measured over all tiles; for a part
 // that a single tile sees, it is all there is.
@@ -44,8 +44,9 @@ class CovarianceEstimator {
   /// Of another source, after information().
   void add_information(const Eigen::MatrixXd& information);
 
-  /// Ends an estimate. levers: metres that surfaces move for a unit of each unknown, at most.
-  void add_floors(const Eigen::VectorXd& levers);
+  /// Ends an estimate. motion_scales: metres that surfaces move for a unit of each unknown, at
+  /// most.
+  void add_floors(const Eigen::VectorXd& motion_scales);
 
   /// Of (base twist, variables). What follows is valid after add_floors().
   const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -77,7 +78,7 @@ class CovarianceEstimator {
     double expected;
     int tiles;
   };
-  /// Of tiles: how much more they pull than noise makes them, and would if they were a metre off.
+  /// Of tiles: how much gradients exceed those of noise, and would if they were a metre off.
   struct Excess {
     double squares = 0.0;
     double of_metre = 0.0;

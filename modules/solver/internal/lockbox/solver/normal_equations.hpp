@@ -63,7 +63,7 @@ struct NormalEquations {
 
   void set_zero(Eigen::Index unknowns);
 
-  /// The information about an unknown, and what pulls it.
+  /// The information about an unknown, and its gradient.
   void forget(Eigen::Index unknown);
 
   /// Adds a body's (or a relative) system through its Jacobian, 6 x unknowns.

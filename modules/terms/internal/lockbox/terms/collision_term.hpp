@@ -45,28 +45,33 @@ class CollisionTerm {
 
   const std::vector<CollisionPair>& pairs() const { return pairs_; }
 
-  /// Adds lambda times the term to the equations (if given) and returns lambda times its cost.
-  double evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body,
-                  NormalEquations* equations);
+  /// Adds lambda times the term to the equations, and returns lambda times its cost.
+  double linearize(const ArticulatedModel& model, const BodyPoses& T_camera_body,
+                   NormalEquations& equations);
+
+  /// lambda times the cost.
+  double cost(const ArticulatedModel& model, const BodyPoses& T_camera_body);
 
   /// lambda times the cost of the pairs of which one body is marked and the other is not, by body:
   /// what a joint that moves the marked ones can change.
   double cost_between(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                       const std::vector<std::uint8_t>& moved);
 
-  /// evaluate() for who has a loop to share: how many parts there are, none where the term was
-  /// evaluated last; each of them, by any thread; and what they sum up to.
+  /// Both for who has a loop to share: how many parts there are, none where the term was evaluated
+  /// last; each of them, by any thread; and what they sum up to, added to the equations if given.
   std::size_t begin(const BodyPoses& T_camera_body);
   void evaluate_part(const ArticulatedModel& model, const BodyPoses& T_camera_body, std::size_t i);
   double sum_up(const ArticulatedModel& model, const BodyPoses& T_camera_body,
                 NormalEquations* equations);
 
  private:
+  void evaluate(const ArticulatedModel& model, const BodyPoses& T_camera_body);
+
   /// Of a pair, one body's samples in the other's field.
   struct Half {
     double cost = 0.0;
     BodySystem system;
-    std::vector<ClearWay> clear_ways;  ///< by patch of the surface
+    std::vector<ClearWay> clear_ways;  ///< by group of the surface
   };
 
   struct Erosion {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which tiles of an image show edges of the model, as far as a view of it tells; and if there is
+// Which patches of an image show edges of the model, as far as a view of it tells; and if there is
 // time for a few only, which of them tell most about joints.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/core/pinhole_camera.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/terms/edge_tile.hpp"
+#include "lockbox/terms/edge_patch.hpp"
 #include "lockbox/view/visible_surface.hpp"
 
 namespace lockbox {
@@ -18,7 +18,7 @@ namespace lockbox {
 /// Reuses its buffers.
 class EdgeSelection {
  public:
-  static constexpr int kSide = EdgeTile::kSide;  ///< of a tile, pixels of the camera
+  static constexpr int kSide = EdgePatch::kSide;  ///< of a patch, pixels of the camera
 
   /// Tiles in whose pixels the inverse depth of the view bends by more than this (1/metre), or
   /// breaks. camera: that for which the surface was drawn.
@@ -32,18 +32,18 @@ class EdgeSelection {
                  const std::vector<std::vector<int>>& variables, float variance,
                  std::size_t of_each_variable, const Executor& executor);
 
-  /// Rows of tiles, from the image's first on; the last may reach beyond the image.
+  /// Rows of patches, from the image's first on; the last may reach beyond the image.
   std::size_t rows() const { return rows_.size(); }
-  /// Of a row the columns of tiles that were selected, from left to right.
+  /// Of a row the columns of patches that were selected, from left to right.
   const std::vector<int>& columns(std::size_t row) const { return rows_[row].columns; }
 
  private:
   struct Row {
     std::vector<std::int32_t> bends;       ///< of a row of the view: the columns of pixels
-    std::vector<Pixel> edges;              ///< pixels of the view in these tiles that bend
-    std::vector<std::uint8_t> shows_edge;  ///< by tile
-    std::vector<int> candidates;           ///< tiles that show an edge, in order
-    std::vector<float> scores;             ///< by tile and variable
+    std::vector<Pixel> edges;              ///< pixels of the view in these patches that bend
+    std::vector<std::uint8_t> shows_edge;  ///< by patch
+    std::vector<int> candidates;           ///< patches that show an edge, in order
+    std::vector<float> scores;             ///< by patch and variable
     std::vector<int> columns;
   };
   struct Score {
@@ -61,7 +61,7 @@ class EdgeSelection {
   int columns_ = 0;
   std::size_t variables_ = 0;
   std::vector<Row> rows_;
-  std::vector<Score> scores_;  ///< of all tiles, for one variable
+  std::vector<Score> scores_;  ///< of all patches, for one variable
 };
 
 }  // namespace lockbox

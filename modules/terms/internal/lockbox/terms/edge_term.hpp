@@ -4,11 +4,11 @@
 // of neighbouring pixels go together, so that small steps between them are exact.
 //
 // The likelihood of the measured inverse depths d, chi^2 = r' C^-1 r with r = d -
-// mean(configuration) (edge_tile.hpp, tile_noise.hpp), and its derivative. Only the pixels around
-// edges count, in tiles of 8 x 8 pixels: elsewhere points tell as much, and outlines before
-// anything that is not of the model have an unknown side. Where the tiles are, a coarse view tells
-// (edge_selection.hpp); only they are drawn closely. Good for the last step: from farther than an
-// edge is blurred, it leads nowhere.
+// mean(configuration) (edge_patch.hpp, patch_noise.hpp), and its derivative. Only the pixels around
+// edges count, in patches of 8 x 8 pixels: elsewhere points tell as much, and contours before
+// anything that is not of the model have an unknown side. Where the patches are, a coarse view
+// tells (edge_selection.hpp); only they are drawn closely. Good for the last step: from farther
+// than an edge is blurred, it leads nowhere.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,11 +40,11 @@ class EdgeTerm {
   EdgeTerm(EdgeTerm&&) noexcept;
 
   /// Compares the image, which the cloud must have, with the model there. view: of the model where
-  /// it is, or very near; tells which tiles show edges. tiles_per_joint: of those that are
-  /// compared, for each variable those that tell most; kAllTiles, or without joints: all.
+  /// it is, or very near; tells which patches show edges. patches_per_joint: of those that are
+  /// compared, for each variable those that tell most; kAllPatches, or without joints: all.
   /// Edges beyond which the scene goes on are left out.
   void linearize(const TiledCloud& cloud, const VisibleSurface& view,
-                 const ContinuedEdges& continued, std::size_t tiles_per_joint,
+                 const ContinuedEdges& continued, std::size_t patches_per_joint,
                  const BodyPoses& T_camera_body, const std::vector<BodyJacobian>& jacobians);
 
   /// chi^2 / 2 as a function of a step (base twist, joint variables), at the configuration drawn.
@@ -86,7 +86,7 @@ class EdgeTerm {
   EdgeSelection selection_;
   const VisibleSurface* view_ = nullptr;            ///< of the last linearisation
   const ContinuedEdges* continued_ = nullptr;       ///< the same
-  std::unique_ptr<DepthRenderer> sample_renderer_;  ///< of EdgeTile::kSamples samples a pixel
+  std::unique_ptr<DepthRenderer> sample_renderer_;  ///< of EdgePatch::kSamples samples a pixel
   std::vector<std::unique_ptr<Worker>> workers_;
 
   std::vector<RenderItem> items_;

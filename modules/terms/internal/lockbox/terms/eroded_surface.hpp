@@ -20,14 +20,14 @@ struct ErodedSurface {
     double share;  ///< of the body's surface
   };
   /// Consecutive samples, which are neighbours, and the ball that they lie in.
-  struct Patch {
+  struct Group {
     std::size_t first;
     std::size_t size;  ///< padded
     Eigen::Vector3d centre;
     double radius;
   };
 
-  static constexpr std::size_t kSamplesInPatch = 32;  ///< at most
+  static constexpr std::size_t kSamplesInGroup = 32;  ///< at most
 
   /// How deep the deepest sample sits in another body, metres; 0 if none does.
   double deepest_in(const SignedDistanceField& other, const Eigen::Isometry3d& T_other_body) const;
@@ -36,7 +36,7 @@ struct ErodedSurface {
   std::vector<float> x;  ///< their p_body, padded, as the kernels read them
   std::vector<float> y;
   std::vector<float> z;
-  std::vector<Patch> patches;
+  std::vector<Group> groups;
 };
 
 /// The points of a body's mesh that erode() begins with.

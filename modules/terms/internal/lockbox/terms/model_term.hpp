@@ -2,7 +2,7 @@
 // E_model: every observed point under a bounded robust loss of its distance to the body that
 // explains it, whitened by the sensor's noise along the field's gradient (docs/mathematics.md).
 //
-//   E_model(x) = sum_p rho_softmin_l( d_l(T_l^-1 p)^2 / (n' Sigma_p n + spread^2) )
+//   E_model(x) = sum_p rho_softmin_l( d_l(T_l^-1 p)^2 / (n' Sigma_p n + annealing_sigma^2) )
 //
 // Cost: one field look-up per point and candidate body, whatever the number of joints.
 #pragma once
@@ -42,22 +42,22 @@ class ModelTerm {
   };
 
   /// Selects candidates and variances at these poses, and adds each body's system to systems.
-  /// spread: how far off the poses may still be, metres. Returns the cost relative to that of
-  /// explaining nothing (so it is negative). beside: what else may be done in the same loop.
-  double linearize(const Scene& scene, const BodyPoses& T_camera_body, double spread,
+  /// annealing_sigma: how far off the poses may still be, metres. Returns the cost relative to that
+  /// of explaining nothing (so it is negative). beside: what else may be done in the same loop.
+  double linearize(const Scene& scene, const BodyPoses& T_camera_body, double annealing_sigma,
                    std::vector<BodySystem>& systems, const Loop& beside = {});
 
   /// The cost at other poses under the selection of the last linearisation.
   double cost(const Scene& scene, const BodyPoses& T_camera_body, const Loop& beside = {});
 
   /// The same, and on the way the linearisation there: what it takes is looked up already.
-  double cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double spread,
+  double cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double annealing_sigma,
                     const Loop& beside = {});
 
   /// Makes the linearisation of cost_ahead the last one, as linearize would have done.
   double take_ahead(std::vector<BodySystem>& systems);
 
-  /// How each tile correspondences at each body: clusters of residuals for the covariance.
+  /// What each tile adds to the system of each body: clusters of residuals for the covariance.
   void append_tile_systems(std::vector<TileSystem>& systems) const;
 
   struct Totals {
@@ -90,7 +90,7 @@ class ModelTerm {
     std::vector<std::pair<int, BodySystem>> sums;         ///< of the bodies that occur
     std::array<bool, kTilesPerChunk> has_planes{};
     std::unique_ptr<float[]> planes;  ///< kPlaneNumbers arrays of kTilePoints a tile
-    double spread = 0.0;              ///< metres
+    double annealing_sigma = 0.0;     ///< metres
     double cost = 0.0;
     Totals totals;
 
@@ -100,14 +100,14 @@ class ModelTerm {
 
   void begin(const Scene& scene, const BodyPoses& T_camera_body);
   void prepare(Linearization& linearization) const;
-  void select_candidates(const Scene& scene, std::size_t chunk_index, double spread,
+  void select_candidates(const Scene& scene, std::size_t chunk_index, double annealing_sigma,
                          Chunk& chunk) const;
   void look_up(const Scene& scene, std::size_t tile, std::size_t tile_of_chunk,
                std::size_t candidate, const kernels::FieldHits& hits, Chunk& chunk) const;
   static const float* nearest_of(const Chunk& chunk, std::size_t tile_of_chunk, int body,
                                  std::span<const kernels::FieldHits> hits);
   /// Of one chunk; returns its cost under a frozen selection, if there is one.
-  double linearize_chunk(const Scene& scene, std::size_t chunk_index, double spread,
+  double linearize_chunk(const Scene& scene, std::size_t chunk_index, double annealing_sigma,
                          const Chunk* frozen, Linearization& linearization);
   void linearize_tile(const Scene& scene, std::size_t tile, std::size_t tile_of_chunk,
                       Scratch& scratch, Chunk& chunk) const;

@@ -7,7 +7,7 @@
 //   (across (c - o)_x, across (c - o)_y, along (c - o)_z).
 //
 // across = along is a larger object, or depths that are measured too long; across alone is a focal
-// length that is given too small. An outline is seen `growth` pixels too far out beside that: a
+// length that is given too small. A contour is seen `growth` pixels too far out beside that: a
 // sensor whose foreground grows.
 #pragma once
 
@@ -28,7 +28,7 @@ using SizeRow = Eigen::Matrix<double, 6 + kSizeUnknowns, 1>;
 
 /// Of a residual that changes by direction . motion as the model's point moves. base: the origin of
 /// the model's base. All in the camera's frame, metres. pixel: metres that a pixel of growth adds
-/// to the residual; 0 for what is no outline.
+/// to the residual; 0 for what is no contour.
 SizeRow size_row(const Eigen::Isometry3d& T_camera_body, const Eigen::Vector3d& base,
                  const Eigen::Vector3d& point, const Eigen::Vector3d& direction, double pixel);
 
@@ -41,11 +41,11 @@ Eigen::Vector3d size_motion(const Eigen::Vector3d& base, const Eigen::Vector3d& 
 /// off as a whole, by an unknown of its own, which is eliminated: a side tells as one witness.
 class SizeSystem {
  public:
-  /// What is off as a whole: of a body, surface (or outline) with that direction, at that place
+  /// What is off as a whole: of a body, surface (or contour) with that direction, at that place
   /// along it.
   struct Side {
     int body;
-    bool is_outline;
+    bool is_contour;
     Eigen::Vector3d direction;  ///< body frame
     double offset;              ///< metres along it
   };

@@ -23,7 +23,7 @@ struct SearchFailure {
     double explained = 0.0;         ///< shares of the model's surface that would be visible there
     double contradicted = 0.0;      ///< share of the visible surface
     double occluded = 0.0;          ///< share of the visible surface
-    double continued = 0.0;         ///< share of the outline beyond which the scene goes on
+    double continued = 0.0;         ///< share of the contour beyond which the scene goes on
     std::string contradicted_body;  ///< which the camera sees through most; empty: none
   };
 

@@ -79,10 +79,10 @@ struct TrackingResult {
   /// What the search could not tell from it, the most probable first, at most
   /// TrackerOptions::most_alternatives; empty where a search could, or none was made.
   std::vector<Alternative> alternatives;
-  ApparentSize size;        ///< over the last measurements
-  int searches = 0;         ///< how often the object was sought in the whole frame, up to now
-  Elapsed cloud_time;       ///< from depth to cloud
-  Elapsed step_time;        ///< all else: prediction, registration, judgement, searches if need be
+  ApparentSize size;   ///< over the last measurements
+  int searches = 0;    ///< how often the object was sought in the whole frame, up to now
+  Elapsed cloud_time;  ///< from depth to cloud
+  Elapsed step_time;   ///< all else: prediction, registration, classification, searches if need be
   double latency_ms = 0.0;  ///< milliseconds by the clock, from depth to result
 };
 

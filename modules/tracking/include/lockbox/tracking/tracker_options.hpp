@@ -20,19 +20,21 @@ struct TrackerOptions {
   int threads = 0;
 
   // Around a guess: first as it is, within a narrow gate; then the base alone, from where its
-  // surfaces are start_spread off, and the joints after it. Wide gates would turn and slide parts
+  // surfaces are start_sigma off, and the joints after it. Wide gates would turn and slide parts
   // onto each other.
 
   /// Points farther from the expected object are left out while the base is found: table and walls.
-  /// Unit: metres. Source: not recorded.
+  /// Unit: metres. Source: the gate around a start that is start_sigma off, 0.16 m, and a quarter
+  /// more.
   double start_margin = 0.2;
   /// How far off the base's surfaces may be at first. Unit: metres. Source: not recorded.
-  double start_spread = 0.04;
+  double start_sigma = 0.04;
   /// Iterations in which the base comes to rest from there. Unit: iterations. Source: not recorded.
   int start_iterations = 30;
   /// How far off joints may be where they are registered after the base: gates of several
-  /// centimetres turn a disk onto its neighbours. Unit: metres. Source: not recorded.
-  double start_joint_spread = 0.005;
+  /// centimetres turn a disk onto its neighbours. Unit: metres. Source: wider gates drag parts onto
+  /// each other (docs/mathematics.md).
+  double start_joint_sigma = 0.005;
   /// Iterations in which they come to rest from there. Unit: iterations. Source: not recorded.
   int start_joint_iterations = 10;
   /// The whole frame is searched where no guess helps, at the start and when lost. Source: the tool
@@ -78,17 +80,18 @@ struct TrackerOptions {
   /// The explained share of what is explained or contradicted. Source: a cabinet a quarter turn off
   /// reaches 0.89, right bodies 0.93.
   double least_agreement = 0.9;
-  /// The same of each body, for or against which at least least_body_pixels speak. Source: not
-  /// recorded.
+  /// The same of each body, for or against which at least least_body_pixels speak. Source: right
+  /// bodies have 0.93 and more, bodies that stand elsewhere 0 to 0.6 (docs/mathematics.md).
   double least_body_agreement = 0.75;
   /// So many must speak for or against a body before it is judged by itself. Unit: pixels. Source:
-  /// not recorded.
+  /// four independent witnesses, each of them noise_correlation pixels.
   double least_body_pixels = 80.0;
-  /// Of what speaks for or against a body, the share of patches behind it. Source: none of 585 and
+  /// Of what speaks for or against a body, the share of groups behind it. Source: none of 585 and
   /// 200 frames of fast motion and of steps was trusted wrongly with it.
-  double most_patches_behind = 0.03;
-  /// The share of the outline at which the scene goes on as the model's surface. Source: not
-  /// recorded.
+  double most_groups_behind = 0.03;
+  /// The share of the contour at which the scene goes on as the model's surface. Source: it
+  /// is 0.97 around a plate found in a bare wall, and up to 0.64 around boxes on tables
+  /// (docs/mathematics.md).
   double most_continued = 0.85;
   /// Surfaces that the last iteration moves farther are not where they belong. Unit: metres.
   /// Source: steps of 3 cm in a board's plane, of which 65 of 100 frames were trusted wrongly
@@ -113,13 +116,14 @@ struct TrackerOptions {
   double most_turning_sigma = 0.029;
   /// What is believed more is the object (lockbox/verification/belief.hpp): a part that contradicts
   /// the image is not known then, all else is; and what a search finds is kept even where it would
-  /// drift off if gates were wider. Source: not recorded.
+  /// drift off if gates were wider. Source: of a thousand such answers one may be wrong.
   double convincing_belief = 0.999;
   /// To ask the image takes as long as a frame. Doubled, belief lags twice as long behind what has
   /// become of the object while its status stays the same. Unit: frames. Source: asked seldom
   /// enough that one frame in twenty is not slower; two seconds.
   int frames_between_beliefs = 60;
-  /// Alternatives that are reported. Unit: answers. Source: not recorded.
+  /// Alternatives that are reported. Unit: answers. Source: the column `alternatives` of states.csv
+  /// (docs/file-formats.md).
   std::size_t most_alternatives = 3;
   /// A joint that was sought over its whole range, while less than this share of what it moves is
   /// explained, is known only by least_margin_of_hidden. Source: of five wrong joints in 1000
@@ -129,7 +133,7 @@ struct TrackerOptions {
   /// Unit: pixels. Source: the same scenes.
   double least_margin_of_hidden = 25.0;
   /// The explained share of what is explained or contradicted, below which the object is `lost`.
-  /// Source: not recorded.
+  /// Source: bodies that stand elsewhere have 0 to 0.6 (docs/mathematics.md).
   double lost_agreement = 0.60;
 };
 

@@ -6,7 +6,7 @@
 
 #include "lockbox/core/depth_frame.hpp"
 #include "lockbox/initialization/initializer.hpp"
-#include "lockbox/tracking/judgement.hpp"
+#include "lockbox/tracking/classification.hpp"
 #include "lockbox/tracking/search_failure.hpp"
 #include "lockbox/tracking/tracker.hpp"
 
@@ -14,37 +14,36 @@ namespace lockbox {
 
 /// Where to look: around a guess, if there is one, anywhere, or there first and then anywhere. A
 /// guess that somebody gave is kept where the image agrees with it, within
-/// TrackerOptions::start_spread of it, though it may not determine it: one carton among others of
+/// TrackerOptions::start_sigma of it, though it may not determine it: one carton among others of
 /// its kind is the one that was meant.
 enum class SearchScope { near, anywhere, near_first, given_first };
 
-/// Of two answers in one frame the one with more conviction (judgement.hpp), the earlier one of
-/// equals. True if that is registered.
-bool keep_better(const RegistrationResult& registered, const TrackerOptions& options,
-                 RegistrationResult& best);
+/// Of two answers in one frame the one with the higher score (classification.hpp), the earlier one
+/// of equals. True if that is the first one.
+bool keep_better(const Answer& answer, const TrackerOptions& options, Answer& best);
 
 /// It may as well stand so far away: its standard deviations say so.
-void doubt_base(double rival_distance, RegistrationResult& registered);
+void doubt_base(double rival_distance, Answer& answer);
 
 /// What a first answer has doubted is not known where it is followed to, either.
-void keep_doubts(const RegistrationResult& answer, RegistrationResult& followed);
+void keep_doubts(const Answer& answer, Answer& followed);
 
-/// Uses the tracker's registration and cloud; they and the model must outlive it.
+/// Uses the tracker's registration, and looks at its cloud; they and the model must outlive it.
 class Acquisition {
  public:
   Acquisition(const ArticulatedModel& model, const TrackerOptions& options,
-              const Executor& executor, ArticulatedRegistration& registration, TiledCloud& cloud);
+              const Executor& executor, ArticulatedRegistration& registration,
+              const TiledCloud& cloud);
 
   /// Looks until an answer is judged `tracking`. Returns the most convincing one, even if it is
   /// not; none if nothing in view resembles the model. Joints of which it is doubtful where they
-  /// are count as not observable; locked ones stand as in the guess, without it as at rest. The
-  /// cloud must hold the frame, and does so again afterwards.
-  std::optional<RegistrationResult> find(const DepthFrame& frame,
-                                         const std::optional<Configuration>& guess,
-                                         SearchScope scope);
+  /// cloud must hold the frame.; locked ones stand as in the guess, without it as at rest. The
+  /// cloud must hold the frame.
+  std::optional<Answer> find(const DepthFrame& frame, const std::optional<Configuration>& guess,
+                             SearchScope scope);
 
   /// Registers the base alone within a wide gate, then everything within a narrow one.
-  const RegistrationResult& find_near(const DepthFrame& frame, const Configuration& guess);
+  Answer find_near(const Configuration& guess);
 
   /// Whatever a search has come to, the next one begins with its first round.
   void begin_anew() { progress_ = {}; }
@@ -63,9 +62,8 @@ class Acquisition {
   const std::vector<Alternative>& alternatives() const { return alternatives_; }
 
   /// Seeks joints over their whole range and registers everything from there; those of which it is
-  /// doubtful where they are count as not observable.
-  RegistrationResult with_joints_sought(const Configuration& start,
-                                        const std::vector<int>& variables);
+  /// doubtful where they cloud must hold the frame..
+  Answer with_joints_sought(const Configuration& start, const std::vector<int>& variables);
 
   /// Seeks single joints over their whole range, see Initializer::find_joints.
   SoughtJoints find_joints(const Configuration& start, const std::vector<int>& variables);
@@ -75,24 +73,25 @@ class Acquisition {
   void note_alternatives(const Candidate& answer, const std::vector<Candidate>& candidates);
   bool is_found() const;
   SearchFailure explain(const DepthFrame& frame);
-  RegistrationResult registered(const Candidate& candidate, const AlignOptions& how);
-  bool ends_search(const Candidate& candidate, const RegistrationResult& found);
+  Answer registered(const Candidate& candidate, const AlignOptions& how);
+  bool ends_search(const Candidate& candidate, const Answer& found);
   void doubt_if_rivalled(const Candidate& answer, const std::vector<Candidate>& candidates);
-  void doubt_joints(const JointMargins& margins, RegistrationResult& registered) const;
-  bool find_from(const DepthFrame& frame, const Configuration& guess, SearchScope scope);
-  bool consider(const RegistrationResult& found);
-  bool is_enough(const RegistrationResult& found, const Configuration& guess, SearchScope scope);
+  void doubt_joints(const JointMargins& margins, Answer& answer) const;
+  bool find_from(const Configuration& guess, SearchScope scope);
+  bool consider(const Answer& found);
+  bool is_enough(const Answer& found, const Configuration& guess, SearchScope scope);
   AlignOptions narrow() const;
-  void keep_object(const Configuration& start);
+  void find_object(const Configuration& start);
   Initializer& initializer();
 
   const ArticulatedModel& model_;
   TrackerOptions options_;
   Executor executor_;
   ArticulatedRegistration& registration_;
-  TiledCloud& cloud_;
+  const TiledCloud& cloud_;
+  TiledCloud object_;                       ///< the same, but for points that cannot be the object
   std::optional<Initializer> initializer_;  ///< made when it is first needed: it draws the model
-  std::optional<RegistrationResult> best_;
+  std::optional<Answer> best_;
   std::optional<SearchFailure> failure_;
   std::vector<Alternative> alternatives_;
   SearchProgress progress_;

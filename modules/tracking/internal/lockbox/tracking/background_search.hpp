@@ -40,7 +40,7 @@ class BackgroundSearch {
   /// What was found, in the newest frame into which it could be followed, once after each search;
   /// none before its end, if nothing resembled the model, or if it was stopped. An error of the
   /// search comes out here.
-  std::optional<RegistrationResult> take();
+  std::optional<Answer> take();
 
   /// Nobody needs the answer any more. It stays busy until the search has noticed, which takes some
   /// tenths of a second.
@@ -57,11 +57,10 @@ class BackgroundSearch {
 
  private:
   struct Seeker;
-  using Answer = std::optional<RegistrationResult>;
   using Clock = std::chrono::steady_clock;
 
-  Answer find(const std::optional<Configuration>& guess, SearchScope scope);
-  void catch_up(RegistrationResult& answer);
+  std::optional<Answer> find(const std::optional<Configuration>& guess, SearchScope scope);
+  void catch_up(Answer& answer);
   bool take_newest();
 
   const ArticulatedModel& model_;
@@ -78,7 +77,7 @@ class BackgroundSearch {
   int searches_ = 0;
   std::optional<SearchFailure> failure_;
   std::vector<Alternative> alternatives_;
-  std::future<Answer> running_;  ///< last: it goes first, and waits for the search
+  std::future<std::optional<Answer>> running_;  ///< last: it goes first, and waits for the search
 };
 
 }  // namespace lockbox

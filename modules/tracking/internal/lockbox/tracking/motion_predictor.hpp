@@ -27,7 +27,7 @@ class MotionPredictor {
               double surface_error);
 
   /// How far surfaces may be from where predict() puts them, metres.
-  double spread() const { return spread_; }
+  double annealing_sigma() const { return annealing_sigma_; }
 
  private:
   const KinematicTree& tree_;
@@ -36,7 +36,7 @@ class MotionPredictor {
   std::vector<bool> last_observable_;    ///< by unknown
   Twist base_velocity_ = Twist::Zero();  ///< base frame, per second
   Eigen::VectorXd joint_velocity_;
-  double spread_ = 0.0;
+  double annealing_sigma_ = 0.0;
 };
 
 }  // namespace lockbox

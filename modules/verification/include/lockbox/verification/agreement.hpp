@@ -8,32 +8,34 @@ namespace lockbox {
 /// an image.
 struct Agreement {
   double explained = 0.0;     ///< measured where the model says
-  double contradicted = 0.0;  ///< seen through, or measured behind as a patch or as a whole
+  double contradicted = 0.0;  ///< seen through, or measured behind as a group or as a whole
   double occluded = 0.0;      ///< something else in front
-  double unknown = 0.0;       ///< not measured, or beside an outline that jitter may have moved
+  double unknown = 0.0;       ///< not measured, or beside a contour that jitter may have moved
   /// Of what is explained: measured behind the surface by more than a standard deviation, less what
   /// is so far before it. Noise goes both ways alike.
   double recedes = 0.0;
-  /// Of what is contradicted: patches that were measured behind the surface as wholes. It lies
+  /// Of what is contradicted: groups that were measured behind the surface as wholes. It lies
   /// elsewhere there, though the rest of the body, if that is flat or round, may be explained.
-  double patches_behind = 0.0;
+  double groups_behind = 0.0;
   double pixels = 0.0;  ///< of the camera, of which these are shares
 
   /// Of what speaks for or against the model, the share that speaks for it; 0 if nothing does.
-  double consent() const { return explained > 0.0 ? explained / (explained + contradicted) : 0.0; }
+  double precision() const {
+    return explained > 0.0 ? explained / (explained + contradicted) : 0.0;
+  }
 
   /// For comparing configurations: a contradiction counts more than what remains unexplained, which
   /// may be hidden.
-  double conviction() const { return explained - 2.0 * contradicted; }
+  double score() const { return explained - 2.0 * contradicted; }
 };
 
-/// What the camera sees just beyond the model's outline, where something farther away, or nothing,
-/// should be. Where the surface goes on, the model may be a patch of a wall.
-struct OutlineAgreement {
-  int samples = 0;  ///< at the outline, where something in front does not hide what is beyond
+/// What the camera sees just beyond the model's contour, where something farther away, or nothing,
+/// should be. Where the surface goes on, the model may be a piece of a wall.
+struct ContourAgreement {
+  int samples = 0;  ///< at the contour, where something in front does not hide what is beyond
   int goes_on = 0;  ///< of these, where the scene continues the model's surface
 
-  /// The share of the outline at which the model's surface goes on; 0 without an outline.
+  /// The share of the contour at which the model's surface goes on; 0 without a contour.
   double continued() const { return samples > 0 ? static_cast<double>(goes_on) / samples : 0.0; }
 };
 

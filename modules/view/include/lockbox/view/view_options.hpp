@@ -10,7 +10,7 @@ struct ViewOptions {
   SensorNoise noise;  ///< what the sensor is assumed to err by
   /// Residuals beyond it count as outliers. Unit: standard deviations. Source: of normal errors one
   /// in 16,000 is beyond it.
-  double cut = 4.0;
+  double gate = 4.0;
   /// A measurement less far behind the model's surface does not see through it. Without it the
   /// term, which has one side only, would push the model off the cloud. Unit: standard deviations
   /// along the ray. Source: of normal errors one in 740 is beyond it.

@@ -8,7 +8,7 @@
 // at the nearest side of the model, and against the sides that the camera sees there is nothing on
 // those that it does not see: the estimate would creep along the plane, and be called sure.
 //
-// That is so of bodies that are flush with something: of whose outline at least a quarter goes on
+// That is so of bodies that are flush with something: of whose contour at least a quarter goes on
 // (docs/mathematics.md). Takes time in proportion to the edges of the view times the reach.
 #pragma once
 

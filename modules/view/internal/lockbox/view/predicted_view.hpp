@@ -13,7 +13,7 @@
 #include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/view/block_averages.hpp"
 #include "lockbox/view/continued_edges.hpp"
-#include "lockbox/view/outline_points.hpp"
+#include "lockbox/view/contour_points.hpp"
 #include "lockbox/view/pixel_prediction.hpp"
 #include "lockbox/view/sampling_plan.hpp"
 #include "lockbox/view/view_detail.hpp"
@@ -52,7 +52,7 @@ class PredictedView {
   /// Where the scene goes on beyond the surface's edges.
   const ContinuedEdges& continued() const { return continued_; }
   const ViewSamples& samples() const { return samples_; }      ///< of the surface
-  const OutlinePoints& outlines() const { return outlines_; }  ///< of the surface
+  const ContourPoints& contours() const { return contours_; }  ///< of the surface
 
  private:
   void gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_pooled,
@@ -67,7 +67,7 @@ class PredictedView {
   ContinuedEdges continued_;
   SamplingPlan plan_;
   ViewSamples samples_;
-  OutlinePoints outlines_;
+  ContourPoints contours_;
   ImagePoints all_;
   ThinnedPoints thinned_;
   BlockAverages pooled_;

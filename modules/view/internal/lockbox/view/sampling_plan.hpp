@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the view of a model tells most: at the outlines and the relief of its parts. In the middle
+// Where the view of a model tells most: at the contours and the creases of its parts. In the middle
 // of a plane one point says what its neighbours say, and of the plane's own motion nothing; what
 // tells how far a slider has gone are the few points at its ends.
 #pragma once

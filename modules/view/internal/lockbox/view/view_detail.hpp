@@ -11,14 +11,14 @@
 
 namespace lockbox {
 
-inline constexpr std::size_t kAllTiles = std::numeric_limits<std::size_t>::max();
+inline constexpr std::size_t kAllPatches = std::numeric_limits<std::size_t>::max();
 
 struct ViewDetail {
   std::size_t rays;     ///< at the model, at least, unless its pixels are fewer
-  int outline_spacing;  ///< pixels of the camera, from one point of an outline to the next
+  int contour_spacing;  ///< pixels of the camera, from one point of a contour to the next
   /// That the last step compares with the model's edges (EdgeTerm::linearize); 0: there is no such
   /// step.
-  std::size_t edge_tiles_per_joint;
+  std::size_t edge_patches_per_joint;
 };
 
 /// Few points need few rays: more would cost more time than the points, and tell no more.

@@ -50,7 +50,7 @@ class VisibleSurface {
 
  private:
   void find_view_pixels();
-  void measure_outline_distance(const Executor& executor);
+  void measure_contour_distance(const Executor& executor);
   void label_pixels(const Executor& executor);
   void label_row(int v);
 
@@ -61,7 +61,7 @@ class VisibleSurface {
   RenderedDepth image_;
   BodyPoses T_body_camera_;
   /// Pixels of the view, up to 255; 0 on the model. Only where the view is drawn.
-  std::vector<std::uint8_t> outline_distance_;
+  std::vector<std::uint8_t> contour_distance_;
   /// Number of the body, or -1 less the pixels of the view to the nearest that shows one.
   std::vector<std::int16_t> label_;
   int reduction_ = 1;

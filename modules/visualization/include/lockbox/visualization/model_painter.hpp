@@ -17,7 +17,7 @@ enum class GreyModel {
   in_orange  ///< so that it stands out from what is grey behind it
 };
 
-/// Draws a model in its own colours, shaded by its surface's normals, with dark outlines. Works
+/// Draws a model in its own colours, shaded by its surface's normals, with dark contours. Works
 /// without a display.
 class ModelPainter {
  public:

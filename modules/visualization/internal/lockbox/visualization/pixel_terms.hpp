@@ -15,7 +15,7 @@
 namespace lockbox {
 
 /// Metres to both sides of the surface within which a measurement counts as one of it: four
-/// standard deviations of a PrimeSense-class sensor at 1.2 m, the cut of the point term. Doubled,
+/// standard deviations of a PrimeSense-class sensor at 1.2 m, the gate of the point term. Doubled,
 /// more of the background counts.
 inline constexpr float kTermReach = 0.01F;
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fields of CSV rows, and rows of CSV texts.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace lockbox {
+
+/// Without white space at both ends (a carriage return, too).
+std::string_view trimmed(std::string_view text);
+
+/// Split at separators, and trimmed; the views point into text.
+std::vector<std::string_view> split_fields(std::string_view text, char separator = ',');
+
+}  // namespace lockbox
