@@ -188,6 +188,14 @@ def test_programs_on_pcl_differ_as_the_document_says(docs):
         assert (line[0] + " " + line[1:]) in differences, line
 
 
+def test_scripts_that_are_named_are_there():
+    named = {script for document in [*DOCUMENTS, ROOT / "CONTRIBUTING.md"]
+             for script in re.findall(r"`(scripts/\w+|\.ci/run)", document.read_text())}
+    assert {"scripts/build", "scripts/test", "scripts/format"} <= named
+    for script in named:
+        assert os.access(ROOT / script, os.X_OK), script
+
+
 def test_options_of_the_file_example_are_known(docs, help_of):
     block = next(block for block in code_blocks(docs / "file-formats.md", "") if "iterations" in block)
     page = help_of(("track",)).stdout

@@ -190,6 +190,9 @@ TEST_F(TrackerTest, APartThatContradictsIsDoubtedAloneWhereTheObjectIsBelieved) 
   EXPECT_EQ(std::count(known.begin(), known.end(), false), 1);
   std::swap(registered.body_agreement.front(), registered.body_agreement.back());
   EXPECT_EQ(classify(registered, options()), TrackingStatus::tracking) << "the base itself";
+  registered.agreement.explained = 0.1;
+  EXPECT_EQ(classify(registered, options()), TrackingStatus::uncertain) << "hardly anything";
+  registered.agreement.explained = 0.9;
   registered.belief = 0.9;
   EXPECT_EQ(classify(registered, options()), TrackingStatus::uncertain) << "the base itself";
 }

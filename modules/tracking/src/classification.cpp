@@ -87,7 +87,8 @@ double score(const RegistrationResult& registered, const TrackerOptions& options
 }
 
 bool is_believed(const Answer& answer, const TrackerOptions& options) {
-  return answer.belief >= options.convincing_belief;
+  return answer.belief >= options.convincing_belief &&
+         answer.agreement.explained >= options.least_explained;
 }
 
 bool agrees(const Answer& answer, const TrackerOptions& options) {

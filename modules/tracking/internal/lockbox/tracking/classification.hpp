@@ -15,7 +15,8 @@ namespace lockbox {
 /// for the scene goes on beyond its contour, explains nothing.
 double score(const RegistrationResult& registered, const TrackerOptions& options);
 
-/// Whether the image was asked, and speaks for it (lockbox/verification/belief.hpp).
+/// Whether the image was asked, and speaks for it (lockbox/verification/belief.hpp), and enough of
+/// the model is explained: of a small part much else may be right.
 bool is_believed(const Answer& answer, const TrackerOptions& options);
 
 /// Whether enough of the model is explained, and nothing that is seen contradicts it, of any body,
