@@ -103,6 +103,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
   const bool was_believed = status_ == TrackingStatus::tracking;
   report(found);
   if (status_ == TrackingStatus::lost && !guess_) forget();
+  if (is_found_anew_) size_record_ = {};  // of what it was taken for
   measure_size(found);
   is_kept_ = status_ == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
   if (is_found_anew_ || (!was_believed && status_ == TrackingStatus::tracking)) {
