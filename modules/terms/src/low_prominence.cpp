@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/motion_scales.hpp"
@@ -122,10 +123,12 @@ JointMatch LowProminence::match_at(std::size_t least) const {
 
 /// A sensor's noise goes together over its window, and models are not exact: chi^2 falls and rises
 /// along the range by more than it says.
-bool LowProminence::stands_out(std::size_t least, double elsewhere) {
+bool LowProminence::stands_out(std::size_t least, double elsewhere, bool is_turn) {
   elsewhere_.clear();
   for (std::size_t k = 0; k < positions_.size(); ++k) {
-    if (std::abs(positions_[k] - positions_[least]) > elsewhere) elsewhere_.push_back(costs_[k]);
+    const double way = positions_[k] - positions_[least];
+    const double apart = is_turn ? std::remainder(way, 2.0 * std::numbers::pi) : way;
+    if (std::abs(apart) > elsewhere) elsewhere_.push_back(costs_[k]);
   }
   if (elsewhere_.size() < kFewestElsewhere) return true;
   const double next = *std::min_element(elsewhere_.begin(), elsewhere_.end());
@@ -149,7 +152,7 @@ RangeMatch LowProminence::find_anywhere(const TiledCloud& cloud, const Configura
   costs_ = region_.compare(cloud, configuration, variable, positions_);
   if (costs_.empty()) return {};
   const std::size_t least = best(costs_);
-  const bool is_told = stands_out(least, kElsewhere / motion_scales_[variable]);
+  const bool is_told = stands_out(least, kElsewhere / motion_scales_[variable], range.is_turn);
   const double gain = costs_[here] - costs_[least];
   if (gain < kLeastGain * excess(costs_[least], region_.pixels())) return {std::nullopt, is_told};
   positions_.pop_back();

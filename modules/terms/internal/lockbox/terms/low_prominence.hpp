@@ -51,7 +51,7 @@ class LowProminence {
 
  private:
   double distance(int variable, const Configuration& configuration);
-  bool stands_out(std::size_t least, double elsewhere);
+  bool stands_out(std::size_t least, double elsewhere, bool is_turn);
   double scatter_around(std::size_t least) const;
   JointMatch match_at(std::size_t least) const;
 

@@ -114,9 +114,10 @@ struct TrackerOptions {
   /// The same of a joint that turns. Unit: radians. Source: a third of the 5 degrees that count as
   /// right.
   double most_turning_sigma = 0.029;
-  /// What is believed more is the object (lockbox/verification/belief.hpp): a part that contradicts
-  /// the image is not known then, all else is; and what a search finds is kept even where it would
-  /// drift off if gates were wider. Source: of a thousand such answers one may be wrong.
+  /// What is believed more is the object (lockbox/verification/belief.hpp): bodies that
+  /// contradict the image do not change that, but joints that move them are not known; and what a
+  /// search finds is kept even where it would drift off if gates were wider. Source: of a thousand
+  /// such answers one may be wrong.
   double convincing_belief = 0.999;
   /// To ask the image takes as long as a frame. Doubled, belief lags twice as long behind what has
   /// become of the object while its status stays the same. Unit: frames. Source: asked seldom
