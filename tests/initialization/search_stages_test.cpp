@@ -68,9 +68,9 @@ TEST_F(SearchStages, ATemplateFitsWhereItsSideIsSeen) {
   forward_kinematics(model_.tree, truth_, poses);
   double nearest = 1.0;
   for (const PlanarRegion& region : find_planes(view_, kNoise).regions) {
+    const HeightMap map = height_map(view_, region, kNoise, map_size(templates));
     for (const HeightTemplate& height_template : templates) {
-      for (const TemplateMatch& match :
-           match_template(view_, region, height_template, kNoise, 4, nullptr)) {
+      for (const TemplateMatch& match : match_template(map, height_template, 4, nullptr)) {
         const Eigen::Isometry3d& truth = poses[static_cast<std::size_t>(height_template.body)];
         if (angle_between(match.T_camera_body, truth) > 0.1) continue;
         nearest =
@@ -82,10 +82,10 @@ TEST_F(SearchStages, ATemplateFitsWhereItsSideIsSeen) {
 }
 
 TEST_F(SearchStages, MatchesOfOneTemplateAreRankedAndApart) {
-  const HeightTemplate height_template =
-      make_height_templates(model_.tree, executor_, nullptr).front();
+  const auto templates = make_height_templates(model_.tree, executor_, nullptr);
   const PlanarRegion region = find_planes(view_, kNoise).regions.front();
-  const auto matches = match_template(view_, region, height_template, kNoise, 6, nullptr);
+  const HeightMap map = height_map(view_, region, kNoise, map_size(templates));
+  const auto matches = match_template(map, templates.front(), 6, nullptr);
   ASSERT_GE(matches.size(), 2U);
   for (std::size_t i = 1; i < matches.size(); ++i) {
     EXPECT_LE(matches[i].score, matches[i - 1].score) << i;

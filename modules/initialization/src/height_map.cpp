@@ -27,8 +27,8 @@ Eigen::AlignedBox2d region_bounds(const CoarseView& view, const PlanarRegion& re
 }
 
 /// Looks through each cell of the plane.
-void look_through(const CoarseView& view, const Eigen::Isometry3d& T_camera_plane, double noise,
-                  HeightMap& map) {
+void look_through(const CoarseView& view, double noise, HeightMap& map) {
+  const Eigen::Isometry3d& T_camera_plane = map.T_camera_plane;
   const Eigen::Vector3d normal = T_camera_plane.linear().col(2);
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
@@ -56,9 +56,8 @@ void look_through(const CoarseView& view, const Eigen::Isometry3d& T_camera_plan
 }
 
 /// Drops what stands out of the plane onto its cells; the highest counts.
-void drop_points(const CoarseView& view, const Eigen::Isometry3d& T_camera_plane, double noise,
-                 HeightMap& map) {
-  const Eigen::Isometry3f T = T_camera_plane.inverse().cast<float>();
+void drop_points(const CoarseView& view, double noise, HeightMap& map) {
+  const Eigen::Isometry3f T = map.T_camera_plane.inverse().cast<float>();
   for (int v = 0; v < view.camera.height; ++v) {
     for (int u = 0; u < view.camera.width; ++u) {
       const float z = view.depth[view.index(u, v)];
@@ -84,21 +83,28 @@ void drop_points(const CoarseView& view, const Eigen::Isometry3d& T_camera_plane
 
 }  // namespace
 
-HeightMap height_map(const CoarseView& view, const PlanarRegion& region,
-                     const Eigen::Isometry3d& T_camera_plane, double noise,
+HeightMap height_map(const CoarseView& view, const PlanarRegion& region, double noise,
                      const HeightMapSize& size) {
+  const Eigen::Isometry3d T_camera_plane = region_frame(view, region);
   const Eigen::AlignedBox2d box = region_bounds(view, region, T_camera_plane.inverse());
   const auto cells_for = [&](double length) {
     return std::min(static_cast<int>((length + 2.0 * size.beyond) / size.cell) + 1, kMostCells) +
            2 * size.margin;
   };
-  HeightMap map{cells_for(box.sizes().x()), cells_for(box.sizes().y()), {}, size.cell, {}, {}};
+  HeightMap map{T_camera_plane,
+                cells_for(box.sizes().x()),
+                cells_for(box.sizes().y()),
+                size.margin,
+                {},
+                size.cell,
+                {},
+                {}};
   map.corner = box.center() - 0.5 * size.cell * Eigen::Vector2d(map.width - 1, map.height - 1);
   const auto cells = static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
   map.heights.assign(cells, kUnknown);
   map.sigmas.assign(cells, 1.0F);
-  look_through(view, T_camera_plane, noise, map);
-  drop_points(view, T_camera_plane, noise, map);
+  look_through(view, noise, map);
+  drop_points(view, noise, map);
   return map;
 }
 

@@ -18,8 +18,10 @@ inline constexpr float kBelow = -1e3F;
 
 /// What stands over a plane, in the plane's frame.
 struct HeightMap {
+  Eigen::Isometry3d T_camera_plane;
   int width;
   int height;
+  int margin;              ///< cells on each side that belong to it so that templates fit in
   Eigen::Vector2d corner;  ///< centre of cell (0, 0), plane frame
   double cell_size;
   std::vector<float> heights;  ///< metres, or kBelow; NaN: nothing known
@@ -37,9 +39,9 @@ struct HeightMapSize {
   int margin;     ///< cells more on each side
 };
 
-/// noise: standard deviation of 1/depth of a pixel, 1/metre.
-HeightMap height_map(const CoarseView& view, const PlanarRegion& region,
-                     const Eigen::Isometry3d& T_camera_plane, double noise,
+/// Of what is seen over the region's plane. noise: standard deviation of 1/depth of a pixel,
+/// 1/metre.
+HeightMap height_map(const CoarseView& view, const PlanarRegion& region, double noise,
                      const HeightMapSize& size);
 
 }  // namespace lockbox

@@ -179,11 +179,12 @@ double visible_area(const HeightTemplate& height_template) {
 }
 
 HeightTemplate make_height_template(const KinematicTree& tree, int body, const Eigen::Vector3d& z,
-                                    double offset, int draws, const Executor& executor) {
+                                    double offset, int draws, double cell_size,
+                                    const Executor& executor) {
   const Eigen::AlignedBox3d box = rest_bounds(tree, body);
   HeightTemplate height_template;
   height_template.body = body;
-  height_template.cell_size = box.diagonal().norm() / kCells;
+  height_template.cell_size = cell_size;
   const Eigen::Vector3d x = z.unitOrthogonal();
   height_template.T_body_plane = Eigen::Isometry3d::Identity();
   height_template.T_body_plane.linear() << x, z.cross(x), z;
@@ -239,9 +240,10 @@ bool same_view(const HeightTemplate& a, const HeightTemplate& b) {
 std::vector<HeightTemplate> make_height_templates(const KinematicTree& tree,
                                                   const Executor& executor,
                                                   const StopRequest& stop_request) {
+  const double cell_size = rest_bounds(tree, 0).diagonal().norm() / kCells;
   const auto template_of = [&](int body, const Eigen::Vector3d& z, double offset, int draws) {
     stop_if(stop_request);
-    return make_height_template(tree, body, z, offset, draws, executor);
+    return make_height_template(tree, body, z, offset, draws, cell_size, executor);
   };
   std::vector<HeightTemplate> sides = templates_of_sides(tree, template_of);
   std::vector<HeightTemplate> templates;

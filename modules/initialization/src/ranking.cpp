@@ -2,12 +2,24 @@
 // The last stages of the search without a guess (docs/initialization.md): which answer is the most
 // convincing.
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "rivals.hpp"
 #include "search_workspace.hpp"
 
 namespace lockbox {
+namespace {
+
+void set_evidence(const Evidence& evidence, Candidate& candidate) {
+  candidate.evidence = evidence.total();
+  candidate.contradiction = evidence.matched > 0.0
+                                ? (evidence.matched - evidence.total()) / evidence.matched
+                                : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
 void Initializer::Workspace::assess(const TiledCloud& cloud,
                                     const std::vector<Hypothesis>& hypotheses,
                                     const Selection& ranked, std::vector<Candidate>& answers) {
@@ -19,7 +31,7 @@ void Initializer::Workspace::assess(const TiledCloud& cloud,
     const auto& result = align_finely(cloud, configuration, {0.0, 0});
     Candidate candidate;
     candidate.configuration = configuration;
-    candidate.evidence = verifier.evidence(configuration).total();
+    set_evidence(verifier.evidence(configuration), candidate);
     candidate.agreement = result.agreement;
     answers.push_back(std::move(candidate));
   }

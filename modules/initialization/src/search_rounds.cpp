@@ -41,6 +41,32 @@ constexpr std::array<Round, 5> kFlatRounds{{{Proposals::sides, &kUsual, kConvinc
 constexpr std::array<Round, 2> kRoundRounds{
     {{Proposals::sides, &kUsual, kConvincing}, {Proposals::points, &kOfPoints, kPossible}}};
 
+/// Hypotheses that are followed before all others. Source: in 78 of 88 tuning scenes the right one
+/// is among them. Doubled, clear scenes take a quarter as long again.
+constexpr std::size_t kFirst = 24;
+/// What may speak against an answer that is clear, of what speaks for it. Source: right answers of
+/// tuning scenes have 0.01 to 0.28, wrong ones that are left 0.6 and more. Doubled, wrong answers
+/// end a search of which a later batch has the right one.
+constexpr double kClear = 0.25;
+/// The evidence of an answer that is clear, of that with which an answer is as probable as none.
+/// Source: in rooms without the object 2.5 were the most (docs/verification.md). Doubled, small
+/// objects are sought to the end.
+constexpr double kBeyondChance = 3.0;
+
+/// The likeliest first.
+std::vector<std::vector<Hypothesis>> in_batches(std::vector<Hypothesis> hypotheses) {
+  std::vector<std::vector<Hypothesis>> batches(hypotheses.size() > kFirst ? 2 : 1);
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    batches[i < kFirst ? 0 : 1].push_back(std::move(hypotheses[i]));
+  }
+  return batches;
+}
+
+/// Whether it is there, and hardly anything speaks against its being just so.
+bool is_clear(const Candidate& answer) {
+  return answer.evidence >= kBeyondChance * least_evidence() && answer.contradiction <= kClear;
+}
+
 }  // namespace
 
 std::vector<Hypothesis> Initializer::Workspace::proposed(const Round& round,
@@ -57,6 +83,16 @@ std::vector<Hypothesis> Initializer::Workspace::proposed(const Round& round,
   return match_points(fine_view, scene, *round.breadth);
 }
 
+/// Back to front or upside down, it may look nearly the same, and be passed over; and so may the
+/// turns of what that finds. turned: the evidence of the answer whose turns were sought last.
+void Initializer::Workspace::seek_turns_of_best(const TiledCloud& cloud, double& turned,
+                                                std::vector<Candidate>& answers) {
+  while (!answers.empty() && log_odds(answers.front().evidence, turned) > kAnother) {
+    turned = answers.front().evidence;
+    assess(cloud, seek_turned(cloud, answers.front()), kEachTurn, answers);
+  }
+}
+
 std::vector<Candidate> Initializer::Workspace::seek_in_rounds(const TiledCloud& cloud,
                                                               const PlanarScene& scene,
                                                               const CoarseView& fine_view,
@@ -64,22 +100,20 @@ std::vector<Candidate> Initializer::Workspace::seek_in_rounds(const TiledCloud& 
                                                               SearchProgress& progress) {
   std::vector<Candidate> answers;
   assess(cloud, known(progress.answers), kRanked, answers);
-  double most_evidence = -std::numeric_limits<double>::infinity();
+  double turned = -std::numeric_limits<double>::infinity();
   const std::span<const Round> rounds =
       is_flat ? std::span<const Round>(kFlatRounds) : kRoundRounds;
   bool is_convinced = false;
   for (int i = 0; i < most_rounds && !is_convinced && progress.rounds < std::ssize(rounds); ++i) {
     const Round& round = rounds[static_cast<std::size_t>(progress.rounds++)];
-    assess(cloud, followed(cloud, proposed(round, scene, fine_view), *round.breadth), kRanked,
-           answers);
-    if (answers.empty()) continue;
-    // Back to front or upside down, it may look nearly the same, and be passed over; and so may the
-    // turns of what that finds.
-    while (log_odds(answers.front().evidence, most_evidence) > kAnother) {
-      most_evidence = answers.front().evidence;
-      assess(cloud, seek_turned(cloud, answers.front().configuration), kEachTurn, answers);
+    for (std::vector<Hypothesis>& batch : in_batches(proposed(round, scene, fine_view))) {
+      const double to_beat = answers.empty() ? least_evidence() : answers.front().evidence;
+      assess(cloud, followed(cloud, std::move(batch), *round.breadth, to_beat), kRanked, answers);
+      seek_turns_of_best(cloud, turned, answers);
+      is_convinced = !answers.empty() && is_clear(answers.front());
+      if (is_convinced) break;
     }
-    is_convinced = answers.front().belief >= round.enough;
+    is_convinced |= !answers.empty() && answers.front().belief >= round.enough;
   }
   answers.resize(std::min(answers.size(), options.most_candidates));
   progress.answers.clear();

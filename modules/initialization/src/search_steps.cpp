@@ -14,7 +14,9 @@ namespace {
 constexpr double kHardlyWorse = 0.01;  // of the visible surface
 /// Coarse steps for a view of coarse pixels.
 const CoordinateSearchPlan kSearchFar{{0.03, 0.015, 0.008, 0.004}, 3, 0.006};
-const AlignOptions kExactly{.annealing_sigma = 0.005, .iterations = 8};
+/// Until nothing moves: of an answer that is still on its way too little is believed, and of its
+/// turn, too, or too much.
+const AlignOptions kExactly{.annealing_sigma = 0.005, .iterations = 30, .narrowing = 8};
 
 /// Whether all that the variable moves was sought, and none of it can be seen anywhere.
 bool is_out_of_sight(const KinematicTree& tree, int variable, const std::vector<int>& sought,

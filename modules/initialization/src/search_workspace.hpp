@@ -99,12 +99,14 @@ struct Initializer::Workspace {
                                    const CoarseView& fine_view);
   /// Answers of rounds before.
   std::vector<Hypothesis> known(const std::vector<Configuration>& answers) const;
-  /// The stages from place up to rank.
+  /// The stages from place up to rank. to_beat: the most evidence of any answer up to now, nats.
   std::vector<Hypothesis> followed(const TiledCloud& cloud, std::vector<Hypothesis> hypotheses,
-                                   const Breadth& breadth);
+                                   const Breadth& breadth, double to_beat);
+  void seek_turns_of_best(const TiledCloud& cloud, double& turned, std::vector<Candidate>& answers);
+  void leave_out_hopeless(double to_beat, std::vector<Hypothesis>& hypotheses);
   /// What else the object may be that was taken for this: turned to where its box is the same, or
   /// swung about what is seen most of.
-  std::vector<Hypothesis> seek_turned(const TiledCloud& cloud, const Configuration& found);
+  std::vector<Hypothesis> seek_turned(const TiledCloud& cloud, const Candidate& found);
   void add_swung(const TiledCloud& cloud, const Configuration& found,
                  std::vector<Hypothesis>& hypotheses);
   /// Adds what stages sought, made exact, the most convincing first.

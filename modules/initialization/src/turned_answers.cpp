@@ -35,14 +35,15 @@ std::vector<std::size_t> bodies_before_the_base(const std::vector<Agreement>& bo
 }  // namespace
 
 std::vector<Hypothesis> Initializer::Workspace::seek_turned(const TiledCloud& cloud,
-                                                            const Configuration& found) {
+                                                            const Candidate& found) {
+  const Configuration& configuration = found.configuration;
   std::vector<Hypothesis> hypotheses;
   for (const Eigen::Isometry3d& turn : turns) {
     hypotheses.push_back({held, all_bodies});
-    hypotheses.back().configuration.T_camera_base = found.T_camera_base * turn;
+    hypotheses.back().configuration.T_camera_base = configuration.T_camera_base * turn;
   }
-  add_swung(cloud, found, hypotheses);
-  return followed(cloud, std::move(hypotheses), kAll);
+  add_swung(cloud, configuration, hypotheses);
+  return followed(cloud, std::move(hypotheses), kAll, found.evidence);
 }
 
 /// What is seen of it may be a door for the most part, and stand where the door does with its hinge

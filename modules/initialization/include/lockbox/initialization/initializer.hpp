@@ -38,6 +38,8 @@ struct Candidate {
   Configuration configuration;  ///< where the object may be
   JointMargins margins;         ///< of the first candidate; empty for others
   double evidence = 0.0;        ///< nats, see lockbox/verification/evidence.hpp
+  /// What speaks against it, of what speaks for it; infinite where nothing does.
+  double contradiction = 0.0;
   double belief = 0.0;  ///< the probability that it is right, see lockbox/verification/belief.hpp
   /// Metres by which the model's surface is somewhere else, in the root of the mean square over
   /// what else may be right, weighted by its probability: another answer, or none.
