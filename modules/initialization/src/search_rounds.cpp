@@ -13,16 +13,17 @@ namespace lockbox {
 namespace {
 
 constexpr Breadth kUsual{
-    8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, std::nullopt, false};
+    8, {0.1, 96, 0.5, 16}, {0.1, 40, 0.5, 8}, {0.15, 8, 0.5, 2}, std::nullopt, 8, false};
 constexpr Breadth kWide{32,
                         {0.03, 400, 0.5, 64},
                         {0.03, 120, 0.5, 16},
                         {0.02, 24, 0.5, 4},
                         Selection{0.02, 48, 0.5, 8},
+                        8,
                         false};
 /// Of points, which propose many places that look alike from afar, of things that are mostly small.
 constexpr Breadth kOfPoints{
-    8, {0.03, 128, 0.5, 16}, {0.03, 64, 0.5, 12}, {0.05, 16, 0.5, 4}, std::nullopt, true};
+    8, {0.03, 128, 0.5, 16}, {0.03, 64, 0.5, 12}, {0.05, 16, 0.5, 4}, std::nullopt, 8, true};
 
 /// Log odds by which an answer is more than the one before made a little more exact.
 constexpr double kAnother = 1.0;
@@ -62,6 +63,11 @@ std::vector<std::vector<Hypothesis>> in_batches(std::vector<Hypothesis> hypothes
   return batches;
 }
 
+/// Whether the best is more probable than none.
+bool is_answer(const std::vector<Candidate>& answers) {
+  return !answers.empty() && answers.front().evidence >= least_evidence();
+}
+
 /// Whether it is there, and hardly anything speaks against its being just so.
 bool is_clear(const Candidate& answer) {
   return answer.evidence >= kBeyondChance * least_evidence() && answer.contradiction <= kClear;
@@ -84,13 +90,15 @@ std::vector<Hypothesis> Initializer::Workspace::proposed(const Round& round,
 }
 
 /// Back to front or upside down, it may look nearly the same, and be passed over; and so may the
-/// turns of what that finds. turned: the evidence of the answer whose turns were sought last.
+/// turns of what that finds, if it is an answer. turned: the evidence of the answer whose turns
+/// were sought last.
 void Initializer::Workspace::seek_turns_of_best(const TiledCloud& cloud, double& turned,
                                                 std::vector<Candidate>& answers) {
-  while (!answers.empty() && log_odds(answers.front().evidence, turned) > kAnother) {
+  do {
+    if (answers.empty() || log_odds(answers.front().evidence, turned) <= kAnother) return;
     turned = answers.front().evidence;
     assess(cloud, seek_turned(cloud, answers.front()), kEachTurn, answers);
-  }
+  } while (is_answer(answers));
 }
 
 std::vector<Candidate> Initializer::Workspace::seek_in_rounds(const TiledCloud& cloud,
@@ -106,10 +114,12 @@ std::vector<Candidate> Initializer::Workspace::seek_in_rounds(const TiledCloud& 
   bool is_convinced = false;
   for (int i = 0; i < most_rounds && !is_convinced && progress.rounds < std::ssize(rounds); ++i) {
     const Round& round = rounds[static_cast<std::size_t>(progress.rounds++)];
-    for (std::vector<Hypothesis>& batch : in_batches(proposed(round, scene, fine_view))) {
+    std::vector<std::vector<Hypothesis>> batches = in_batches(proposed(round, scene, fine_view));
+    for (std::vector<Hypothesis>& batch : batches) {
       const double to_beat = answers.empty() ? least_evidence() : answers.front().evidence;
       assess(cloud, followed(cloud, std::move(batch), *round.breadth, to_beat), kRanked, answers);
-      seek_turns_of_best(cloud, turned, answers);
+      const bool is_last = &batch == &batches.back();
+      if (is_last || is_answer(answers)) seek_turns_of_best(cloud, turned, answers);
       is_convinced = !answers.empty() && is_clear(answers.front());
       if (is_convinced) break;
     }

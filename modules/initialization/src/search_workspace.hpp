@@ -28,7 +28,8 @@ struct Breadth {
   /// Of the poses, those that are improved by the drawing, too, before all but the best are left
   /// out.
   std::optional<Selection> improved;
-  bool is_close;  ///< for small things: judged in the finer view from the start
+  std::size_t likeliest;  ///< by their evidence: of the poses, those that are made exact
+  bool is_close;          ///< for small things: judged in the finer view from the start
 };
 
 /// Turns of an answer are compared all of them, however much alike they look.
@@ -103,7 +104,9 @@ struct Initializer::Workspace {
   std::vector<Hypothesis> followed(const TiledCloud& cloud, std::vector<Hypothesis> hypotheses,
                                    const Breadth& breadth, double to_beat);
   void seek_turns_of_best(const TiledCloud& cloud, double& turned, std::vector<Candidate>& answers);
-  void leave_out_hopeless(double to_beat, std::vector<Hypothesis>& hypotheses);
+  /// gain: the most that evidence grows by from here on, nats.
+  void leave_out_hopeless(double to_beat, double gain, std::size_t most,
+                          std::vector<Hypothesis>& hypotheses);
   /// What else the object may be that was taken for this: turned to where its box is the same, or
   /// swung about what is seen most of.
   std::vector<Hypothesis> seek_turned(const TiledCloud& cloud, const Candidate& found);

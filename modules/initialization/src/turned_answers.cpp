@@ -9,7 +9,7 @@
 namespace lockbox {
 namespace {
 
-constexpr Breadth kAll{1, kEachTurn, kEachTurn, kEachTurn, std::nullopt, false};
+constexpr Breadth kAll{1, kEachTurn, kEachTurn, kEachTurn, std::nullopt, 4, false};
 /// Bodies of which more is seen than of the base. Doubled, doors that are the third largest thing
 /// in view are tried, too.
 constexpr std::size_t kMostCarriers = 2;
