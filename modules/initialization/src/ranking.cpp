@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last stages of the search without a guess (docs/initialization.md): which answer is the most
-// convincing.
+// Which hypotheses the image says most for, and which answer is the most convincing
+// (docs/initialization.md).
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -19,6 +20,26 @@ void set_evidence(const Evidence& evidence, Candidate& candidate) {
 }
 
 }  // namespace
+
+/// What follows costs most, and cannot make an answer of what the image says too little for.
+void Initializer::Workspace::leave_out_hopeless(double to_beat, double gain, std::size_t most,
+                                                std::vector<Hypothesis>& hypotheses) {
+  std::vector<double> evidence;
+  evidence.reserve(hypotheses.size());
+  for (const Hypothesis& hypothesis : hypotheses) {
+    evidence.push_back(verifier.evidence(hypothesis.configuration).total());
+    to_beat = std::max(to_beat, evidence.back());
+  }
+  std::vector<double> least = evidence;
+  std::sort(least.begin(), least.end(), std::greater<>());
+  const double least_of_most =
+      least.size() > most ? least[most - 1] : -std::numeric_limits<double>::infinity();
+  std::size_t i = 0;
+  std::erase_if(hypotheses, [&](const Hypothesis&) {
+    const double here = evidence[i++];
+    return here + gain < to_beat || here < least_of_most;
+  });
+}
 
 void Initializer::Workspace::assess(const TiledCloud& cloud,
                                     const std::vector<Hypothesis>& hypotheses,

@@ -127,7 +127,10 @@ std::vector<Candidate> Initializer::Workspace::seek_in_rounds(const TiledCloud& 
   }
   answers.resize(std::min(answers.size(), options.most_candidates));
   progress.answers.clear();
-  if (is_convinced || progress.rounds == std::ssize(rounds)) {
+  // What is merely possible is looked at closer in the next image.
+  const bool is_over =
+      !answers.empty() && (is_clear(answers.front()) || answers.front().belief >= kConvincing);
+  if (is_over || progress.rounds == std::ssize(rounds)) {
     progress.rounds = 0;
   } else {
     for (const Candidate& answer : answers) progress.answers.push_back(answer.configuration);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stages of the search without a guess (docs/initialization.md).
 #include <algorithm>
-#include <functional>
-#include <limits>
 #include <optional>
 
 #include "box_turns.hpp"
@@ -32,14 +30,6 @@ constexpr int kRounds = 2;  // gates begin anew where the first round has come
 
 /// Fine steps, with what real objects differ from their models by.
 const CoordinateSearchPlan kSearchClosely{{0.004, 0.002, 0.001}, 2, 0.002};
-
-/// What evidence gains at most from a pose in the coarse view to the exact one. Unit: nats. Source:
-/// 188 was the most of 90 answers above 20 nats in 70 tuning scenes (docs/initialization.md).
-/// Doubled, more hypotheses are followed that come to nothing.
-constexpr double kMostGained = 200.0;
-/// The same from an answer that is registered closely. Source: 56 was the most of those. Doubled,
-/// more answers are made exact that are none.
-constexpr double kMostGainedAtLast = 60.0;
 
 /// Triangles of a body that are drawn in no time.
 constexpr std::size_t kFewTriangles = 200;
@@ -120,32 +110,12 @@ std::vector<Hypothesis> Initializer::Workspace::followed(const TiledCloud& cloud
                                                          const Breadth& breadth, double to_beat) {
   place(hypotheses, breadth);
   pose(hypotheses, breadth);
-  leave_out_hopeless(to_beat, kMostGained, breadth.likeliest, hypotheses);
+  leave_out_hopeless(to_beat, kGainedFromAfar, breadth.likeliest, hypotheses);
   fit(hypotheses, breadth);
-  leave_out_hopeless(to_beat, kMostGained, breadth.likeliest, hypotheses);
+  leave_out_hopeless(to_beat, kGainedFromAfar, breadth.likeliest, hypotheses);
   fit_closely(cloud, hypotheses, breadth);
-  leave_out_hopeless(to_beat, kMostGainedAtLast, breadth.likeliest, hypotheses);
+  leave_out_hopeless(to_beat, kGainedAtLast, breadth.likeliest, hypotheses);
   return hypotheses;
-}
-
-/// What follows costs most, and cannot make an answer of what the image says too little for.
-void Initializer::Workspace::leave_out_hopeless(double to_beat, double gain, std::size_t most,
-                                                std::vector<Hypothesis>& hypotheses) {
-  std::vector<double> evidence;
-  evidence.reserve(hypotheses.size());
-  for (const Hypothesis& hypothesis : hypotheses) {
-    evidence.push_back(verifier.evidence(hypothesis.configuration).total());
-    to_beat = std::max(to_beat, evidence.back());
-  }
-  std::vector<double> least = evidence;
-  std::sort(least.begin(), least.end(), std::greater<>());
-  const double least_of_most =
-      least.size() > most ? least[most - 1] : -std::numeric_limits<double>::infinity();
-  std::size_t i = 0;
-  std::erase_if(hypotheses, [&](const Hypothesis&) {
-    const double here = evidence[i++];
-    return here + gain < to_beat || here < least_of_most;
-  });
 }
 
 std::vector<Hypothesis> Initializer::Workspace::known(
