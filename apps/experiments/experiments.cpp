@@ -27,6 +27,8 @@ const std::vector<ExperimentEntry>& experiments() {
        make_boards_experiment},
       {"shapes", "Random round and free-form objects, found without a guess",
        make_shapes_experiment},
+      {"reliability", "Whether what is believed by so much is right so often",
+       make_reliability_experiment},
       {"peers", "The scene on which M3T was measured, beside its figures", make_peers_experiment},
   };
   return entries;

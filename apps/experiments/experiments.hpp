@@ -31,6 +31,7 @@ std::unique_ptr<Experiment> make_mismatch_experiment();
 std::unique_ptr<Experiment> make_occlusion_experiment();
 std::unique_ptr<Experiment> make_order_experiment();
 std::unique_ptr<Experiment> make_peers_experiment();
+std::unique_ptr<Experiment> make_reliability_experiment();
 std::unique_ptr<Experiment> make_rigid_experiment();
 std::unique_ptr<Experiment> make_shapes_experiment();
 std::unique_ptr<Experiment> make_speed_experiment();

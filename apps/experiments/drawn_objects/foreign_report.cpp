@@ -31,7 +31,7 @@ std::vector<std::string> foreign_columns() {
           "placement", "view",        "sensor",      "determined", "right",
           "wrong",     "looks_equal", "status",      "within",     "translation",
           "rotation",  "joint_error", "worst_joint", "evidence",   "evidence_of_truth",
-          "explained", "seconds"};
+          "explained", "belief",      "seconds"};
 }
 
 void add_foreign_rows(Table& table, std::uint64_t piece, const std::string& kind,
@@ -60,6 +60,7 @@ void add_foreign_rows(Table& table, std::uint64_t piece, const std::string& kind
                frame.evidence,
                frame.evidence_of_truth,
                frame.explained,
+               frame.belief,
                frame.seconds});
   }
 }

@@ -17,8 +17,8 @@ namespace lockbox::app {
 namespace {
 
 std::vector<std::string> shape_columns() {
-  return {"piece",       "kind",     "on_table", "covered",           "right",  "wrong", "status",
-          "translation", "rotation", "evidence", "evidence_of_truth", "seconds"};
+  return {"piece",       "kind",     "on_table", "covered",           "right",  "wrong",  "status",
+          "translation", "rotation", "evidence", "evidence_of_truth", "belief", "seconds"};
 }
 
 void add_row(Table& table, std::uint64_t piece, const ShapeResult& result) {
@@ -26,7 +26,7 @@ void add_row(Table& table, std::uint64_t piece, const ShapeResult& result) {
   table.add({piece, result.kind, result.on_table ? 1 : 0, result.is_covered ? 1 : 0,
              result.is_right() ? 1 : 0, result.errors.wrong, to_string(outcome.status),
              outcome.translation, outcome.rotation, result.evidence, result.evidence_of_truth,
-             result.seconds});
+             result.belief, result.seconds});
 }
 
 /// Right ones, and all.

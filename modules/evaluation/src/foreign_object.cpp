@@ -88,6 +88,7 @@ class ForeignRun {
     ForeignFrame frame;
     frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     frame.explained = answer.explained;
+    frame.belief = answer.belief;
     State apparent = truth_;
     apparent.configuration.T_camera_base = apparent_base;
     frame.errors = comparison_.compare(answer, apparent, bound_);

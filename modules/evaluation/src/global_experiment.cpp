@@ -60,6 +60,7 @@ void GlobalExperiment::compare_with_truth(const Answer& found, const State& trut
                                           GlobalResult& result) const {
   result.explained = found.agreement.explained;
   result.contradicted = found.agreement.contradicted;
+  result.belief = found.belief;
   result.status = classify(found, options_);
   TrackingResult answer;
   answer.status = result.status;

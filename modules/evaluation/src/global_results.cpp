@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* kHeader =
     "scene,placement,cut_off,visible,distance,determined,right,translation,rotation,wrong,"
-    "status,within,explained,contradicted,seconds";
-constexpr std::size_t kColumns = 15;
+    "status,within,explained,contradicted,belief,seconds";
+constexpr std::size_t kColumns = 16;
 constexpr std::array<const char*, 3> kPlacements{"free", "on_table", "on_wall"};
 
 Placement parse_placement(const std::string& file, int line, std::string_view word) {
@@ -63,7 +63,8 @@ GlobalResult parse_row(const std::string& file, int line, std::string_view text)
   result.within = number(11) != 0.0;
   result.explained = number(12);
   result.contradicted = number(13);
-  result.seconds = number(14);
+  result.belief = number(14);
+  result.seconds = number(15);
   return result;
 }
 
@@ -101,7 +102,8 @@ void write_global_results(const std::filesystem::path& file,
     }
     out << ',' << result.wrong << ',' << to_string(result.status) << ','
         << (result.within ? '1' : '0') << ',' << number_text(result.explained) << ','
-        << number_text(result.contradicted) << ',' << number_text(result.seconds) << '\n';
+        << number_text(result.contradicted) << ',' << number_text(result.belief) << ','
+        << number_text(result.seconds) << '\n';
   }
   out.close();
   if (!out) throw InputError(unfinished.string(), "cannot be written");

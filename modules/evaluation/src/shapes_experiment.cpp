@@ -68,6 +68,7 @@ ShapeResult search_shape(const ObjectBlock& block, std::uint64_t number,
     result.errors.wrong = "nothing";
     return result;
   }
+  result.belief = found->belief;
   result.evidence = verifier.evidence(found->configuration).total();
   TrackingResult answer;
   answer.status = classify(*found, options);

@@ -34,6 +34,10 @@ std::string Cell::number_text(double number) {
 
 Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
 
+bool Table::has(const std::string& column) const {
+  return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+}
+
 void Table::add(Row row) {
   assert(row.size() == columns_.size());
   rows_.push_back(std::move(row));
@@ -57,12 +61,19 @@ double Table::number(const Row& row, const std::string& column) const {
 }
 
 Table read_table(const std::filesystem::path& file, const std::vector<std::string>& columns) {
+  Table table = read_table(file);
+  if (table.columns() != columns) {
+    throw InputError(file.string(), 1, "is not the header of such results: " + header(columns));
+  }
+  return table;
+}
+
+Table read_table(const std::filesystem::path& file) {
   std::istringstream in(read_text_file(file));
   std::string text;
   std::getline(in, text);
-  if (trimmed(text) != header(columns)) {
-    throw InputError(file.string(), 1, "is not the header of such results: " + header(columns));
-  }
+  std::vector<std::string> columns;
+  for (const auto column : split_fields(trimmed(text))) columns.emplace_back(column);
   Table table(columns);
   for (int line = 2; std::getline(in, text); ++line) {
     if (in.eof()) break;  // a row without its end was being written when the program ended

@@ -22,6 +22,7 @@ struct ForeignFrame {
   double evidence = 0.0;           ///< for the answer, nats (docs/verification.md)
   double evidence_of_truth = 0.0;  ///< what a search could have found
   double explained = 0.0;          ///< of TrackingResult
+  double belief = 0.0;             ///< likewise
   double seconds = 0.0;            ///< from depth image to answer
   /// The answer is wrong, but looks the same as the truth would without deviation; or there is no
   /// answer that is trusted, and something else looks so.

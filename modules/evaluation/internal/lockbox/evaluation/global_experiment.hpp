@@ -34,6 +34,7 @@ struct GlobalResult {
   bool within = false;     ///< FrameOutcome::is_right(): what is called tracking has to be
   double explained = 0.0;  ///< of Agreement
   double contradicted = 0.0;
+  double belief = 0.0;   ///< of Answer
   double seconds = 0.0;  ///< from depth image to answer
 };
 

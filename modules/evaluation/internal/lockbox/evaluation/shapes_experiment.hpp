@@ -23,6 +23,7 @@ struct ShapeResult {
   AnswerErrors errors;             ///< against the nearest pose that looks the same
   double evidence = 0.0;           ///< for the answer, nats (docs/verification.md)
   double evidence_of_truth = 0.0;  ///< what a search could have found
+  double belief = 0.0;             ///< of Answer
   double seconds = 0.0;            ///< from depth image to answer
 
   bool is_right() const { return errors.wrong.empty(); }

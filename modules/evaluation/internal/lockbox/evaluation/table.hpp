@@ -35,6 +35,8 @@ class Table {
   /// One cell a column.
   void add(Row row);
 
+  bool has(const std::string& column) const;
+
   /// The column must exist. number() throws InputError if the cell holds none.
   const std::string& word(const Row& row, const std::string& column) const;
   double number(const Row& row, const std::string& column) const;
@@ -49,6 +51,9 @@ class Table {
 /// Reads a table with these columns. A last row without its end is left out. Throws InputError with
 /// file and line.
 Table read_table(const std::filesystem::path& file, const std::vector<std::string>& columns);
+
+/// Likewise, with whatever columns it has.
+Table read_table(const std::filesystem::path& file);
 
 /// Replaces the file at once, so that it is complete whatever ends the program. Throws InputError
 /// if it cannot be written.
