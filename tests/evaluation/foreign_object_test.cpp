@@ -10,18 +10,30 @@
 namespace lockbox {
 namespace {
 
-/// A sideboard, seen aslant, of which its one closed door is most of what is seen: the door fits
-/// with its hinge at any angle, the carcass behind it.
-TEST(ForeignObject, ADoorThatHidesTheCarcassIsNotTakenForOpen) {
+/// A third of every deviation, of object and camera.
+ForeignFrame track_furniture(const char* block, std::uint64_t number) {
   const TemporaryFolder folder;
   ForeignSettings settings;
   settings.camera = sensor_model("primesense").camera;
   settings.deviates = true;
   settings.folder = folder.path();
-  const ForeignResult result =
-      track_foreign_object(DrawnKind::furniture, ObjectBlock("test:11"), 6, settings, Executor());
-  ASSERT_EQ(result.frames.size(), 1U);
-  EXPECT_TRUE(result.frames.front().is_right()) << result.frames.front().errors.wrong;
+  return track_foreign_object(DrawnKind::furniture, ObjectBlock(block), number, settings,
+                              Executor())
+      .frames.at(0);
+}
+
+/// A sideboard, seen aslant, of which its one closed door is most of what is seen: the door fits
+/// with its hinge at any angle, the carcass behind it.
+TEST(ForeignObject, ADoorThatHidesTheCarcassIsNotTakenForOpen) {
+  const ForeignFrame frame = track_furniture("test:11", 6);
+  EXPECT_TRUE(frame.is_right()) << frame.errors.wrong;
+}
+
+/// A chest of seven drawers, seen from the front: the carcass may stand 40 mm farther back, with
+/// all drawers that far out, and the image says as much for that.
+TEST(ForeignObject, ACarcassBehindItsFrontsIsNotTrustedAnywhere) {
+  const ForeignFrame frame = track_furniture("test:14", 29);
+  EXPECT_TRUE(frame.is_right() || !frame.is_trusted()) << frame.errors.wrong;
 }
 
 }  // namespace

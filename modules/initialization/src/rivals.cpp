@@ -11,8 +11,18 @@
 namespace lockbox {
 namespace {
 
-/// Of the model's radius: answers that are nearer to each other come to the same rest.
+/// Answers that are nearer to each other are one. Unit: of the model's radius. Source: from there
+/// they come to the same rest, unless the view does not tell. Doubled, mugs that are turned by some
+/// degrees are one answer.
 constexpr double kAnotherAnswer = 0.15;
+/// The same of large models. Unit: metres. Source: answers have come to rest; where a frontal view
+/// shows of a chest of drawers nothing but fronts, they rest wherever its carcass was put behind
+/// them. Doubled, one that was 40 mm too far back is believed.
+constexpr double kMostOfOneAnswer = 0.02;
+
+double least_apart(const ModelExtent& extent) {
+  return std::min(kAnotherAnswer * extent.radius, kMostOfOneAnswer);
+}
 
 }  // namespace
 
@@ -49,7 +59,7 @@ void compare(const ModelExtent& extent, std::span<const Eigen::Isometry3d> symme
     for (const Candidate& other : candidates) {
       const double move =
           farthest_move(extent, symmetries, pose, other.configuration.T_camera_base);
-      if (move < kAnotherAnswer * extent.radius) continue;
+      if (move < least_apart(extent)) continue;
       others.push_back(other.evidence);
       squares += std::exp(log_odds(other.evidence, candidate.evidence)) * move * move;
     }
@@ -57,7 +67,7 @@ void compare(const ModelExtent& extent, std::span<const Eigen::Isometry3d> symme
     candidate.rival_distance = std::sqrt(candidate.belief * squares);
     const Configuration& first = candidates.front().configuration;
     const double move = farthest_move(extent, symmetries, first.T_camera_base, pose);
-    candidate.distance = move < kAnotherAnswer * extent.radius ? 0.0 : move;
+    candidate.distance = move < least_apart(extent) ? 0.0 : move;
     candidate.is_in_place_of_first = place_distance(extent, first, candidate.configuration) < 1.0;
   }
 }
