@@ -94,6 +94,11 @@ TEST(ContentHash, TellsMeshesApart) {
   EXPECT_NE(content_hash(box), content_hash(changed));
 }
 
+TEST(ContentHash, HasATextOfOneLength) {
+  EXPECT_EQ(hash_text(0x1f), "000000000000001f");
+  EXPECT_EQ(hash_text(~std::uint64_t{0}), "ffffffffffffffff");
+}
+
 TEST(ContentHash, IgnoresTheSignOfZero) {
   TriangleMesh plus{{Vector3d(0.0, 1.0, 2.0)}, {}};
   TriangleMesh minus{{Vector3d(-0.0, 1.0, 2.0)}, {}};

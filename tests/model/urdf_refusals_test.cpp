@@ -162,8 +162,9 @@ TEST_F(JointRefusals, NamesThatNoColumnCanBear) {
   for (const std::string name : {"a,b", "a&quot;b", "a'b", " door", "door "}) {
     EXPECT_THAT(refusal_of("continuous", "", name), HasSubstr("rename the joint")) << name;
   }
-  EXPECT_THAT(refusal_of("continuous", "", "a&#10;b"), HasSubstr("control characters"));
-  EXPECT_THAT(refusal_of("continuous", "", "a\xC3"), HasSubstr("UTF-8"));
+  EXPECT_THAT(refusal_of("continuous", "", "a&#10;b"),
+              HasSubstr("the byte 0x0A, which is a control character"));
+  EXPECT_THAT(refusal_of("continuous", "", "a\xC3"), HasSubstr("the byte 0xC3"));
   EXPECT_THAT(refusal_of("continuous", "", ""), HasSubstr("needs the attribute 'name'"));
 }
 

@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/mesh/content_hash.hpp"
 
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+
 namespace lockbox {
+
+std::string hash_text(std::uint64_t hash) {
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016" PRIx64, hash);
+  return digits.data();
+}
 
 std::uint64_t content_hash(const TriangleMesh& mesh) {
   ContentHash hash;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "printable_text.hpp"
 
+#include <array>
 #include <cstddef>
+#include <cstdio>
 
 namespace lockbox {
 namespace {
@@ -16,18 +18,30 @@ std::size_t character_length(unsigned char first) {
   return 0;
 }
 
+/// Of the character that the text begins with; 0 if it is none, or is cut off.
+std::size_t printable_length(std::string_view text) {
+  const std::size_t length = character_length(static_cast<unsigned char>(text.front()));
+  if (length > text.size()) return 0;
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((static_cast<unsigned char>(text[k]) & 0xC0) != 0x80) return 0;
+  }
+  return length;
+}
+
 }  // namespace
 
-bool is_printable_text(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_length(static_cast<unsigned char>(text[i]));
-    if (length == 0 || i + length > text.size()) return false;
-    for (std::size_t k = 1; k < length; ++k) {
-      if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return false;
+std::optional<std::string> unprintable_byte(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = printable_length(text);
+    if (length == 0) {
+      std::array<char, 5> hexadecimal{};
+      std::snprintf(hexadecimal.data(), hexadecimal.size(), "0x%02X",
+                    static_cast<unsigned int>(static_cast<unsigned char>(text.front())));
+      return hexadecimal.data();
     }
-    i += length;
+    text.remove_prefix(length);
   }
-  return true;
+  return std::nullopt;
 }
 
 }  // namespace lockbox

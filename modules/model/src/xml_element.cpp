@@ -62,9 +62,9 @@ XmlElement XmlElement::required_child(const std::string& name) const {
 std::optional<std::string> XmlElement::attribute(const std::string& name) const {
   const char* value = element_->Attribute(name.c_str());
   if (value == nullptr) return std::nullopt;
-  if (!is_printable_text(value)) {
-    refuse("attribute '" + name + "' of <" + this->name() +
-           "> is not UTF-8 text, or holds control characters");
+  if (const auto byte = unprintable_byte(value)) {
+    refuse("attribute '" + name + "' of <" + this->name() + "> holds the byte " + *byte +
+           ", which is a control character or no UTF-8; write printable text");
   }
   return value;
 }
@@ -103,7 +103,7 @@ std::optional<double> XmlElement::number(const std::string& name) const {
 
 std::string XmlElement::plain_attribute(const std::string& name) const {
   const char* value = element_->Attribute(name.c_str());
-  return value != nullptr && is_printable_text(value) ? value : "";
+  return value != nullptr && !unprintable_byte(value) ? value : "";
 }
 
 std::string XmlElement::remark(const std::string& problem) const {

@@ -36,9 +36,7 @@ std::uint64_t key_of(const TriangleMesh& mesh, const FieldOptions& options) {
 constexpr auto kExtension = ".field";
 
 std::filesystem::path file_for(const std::filesystem::path& folder, std::uint64_t key) {
-  char name[32];
-  std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(key));
-  return folder / (std::string(name) + kExtension);
+  return folder / (hash_text(key) + kExtension);
 }
 
 std::optional<SignedDistanceField::Storage> read(const std::filesystem::path& file,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "lockbox/mesh/triangle_mesh.hpp"
 
@@ -27,6 +28,9 @@ class ContentHash {
  private:
   std::uint64_t value_ = 0xCBF29CE484222325ULL;
 };
+
+/// The hash as 16 hexadecimal digits, for names of files.
+std::string hash_text(std::uint64_t hash);
 
 /// Of the vertices' coordinates and the triangles, in their order.
 std::uint64_t content_hash(const TriangleMesh& mesh);
