@@ -129,6 +129,8 @@ TEST_F(DepthFolder, ProblemsInTheIndexNameTheLine) {
   expect_refusal("depth.txt:4: expected");
   write_text(path() / "depth.txt", "0.0 depth/000000.png\n0.1\n0.2 depth/000001.png\n");
   expect_refusal("depth.txt:2: expected");
+  write_text(path() / "depth.txt", "# comment\n0.0 depth/no_such.png\n0.1 depth/neither.png\n");
+  expect_refusal("no_such.png: no such image, or it cannot be read (line 2 of depth.txt)");
   write_text(path() / "depth.txt", "# nothing\n");
   expect_refusal("lists no images");
 }

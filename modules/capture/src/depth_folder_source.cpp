@@ -57,7 +57,8 @@ struct DepthFolderSource::Impl {
     rectification.check_size(image.width, image.height, name);
     return std::nullopt;
   } catch (const InputError& error) {
-    return error.what();
+    return std::string(error.what()) + " (line " + std::to_string(entries[frame].line) +
+           " of depth.txt)";
   }
 
   void take_image(DepthFrame& frame) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uintmax_t kMaximumIndexBytes = 1U << 30U;  // a week at 30 Hz
 
-std::optional<DepthIndexEntry> parse_entry(std::string_view text,
+std::optional<DepthIndexEntry> parse_entry(std::string_view text, int line,
                                            const std::filesystem::path& folder) {
   const std::size_t space = text.find_first_of(" \t");
   const std::size_t name = text.find_first_not_of(" \t", space);
@@ -25,7 +25,7 @@ std::optional<DepthIndexEntry> parse_entry(std::string_view text,
   if (!stamp || name == std::string_view::npos) {
     return std::nullopt;
   }
-  return DepthIndexEntry{*stamp, folder / text.substr(name)};
+  return DepthIndexEntry{*stamp, folder / text.substr(name), line};
 }
 
 std::vector<DepthIndexEntry> read_entries(const std::filesystem::path& file) {
@@ -45,8 +45,8 @@ std::vector<DepthIndexEntry> read_entries(const std::filesystem::path& file) {
       continue;
     }
     const std::size_t last = text.find_last_not_of(" \t\r");
-    std::optional<DepthIndexEntry> entry =
-        parse_entry(std::string_view(text).substr(first, last - first + 1), file.parent_path());
+    std::optional<DepthIndexEntry> entry = parse_entry(
+        std::string_view(text).substr(first, last - first + 1), line, file.parent_path());
     if (entry) {
       entries.push_back(std::move(*entry));
     } else if (!in.eof()) {  // else the program that wrote it was ended in this line

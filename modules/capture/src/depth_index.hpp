@@ -12,6 +12,7 @@ namespace lockbox {
 struct DepthIndexEntry {
   double stamp;  ///< seconds
   std::filesystem::path image;
+  int line;  ///< counted from 1
 };
 
 /// Stamps in milli-, micro- or nanoseconds are brought to seconds. Lines that stand neither in the
