@@ -192,7 +192,8 @@ TEST_F(LoadModelTest, ReadsTheInitialState) {
 
 TEST_F(LoadModelTest, RefusesVoxelsAboveHalfTheThinnestWallByLink) {
   EXPECT_THAT(refusal("link_voxel: {bolt: 0.015}\n"),
-              AllOf(HasSubstr("door.urdf"), HasSubstr("link 'bolt'")));
+              AllOf(HasSubstr("door.urdf"), HasSubstr("link 'bolt'"),
+                    HasSubstr("the voxel is given in"), HasSubstr("door.yaml")));
 }
 
 TEST_F(LoadModelTest, RefusesOpenMeshesByLink) {

@@ -19,6 +19,13 @@ FieldOptions field_options(const Body& body, const ModelParameters& parameters) 
   return options;
 }
 
+/// Which file to mend where the voxel was not chosen by the field itself.
+std::string voxel_origin(const FieldOptions& options, const std::filesystem::path& model) {
+  if (options.voxel == FieldOptions{}.voxel) return "";
+  return "; the voxel is given in " +
+         std::filesystem::path(model).replace_extension(".yaml").string();
+}
+
 /// left: bytes that the fields of the model may still take.
 std::optional<SignedDistanceField> body_field(const Body& body, FieldOptions options, double left,
                                               const std::filesystem::path& cache,
@@ -39,7 +46,7 @@ std::optional<SignedDistanceField> body_field(const Body& body, FieldOptions opt
     return field;
   } catch (const InputError& error) {
     throw InputError(model.string(),
-                     "link '" + body.name + "': " + error.what() +
+                     "link '" + body.name + "': " + error.what() + voxel_origin(options, model) +
                          (is_scarce ? "; all fields of a model may take " +
                                           readable_number(1e-9 * most) + " GB together"
                                     : ""));
