@@ -44,7 +44,7 @@ TEST(Recording, ThatIsTruncatedIsPlayedUpToTheCut) {
                 "--output", (folder / "whole.oni").string(), "--quiet"});
   ASSERT_EQ(simulated.status, 0) << simulated.errors;
   const std::string whole = read_text(folder / "whole.oni");
-  for (const std::size_t share : {3, 6}) {
+  for (const std::size_t share : {3U, 6U}) {
     write_text(folder / "truncated.oni", whole.substr(0, whole.size() * share / 7));
     const auto result = track((folder / "truncated.oni").string());
     EXPECT_EQ(result.status, 0) << result.errors;
