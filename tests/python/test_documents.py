@@ -102,7 +102,7 @@ SMALL = {
     "experiments.md": [
         ("convergence --samples 1 --step 15", "convergence --model rigid_block --samples 1 --step 45 "
          "--frames 12 --joints free"),
-        ("kidnap --runs 4", "kidnap --model rigid_block --runs 1"),
+        ("kidnap --runs 4 --live-runs 4", "kidnap --model rigid_block --runs 1 --live-runs 1"),
         ("speed --runs 4 --frames 120 --fastest 16",
          "speed --model rigid_block --runs 1 --frames 8 --fastest 2"),
         ("--pieces 4", "--pieces 1"),

@@ -52,6 +52,11 @@ ArticulatedModel load_mechanism(const std::vector<std::string>& elements,
   return load_model(folder.write("mechanism.urdf", robot_text(elements)), options);
 }
 
+KinematicTree load_mechanism_tree(const std::vector<std::string>& elements) {
+  const TemporaryFolder folder;
+  return load_kinematic_tree(folder.write("mechanism.urdf", robot_text(elements)), {});
+}
+
 const ArticulatedModel& mechanism() {
   static const ArticulatedModel model = [] {
     LoadOptions without_cache;

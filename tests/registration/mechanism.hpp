@@ -22,6 +22,8 @@ std::vector<std::string> mechanism_elements();
 /// The same, or another model, from such elements.
 ArticulatedModel load_mechanism(const std::vector<std::string>& elements,
                                 const LoadOptions& options);
+/// Its kinematic tree alone, without fields.
+KinematicTree load_mechanism_tree(const std::vector<std::string>& elements);
 
 /// One body, that no turn and no mirror maps onto itself: sought in a fraction of the time.
 const ArticulatedModel& bracket();

@@ -23,36 +23,36 @@ double number(const YamlMap& map, const char* key) {
   return value;
 }
 
-ErrorSummary read_errors(const std::string& file, const YamlMap& row, const char* key) {
+ErrorSummary read_errors(const YamlMap& row, const char* key) {
   row.require(key);
-  const YamlMap map(file, row.node(key), {"median", "percentile_95", "maximum"});
+  const YamlMap map(row.value(key), {"median", "percentile_95", "maximum"});
   return {number(map, "median"), number(map, "percentile_95"), number(map, "maximum")};
 }
 
-AccuracyRow read_accuracy(const std::string& file, const YAML::Node& node) {
-  const YamlMap row(file, node,
+AccuracyRow read_accuracy(const YamlValue& value) {
+  const YamlMap row(value,
                     {"sequence", "tracker", "base_mm", "base_degrees", "door_degrees", "slide_mm"});
   return {word(row, "sequence"),
           word(row, "tracker"),
-          read_errors(file, row, "base_mm"),
-          read_errors(file, row, "base_degrees"),
-          read_errors(file, row, "door_degrees"),
-          read_errors(file, row, "slide_mm")};
+          read_errors(row, "base_mm"),
+          read_errors(row, "base_degrees"),
+          read_errors(row, "door_degrees"),
+          read_errors(row, "slide_mm")};
 }
 
-TimeRow read_times(const std::string& file, const YAML::Node& node) {
-  const YamlMap row(file, node, {"tracker", "median_ms", "percentile_95_ms", "cpu_median_ms"});
+TimeRow read_times(const YamlValue& value) {
+  const YamlMap row(value, {"tracker", "median_ms", "percentile_95_ms", "cpu_median_ms"});
   return {word(row, "tracker"), number(row, "median_ms"), number(row, "percentile_95_ms"),
           number(row, "cpu_median_ms")};
 }
 
-CaptureRow read_capture(const std::string& file, const YAML::Node& node) {
-  const YamlMap row(file, node, {"kind", "fast", "best"});
+CaptureRow read_capture(const YamlValue& value) {
+  const YamlMap row(value, {"kind", "fast", "best"});
   return {word(row, "kind"), word(row, "fast"), word(row, "best")};
 }
 
-FastMotionRow read_fast_motion(const std::string& file, const YAML::Node& node) {
-  const YamlMap row(file, node, {"every", "fast", "best"});
+FastMotionRow read_fast_motion(const YamlValue& value) {
+  const YamlMap row(value, {"every", "fast", "best"});
   row.require("every");
   return {static_cast<int>(number(row, "every")), word(row, "fast"), word(row, "best")};
 }
@@ -60,17 +60,14 @@ FastMotionRow read_fast_motion(const std::string& file, const YAML::Node& node) 
 }  // namespace
 
 PublishedFigures read_published_figures(const std::filesystem::path& file) {
-  const std::string name = file.string();
-  const YamlMap map(
-      name, load_yaml(file, "YAML"),
-      {"tracker", "source", "measured", "settings", "accuracy", "times", "capture", "fast_motion"});
+  const YamlMap map(YamlValue::load(file, "YAML"), {"tracker", "source", "measured", "settings",
+                                                    "accuracy", "times", "capture", "fast_motion"});
   PublishedFigures figures;
-  for (const auto& row : map.items("accuracy"))
-    figures.accuracy.push_back(read_accuracy(name, row));
-  for (const auto& row : map.items("times")) figures.times.push_back(read_times(name, row));
-  for (const auto& row : map.items("capture")) figures.capture.push_back(read_capture(name, row));
+  for (const auto& row : map.items("accuracy")) figures.accuracy.push_back(read_accuracy(row));
+  for (const auto& row : map.items("times")) figures.times.push_back(read_times(row));
+  for (const auto& row : map.items("capture")) figures.capture.push_back(read_capture(row));
   for (const auto& row : map.items("fast_motion")) {
-    figures.fast_motion.push_back(read_fast_motion(name, row));
+    figures.fast_motion.push_back(read_fast_motion(row));
   }
   return figures;
 }

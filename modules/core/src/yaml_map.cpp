@@ -2,64 +2,31 @@
 #include "lockbox/core/yaml_map.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
-#include "lockbox/core/error.hpp"
-#include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
-#include "lockbox/core/text_file.hpp"
 
 namespace lockbox {
 
-YAML::Node load_yaml(const std::filesystem::path& file, const std::string& kind) {
-  if (!is_file(file)) {
-    throw InputError(file.string(), "is not a " + kind + " file that can be read");
-  }
-  const std::string text = read_text_file(file, kMostWrittenBytes);
-  try {
-    return YAML::Load(text);
-  } catch (const YAML::Exception& error) {
-    throw InputError(file.string(), error.mark.line + 1, "is not YAML: " + error.msg);
-  }
-}
-
-YamlMap::YamlMap(const std::string& file, const YAML::Node& node,
-                 std::initializer_list<const char*> known_keys)
-    : file_(file), node_(node) {
-  if (!node.IsMap()) {
-    throw InputError(file, std::max(1, node.Mark().line + 1), "a map (key: value) is needed here");
-  }
-  std::set<std::string> seen;
-  for (const auto& entry : node) {
-    const int line = entry.first.Mark().line + 1;
-    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
-    if (std::find(known_keys.begin(), known_keys.end(), key) == known_keys.end()) {
-      std::string choices;
-      for (const char* known : known_keys) {
-        choices += choices.empty() ? known : std::string(", ") + known;
-      }
-      throw InputError(file, line, "unknown key '" + key + "'; known here: " + choices);
+YamlMap::YamlMap(const YamlValue& map, std::initializer_list<const char*> known_keys) : map_(map) {
+  for (const auto& [name, value] : map.entries()) {
+    const std::string key = name.text();
+    if (std::find(known_keys.begin(), known_keys.end(), key) != known_keys.end()) continue;
+    std::string choices;
+    for (const char* known : known_keys) {
+      choices += choices.empty() ? known : std::string(", ") + known;
     }
-    if (!seen.insert(key).second) {
-      throw InputError(file, line, "the key '" + key + "' stands there twice");
-    }
+    name.refuse("unknown key '" + key + "'; known here: " + choices);
   }
 }
 
 void YamlMap::read(const char* key, std::string& value) const {
-  if (has(key)) {
-    if (!node_[key].IsScalar()) {
-      refuse(key, "must be a word");
-    }
-    value = node_[key].Scalar();
-  }
+  if (!has(key)) return;
+  if (!map_.node_[key].IsScalar()) refuse(key, "must be a word");
+  value = map_.node_[key].Scalar();
 }
 
 void YamlMap::read(const char* key, double& value) const {
-  if (has(key)) {
-    value = number(key, node_[key]);
-  }
+  if (has(key)) value = number(key, this->value(key));
 }
 
 void YamlMap::read(const char* key, const NumberRange& range, double& value) const {
@@ -76,50 +43,40 @@ void YamlMap::read(const char* key, bool& value) const {
 }
 
 void YamlMap::read(const char* key, std::vector<std::string>& words) const {
-  for (const YAML::Node& item : items(key)) {
-    if (!item.IsScalar()) refuse(key, "must be a list of words");
-    words.push_back(item.Scalar());
+  for (const YamlValue& item : items(key)) {
+    if (!item.node_.IsScalar()) refuse(key, "must be a list of words");
+    words.push_back(item.text());
   }
 }
 
-std::vector<YAML::Node> YamlMap::items(const char* key) const {
-  if (!has(key)) {
-    return {};
-  }
-  if (!node_[key].IsSequence()) {
-    refuse(key, "must be a list");
-  }
-  return {node_[key].begin(), node_[key].end()};
+std::vector<YamlValue> YamlMap::items(const char* key) const {
+  if (!has(key)) return {};
+  if (!map_.node_[key].IsSequence()) refuse(key, "must be a list");
+  return value(key).items();
 }
 
 void YamlMap::require(const char* key) const {
-  if (!has(key)) {
-    throw InputError(file_, node_.Mark().line + 1, "the key '" + std::string(key) + "' is missing");
-  }
+  if (!has(key)) map_.refuse("the key '" + std::string(key) + "' is missing");
 }
 
 void YamlMap::refuse(const char* key, const std::string& problem) const {
-  const YAML::Node at = has(key) ? node_[key] : node_;
-  throw InputError(file_, at.Mark().line + 1, "'" + std::string(key) + "' " + problem);
+  (has(key) ? value(key) : map_).refuse("'" + std::string(key) + "' " + problem);
 }
 
-double YamlMap::number(const char* key, const YAML::Node& node) const {
-  const std::string text = node.IsScalar() ? node.Scalar() : "";
-  const auto value = parse_finite_number(text);
-  if (!value) {
-    refuse(key, "needs finite numbers");
-  }
-  return *value;
+double YamlMap::number(const char* key, const YamlValue& value) const {
+  const auto number = parse_finite_number(value.node_.IsScalar() ? value.text() : "");
+  if (!number) refuse(key, "needs finite numbers");
+  return *number;
 }
 
 std::vector<double> YamlMap::read_list(const char* key, std::size_t size) const {
-  const std::vector<YAML::Node> entries = items(key);
+  const std::vector<YamlValue> entries = items(key);
   if (entries.size() != size) {
     refuse(key, "must be a list of " + std::to_string(size) + " numbers");
   }
   std::vector<double> numbers;
   numbers.reserve(entries.size());
-  for (const YAML::Node& entry : entries) {
+  for (const YamlValue& entry : entries) {
     numbers.push_back(number(key, entry));
   }
   return numbers;

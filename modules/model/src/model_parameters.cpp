@@ -9,9 +9,9 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/readable_text.hpp"
 #include "lockbox/core/text_file.hpp"
+#include "lockbox/core/yaml_value.hpp"
 #include "model_keys.hpp"
 #include "quaternion_tolerance.hpp"
-#include "yaml_node.hpp"
 
 namespace lockbox {
 namespace {
@@ -20,20 +20,20 @@ namespace {
 /// Twice as much lets more pass that is in millimetres.
 constexpr double kLargestDetail = 0.1;
 
-void require_metres(const YamlNode& node, double value, double most) {
+void require_metres(const YamlValue& node, double value, double most) {
   if (std::abs(value) <= most) return;
   node.refuse(readable_length(std::abs(value)) + " is too much; lengths are in metres: if " +
               "millimetres are meant, write " + readable_number(0.001 * value));
 }
 
-double positive_length(const YamlNode& node) {
+double positive_length(const YamlValue& node) {
   const double value = node.number();
   require_metres(node, value, kLargestDetail);
   if (value <= 0.0) node.refuse("a length in metres must be positive");
   return value;
 }
 
-double erosion_depth(const YamlNode& node) {
+double erosion_depth(const YamlValue& node) {
   const double value = node.number();
   require_metres(node, value, kLargestDetail);
   if (value < 0.0) node.refuse("an erosion (metres) must not be negative");
@@ -41,7 +41,7 @@ double erosion_depth(const YamlNode& node) {
 }
 
 /// The body that the named link is part of.
-const Body& body_of(const YamlNode& where, const std::string& link, const KinematicTree& tree) {
+const Body& body_of(const YamlValue& where, const std::string& link, const KinematicTree& tree) {
   for (const Body& body : tree.bodies) {
     if (std::find(body.links.begin(), body.links.end(), link) == body.links.end()) continue;
     if (body.visuals.empty()) where.refuse("link " + in_quotes(link) + " has no geometry");
@@ -50,9 +50,10 @@ const Body& body_of(const YamlNode& where, const std::string& link, const Kinema
   where.refuse("the model has no link " + in_quotes(link));
 }
 
-std::map<std::string, double> read_link_voxels(const YamlNode& node, const KinematicTree& tree) {
+std::map<std::string, double> read_link_voxels(const YamlValue& node, const KinematicTree& tree) {
   std::map<std::string, double> voxels;
-  for (const auto& [link, value] : node.entries()) {
+  for (const auto& [name, value] : node.entries()) {
+    const std::string link = name.text();
     const std::string& body = body_of(value, link, tree).name;
     if (!voxels.emplace(body, positive_length(value)).second) {
       value.refuse("link " + in_quotes(link) + " belongs to the rigid body " + in_quotes(body) +
@@ -62,18 +63,19 @@ std::map<std::string, double> read_link_voxels(const YamlNode& node, const Kinem
   return voxels;
 }
 
-void read_pair_erosion(const YamlNode& node, const KinematicTree& tree, ModelParameters& result) {
+void read_pair_erosion(const YamlValue& node, const KinematicTree& tree, ModelParameters& result) {
   std::vector<std::string> bodies;
   std::optional<double> erosion;
-  for (const auto& [key, value] : node.entries()) {
+  for (const auto& [name, value] : node.entries()) {
+    const std::string key = name.text();
     if (key == "links") {
-      for (const YamlNode& link : value.items(2)) {
+      for (const YamlValue& link : value.items(2)) {
         bodies.push_back(body_of(link, link.text(), tree).name);
       }
     } else if (key == "erosion") {
       erosion = erosion_depth(value);
     } else {
-      value.refuse("unknown key " + in_quotes(key) + "; a pair has the keys links, erosion");
+      name.refuse("unknown key " + in_quotes(key) + "; a pair has the keys links, erosion");
     }
   }
   if (bodies.empty() || !erosion) node.refuse("a pair needs both keys, links and erosion");
@@ -86,15 +88,15 @@ void read_pair_erosion(const YamlNode& node, const KinematicTree& tree, ModelPar
 }
 
 template <std::size_t Count>
-std::array<double, Count> numbers(const YamlNode& node) {
+std::array<double, Count> numbers(const YamlValue& node) {
   std::array<double, Count> result{};
   const auto items = node.items(Count);
   std::transform(items.begin(), items.end(), result.begin(),
-                 [](const YamlNode& item) { return item.number(); });
+                 [](const YamlValue& item) { return item.number(); });
   return result;
 }
 
-Eigen::Quaterniond rotation(const YamlNode& node) {
+Eigen::Quaterniond rotation(const YamlValue& node) {
   const auto [x, y, z, w] = numbers<4>(node);
   const Eigen::Quaterniond q(w, x, y, z);
   if (!(std::abs(q.norm() - 1.0) <= kQuaternionTolerance)) {
@@ -104,7 +106,7 @@ Eigen::Quaterniond rotation(const YamlNode& node) {
   return q.normalized();
 }
 
-void set_joint(const YamlNode& node, const std::string& joint, const KinematicTree& tree,
+void set_joint(const YamlValue& node, const std::string& joint, const KinematicTree& tree,
                Configuration& configuration) {
   constexpr int kDigits = 6;
   const double position = node.number();
@@ -122,12 +124,13 @@ void set_joint(const YamlNode& node, const std::string& joint, const KinematicTr
   }
 }
 
-Configuration read_initial_state(const YamlNode& node, const KinematicTree& tree) {
+Configuration read_initial_state(const YamlValue& node, const KinematicTree& tree) {
   Configuration result = rest_configuration(tree);
-  for (const auto& [key, value] : node.entries()) {
+  for (const auto& [name, value] : node.entries()) {
+    const std::string key = name.text();
     if (key == "position") {
       const auto [x, y, z] = numbers<3>(value);
-      for (const YamlNode& item : value.items(3)) {
+      for (const YamlValue& item : value.items(3)) {
         require_metres(item, item.number(), kFarthestBase);
       }
       result.T_camera_base.translation() = Eigen::Vector3d(x, y, z);
@@ -135,11 +138,11 @@ Configuration read_initial_state(const YamlNode& node, const KinematicTree& tree
       result.T_camera_base.linear() = rotation(value).toRotationMatrix();
     } else if (key == "joints") {
       for (const auto& [joint, position] : value.entries()) {
-        set_joint(position, joint, tree, result);
+        set_joint(position, joint.text(), tree, result);
       }
     } else {
-      value.refuse("unknown key " + in_quotes(key) +
-                   "; an initial state has the keys position, quaternion, joints");
+      name.refuse("unknown key " + in_quotes(key) +
+                  "; an initial state has the keys position, quaternion, joints");
     }
   }
   return result;
@@ -158,9 +161,10 @@ ModelParameters read_model_parameters(const std::filesystem::path& yaml, const K
     }
     return result;
   }
-  const YamlNode top = YamlNode::read(yaml);
+  const YamlValue top = YamlValue::load(yaml, "YAML");
   if (top.is_empty()) return result;
-  for (const auto& [key, value] : top.entries()) {
+  for (const auto& [name, value] : top.entries()) {
+    const std::string key = name.text();
     if (key == "voxel") {
       result.voxel = positive_length(value);
     } else if (key == "link_voxel") {
@@ -168,11 +172,11 @@ ModelParameters read_model_parameters(const std::filesystem::path& yaml, const K
     } else if (key == "erosion") {
       result.erosion = erosion_depth(value);
     } else if (key == "pair_erosion") {
-      for (const YamlNode& pair : value.items()) read_pair_erosion(pair, tree, result);
+      for (const YamlValue& pair : value.items()) read_pair_erosion(pair, tree, result);
     } else if (key == "initial_state") {
       result.initial_configuration = read_initial_state(value, tree);
     } else {
-      value.refuse("unknown key " + in_quotes(key) + "; a model has the keys " + kKeyList);
+      name.refuse("unknown key " + in_quotes(key) + "; a model has the keys " + kKeyList);
     }
   }
   return result;

@@ -39,8 +39,8 @@ void read_whole(const YamlMap& map, const char* key, const NumberRange& range, i
   value = static_cast<int>(number);
 }
 
-void read_camera(const std::string& file, const YAML::Node& node, PinholeCamera& camera) {
-  const YamlMap map(file, node, {"width", "height", "fx", "fy", "cx", "cy"});
+void read_camera(const YamlValue& value, PinholeCamera& camera) {
+  const YamlMap map(value, {"width", "height", "fx", "fy", "cx", "cy"});
   for (const char* key : {"width", "height", "fx", "fy", "cx", "cy"}) map.require(key);
   read_whole(map, "width", kImageSide, camera.width);
   read_whole(map, "height", kImageSide, camera.height);
@@ -75,11 +75,11 @@ void require_positive(const YamlMap& noise, const SensorProfile& profile) {
   }
 }
 
-void read_noise(const std::string& file, const YAML::Node& node, SensorProfile& profile) {
-  const YamlMap map(file, node, {"along_ray", "across_ray", "own_share", "correlation_length"});
+void read_noise(const YamlValue& value, SensorProfile& profile) {
+  const YamlMap map(value, {"along_ray", "across_ray", "own_share", "correlation_length"});
   SensorNoise& noise = profile.noise;
   if (map.has("along_ray")) {
-    const YamlMap along(file, map.node("along_ray"), {"constant", "linear", "quadratic"});
+    const YamlMap along(map.value("along_ray"), {"constant", "linear", "quadratic"});
     along.require("quadratic");
     noise.depth_floor = noise.depth_linear = 0.0;
     along.read("constant", kConstant, noise.depth_floor);
@@ -93,8 +93,8 @@ void read_noise(const std::string& file, const YAML::Node& node, SensorProfile& 
 }
 
 /// What is farther must stay farther, wherever the sensor measures.
-void read_correction(const std::string& file, const YAML::Node& node, SensorProfile& profile) {
-  const YamlMap map(file, node, {"scale", "offset", "quadratic", "radial"});
+void read_correction(const YamlValue& value, SensorProfile& profile) {
+  const YamlMap map(value, {"scale", "offset", "quadratic", "radial"});
   DepthCorrection correction;
   map.read("scale", kScale, correction.scale);
   map.read("offset", kOffset, correction.offset);
@@ -109,9 +109,9 @@ void read_correction(const std::string& file, const YAML::Node& node, SensorProf
   profile.depth_correction = correction;
 }
 
-void read_simulation(const std::string& file, const YAML::Node& node, SensorModel& sensor) {
+void read_simulation(const YamlValue& value, SensorModel& sensor) {
   const YamlMap map(
-      file, node,
+      value,
       {"baseline", "disparity_noise", "disparity_step", "correlation_length", "lateral_jitter",
        "depth_noise", "depth_noise_growth", "depth_noise_reference", "grows_with_incidence",
        "slant_bias", "mixes_depths", "matching_window", "least_fattening", "most_fattening",
@@ -146,9 +146,8 @@ void read_simulation(const std::string& file, const YAML::Node& node, SensorMode
 }
 
 SensorProfile read_profile(const std::filesystem::path& path, std::size_t likes) {
-  const std::string file = path.string();
   const YamlMap map(
-      file, load_yaml(path, "sensor profile"),
+      YamlValue::load(path, "sensor profile"),
       {"description", "like", "camera", "range", "noise", "depth_correction", "simulation"});
   SensorProfile profile;
   if (map.has("like")) {
@@ -165,16 +164,16 @@ SensorProfile read_profile(const std::filesystem::path& path, std::size_t likes)
   profile.file = path;
   map.read("description", profile.description);
   read_range(map, profile);
-  if (map.has("noise")) read_noise(file, map.node("noise"), profile);
-  if (map.has("depth_correction")) read_correction(file, map.node("depth_correction"), profile);
+  if (map.has("noise")) read_noise(map.value("noise"), profile);
+  if (map.has("depth_correction")) read_correction(map.value("depth_correction"), profile);
   if (map.has("simulation") && !profile.simulated) profile.simulated.emplace();
-  if (map.has("simulation")) read_simulation(file, map.node("simulation"), *profile.simulated);
+  if (map.has("simulation")) read_simulation(map.value("simulation"), *profile.simulated);
   if (!profile.simulated) return profile;
   SensorModel& simulated = *profile.simulated;
   simulated.name = profile.name;
   simulated.min_range = profile.min_range;
   simulated.max_range = profile.max_range;
-  if (map.has("camera")) read_camera(file, map.node("camera"), simulated.camera);
+  if (map.has("camera")) read_camera(map.value("camera"), simulated.camera);
   return profile;
 }
 

@@ -32,11 +32,10 @@ void read_whole(const YamlMap& map, const char* key, double highest, Integer& va
   value = static_cast<Integer>(number);
 }
 
-void read_object(const std::string& file, const YAML::Node& node, ObjectDeviation& object) {
+void read_object(const YamlValue& value, ObjectDeviation& object) {
   constexpr double kMostParts = 100.0;
-  const YamlMap map(file, node,
-                    {"scale", "sizes", "bend", "joint_origins", "joint_axes", "added_parts",
-                     "added_share", "missing_handles", "missing_parts"});
+  const YamlMap map(value, {"scale", "sizes", "bend", "joint_origins", "joint_axes", "added_parts",
+                            "added_share", "missing_handles", "missing_parts"});
   map.read("scale", kScale, object.scale);
   map.read("sizes", kLength, object.sizes);
   map.read("bend", kLength, object.bend);
@@ -48,8 +47,8 @@ void read_object(const std::string& file, const YAML::Node& node, ObjectDeviatio
   map.read("missing_parts", object.missing_parts);
 }
 
-void read_camera(const std::string& file, const YAML::Node& node, CameraDeviation& camera) {
-  const YamlMap map(file, node, {"focal_length", "principal_point", "distortion"});
+void read_camera(const YamlValue& value, CameraDeviation& camera) {
+  const YamlMap map(value, {"focal_length", "principal_point", "distortion"});
   map.read("focal_length", kScale, camera.focal_length);
   map.read("principal_point", camera.principal_point);
   if (camera.principal_point.cwiseAbs().maxCoeff() > kMostPixels) {
@@ -61,15 +60,15 @@ void read_camera(const std::string& file, const YAML::Node& node, CameraDeviatio
   }
 }
 
-void read_depth(const std::string& file, const YAML::Node& node, DepthDeviation& depth) {
-  const YamlMap map(file, node, {"scale", "bend", "corners"});
+void read_depth(const YamlValue& value, DepthDeviation& depth) {
+  const YamlMap map(value, {"scale", "bend", "corners"});
   map.read("scale", kScale, depth.scale);
   map.read("bend", kDepthShare, depth.bend);
   map.read("corners", kDepthShare, depth.corners);
 }
 
-void read_frames(const std::string& file, const YAML::Node& node, FrameDeviation& frames) {
-  const YamlMap map(file, node, {"rate", "repeated", "missing"});
+void read_frames(const YamlValue& value, FrameDeviation& frames) {
+  const YamlMap map(value, {"rate", "repeated", "missing"});
   map.read("rate", kRate, frames.rate);
   map.read("repeated", kFrameShare, frames.repeated);
   map.read("missing", kFrameShare, frames.missing);
@@ -115,15 +114,14 @@ void emit_object(YAML::Emitter& out, const ObjectDeviation& object) {
 }  // namespace
 
 Deviation read_deviation(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  const YamlMap map(file, load_yaml(path, "deviation"),
+  const YamlMap map(YamlValue::load(path, "deviation"),
                     {"seed", "object", "camera", "depth", "frames"});
   Deviation deviation;
   read_whole(map, "seed", kMostSeeds, deviation.seed);
-  if (map.has("object")) read_object(file, map.node("object"), deviation.object);
-  if (map.has("camera")) read_camera(file, map.node("camera"), deviation.sensor.camera);
-  if (map.has("depth")) read_depth(file, map.node("depth"), deviation.sensor.depth);
-  if (map.has("frames")) read_frames(file, map.node("frames"), deviation.frames);
+  if (map.has("object")) read_object(map.value("object"), deviation.object);
+  if (map.has("camera")) read_camera(map.value("camera"), deviation.sensor.camera);
+  if (map.has("depth")) read_depth(map.value("depth"), deviation.sensor.depth);
+  if (map.has("frames")) read_frames(map.value("frames"), deviation.frames);
   return deviation;
 }
 

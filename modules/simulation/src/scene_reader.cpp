@@ -24,8 +24,8 @@ void read_length(const YamlMap& map, const char* key, double& length) {
   }
 }
 
-ScenePlane read_plane(const std::string& file, const YAML::Node& node) {
-  const YamlMap map(file, node, {"frame", "point", "normal", "extent"});
+ScenePlane read_plane(const YamlValue& value) {
+  const YamlMap map(value, {"frame", "point", "normal", "extent"});
   ScenePlane plane;
   map.require("point");
   map.require("normal");
@@ -42,8 +42,8 @@ ScenePlane read_plane(const std::string& file, const YAML::Node& node) {
   return plane;
 }
 
-SceneBox read_box(const std::string& file, const YAML::Node& node) {
-  const YamlMap map(file, node, {"frame", "size", "position", "quaternion"});
+SceneBox read_box(const YamlValue& value) {
+  const YamlMap map(value, {"frame", "size", "position", "quaternion"});
   SceneBox box;
   map.require("size");
   map.require("position");
@@ -64,8 +64,8 @@ SceneBox read_box(const std::string& file, const YAML::Node& node) {
   return box;
 }
 
-ArmWaypoint read_waypoint(const std::string& file, const YAML::Node& node, double earliest) {
-  const YamlMap map(file, node, {"time", "shoulder", "wrist"});
+ArmWaypoint read_waypoint(const YamlValue& value, double earliest) {
+  const YamlMap map(value, {"time", "shoulder", "wrist"});
   ArmWaypoint waypoint;
   map.require("time");
   map.require("shoulder");
@@ -79,10 +79,9 @@ ArmWaypoint read_waypoint(const std::string& file, const YAML::Node& node, doubl
   return waypoint;
 }
 
-SceneArm read_arm(const std::string& file, const YAML::Node& node) {
-  const YamlMap map(file, node,
-                    {"frame", "upper_arm", "forearm", "hand", "radius", "elbow", "torso",
-                     "torso_radius", "waypoints"});
+SceneArm read_arm(const YamlValue& value) {
+  const YamlMap map(value, {"frame", "upper_arm", "forearm", "hand", "radius", "elbow", "torso",
+                            "torso_radius", "waypoints"});
   SceneArm arm;
   read_frame(map, arm.frame);
   read_length(map, "upper_arm", arm.upper_arm);
@@ -93,8 +92,8 @@ SceneArm read_arm(const std::string& file, const YAML::Node& node) {
   map.read("elbow", arm.elbow);
   map.read("torso", arm.torso);
   double earliest = -1e-9;
-  for (const YAML::Node& item : map.items("waypoints")) {
-    arm.waypoints.push_back(read_waypoint(file, item, earliest));
+  for (const YamlValue& item : map.items("waypoints")) {
+    arm.waypoints.push_back(read_waypoint(item, earliest));
     earliest = arm.waypoints.back().time;
   }
   if (arm.waypoints.size() < 2) {
@@ -103,9 +102,9 @@ SceneArm read_arm(const std::string& file, const YAML::Node& node) {
   return arm;
 }
 
-std::optional<Eigen::AlignedBox3d> read_room(const std::string& file, const YamlMap& scene) {
+std::optional<Eigen::AlignedBox3d> read_room(const YamlMap& scene) {
   if (!scene.has("room")) return std::nullopt;
-  const YamlMap map(file, scene.node("room"), {"lower", "upper"});
+  const YamlMap map(scene.value("room"), {"lower", "upper"});
   map.require("lower");
   map.require("upper");
   Eigen::Vector3d lower = Eigen::Vector3d::Zero();
@@ -119,8 +118,7 @@ std::optional<Eigen::AlignedBox3d> read_room(const std::string& file, const Yaml
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  const YamlMap map(file, load_yaml(path, "scene"), {"moving", "room", "planes", "boxes", "arms"});
+  const YamlMap map(YamlValue::load(path, "scene"), {"moving", "room", "planes", "boxes", "arms"});
   Scene scene;
   std::string moving = "object";
   map.read("moving", moving);
@@ -128,15 +126,15 @@ Scene read_scene(const std::filesystem::path& path) {
     map.refuse("moving", "must be object or camera");
   }
   scene.moving = moving == "object" ? Moving::object : Moving::camera;
-  scene.room = read_room(file, map);
-  for (const YAML::Node& node : map.items("planes")) {
-    scene.planes.push_back(read_plane(file, node));
+  scene.room = read_room(map);
+  for (const YamlValue& value : map.items("planes")) {
+    scene.planes.push_back(read_plane(value));
   }
-  for (const YAML::Node& node : map.items("boxes")) {
-    scene.boxes.push_back(read_box(file, node));
+  for (const YamlValue& value : map.items("boxes")) {
+    scene.boxes.push_back(read_box(value));
   }
-  for (const YAML::Node& node : map.items("arms")) {
-    scene.arms.push_back(read_arm(file, node));
+  for (const YamlValue& value : map.items("arms")) {
+    scene.arms.push_back(read_arm(value));
   }
   return scene;
 }

@@ -118,4 +118,9 @@ TrackingStatus classify(const Answer& answer, const TrackerOptions& options) {
              : TrackingStatus::uncertain;
 }
 
+bool needs_no_search(const Answer& answer, bool is_kept, const TrackerOptions& options) {
+  return classify(answer, options) == TrackingStatus::tracking ||
+         (is_kept && agrees(answer, options) && rests(answer, options));
+}
+
 }  // namespace lockbox

@@ -2,16 +2,17 @@
 #include "tracker_loop.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "lockbox/solver/motion_metric.hpp"
-#include "lockbox/verification/belief.hpp"
+#include "lockbox/tracking/classification.hpp"
 
 namespace lockbox {
 namespace {
 
 constexpr double kSuddenlyHidden = 0.15;  // of the visible surface, from one frame to the next
 constexpr int kFramesOfDoubt = 4;         // until the object is sought anywhere
-constexpr int kRepeatsToRest = 4;         // of an image, until what is found in it rests
 constexpr int kFramesToDoubtParts = 30;   // without seeking them; a second
 
 }  // namespace
@@ -22,169 +23,126 @@ Tracker::Loop::Loop(const ArticulatedModel& model, const TrackerOptions& options
       executor_(options.threads),
       registration_(model, options.registration, executor_),
       acquisition_(model, options, executor_, registration_, cloud_),
+      search_(model, options_, registration_, acquisition_, cloud_),
+      image_belief_(model.tree, cloud_, options_, executor_),
+      report_(model.tree, options_, image_belief_),
       predictor_(model.tree),
-      verifier_(model.tree) {
-  result_.configuration = unknown_configuration(model.tree);
+      joint_sight_(model.tree) {
   options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
-  frames_in_sight_.resize(options_.registration.locked.size(), 0);
-  is_flush_.resize(frames_in_sight_.size(), false);
   if (options_.background_search) acquisition_.prepare();  // no frame waits for it then
 }
 
 void Tracker::Loop::start(const Configuration& configuration) {
-  guess_ = configuration;
   is_kept_ = true;
-  frames_searched_ = 0;
-  rival_distance_ = 0.0;
-  status_ = TrackingStatus::initializing;
-  result_.status = status_;
-  stop_searching();
-}
-
-bool Tracker::Loop::is_known() const {
-  return status_ == TrackingStatus::tracking || status_ == TrackingStatus::uncertain;
-}
-
-/// Whether it is the last image again, once too often since the object was found in it to still
-/// tell anything.
-bool Tracker::Loop::shows_nothing_new(const DepthFrame& frame) {
-  if (frame.camera == last_camera_ && frame.metres_per_unit == last_unit_ &&
-      frame.depth == last_depth_) {
-    repeats_ = is_known() && is_kept_ ? repeats_ + 1 : 0;
-  } else {
-    repeats_ = 0;
-    last_depth_ = frame.depth;
-    last_camera_ = frame.camera;
-    last_unit_ = frame.metres_per_unit;
-  }
-  return repeats_ >= kRepeatsToRest;
+  judgement_ = {};
+  report_.restart();
+  search_.believe(configuration);
+  search_.stop();
 }
 
 const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
-  if (shows_nothing_new(frame)) {
-    result_.stamp = frame.stamp;
-    result_.cloud_time = {};
-    result_.step_time = {};
-    result_.latency_ms = 0.0;
-    return result_;
+  if (repeated_image_.shows_nothing_new(frame, judgement_.is_known() && is_kept_)) {
+    report_.repeat(frame.stamp);
+    return report_.result();
   }
   const Stopwatch cloud_watch;
   cloud_.assign(frame, options_.cloud, executor_);
-  result_.cloud_time = cloud_watch.elapsed();
+  report_.begin(frame.stamp, cloud_watch.elapsed());
   const Stopwatch step_watch;
-  result_.stamp = frame.stamp;
-  if (is_known()) {
+  if (judgement_.is_known()) {
     follow(frame);
   } else {
     search(frame);
   }
-  if (status_ == TrackingStatus::tracking) stop_searching();
-  report_status();
-  result_.step_time = step_watch.elapsed();
-  result_.latency_ms = result_.cloud_time.wall_ms + result_.step_time.wall_ms;
-  return result_;
+  if (judgement_.status == TrackingStatus::tracking) search_.stop();
+  report_.end(judgement_, size_record_.mean(), search_.searches(), step_watch.elapsed());
+  return report_.result();
 }
 
+/// `tracking` and `uncertain`: the object is where it is predicted, or else has leapt; then it is
+/// sought near there, later anywhere.
 void Tracker::Loop::follow(const DepthFrame& frame) {
-  const Configuration prediction = with_hidden_joints_sought(predictor_.predict(frame.stamp));
-  const Answer registered =
-      registration_.align(cloud_, prediction,
-                          {.annealing_sigma = predictor_.annealing_sigma(),
-                           .iterations = options_.registration.max_iterations,
-                           .is_predicted = status_ == TrackingStatus::tracking});
-  is_found_anew_ = false;
-  const bool is_as_before = is_doubted_as_before(registered);
-  if (is_as_before) ++frames_doubted_;
-  const Answer followed = is_as_before ? with_doubts_kept(prediction, registered)
-                          : has_leapt(registered)
-                              ? with_leap_followed(frame, prediction, registered)
-                              : come_to_rest(prediction, registered);
-  const Answer found = rival_distance_ > 0.0 ? with_rival_sought(frame, followed) : followed;
-  const bool was_believed = status_ == TrackingStatus::tracking;
+  const SoughtJoints predicted = with_hidden_joints_sought(predictor_.predict(frame.stamp));
+  const Configuration& prediction = predicted.configuration;
+  const bool was_believed = judgement_.status == TrackingStatus::tracking;
+  FrameAlignment alignment(registration_, cloud_, options_, predictor_.annealing_sigma());
+  const Answer registered = alignment.once(prediction, was_believed);
+  Followed followed;
+  if (is_doubted_as_before(registered)) {
+    followed = {with_doubts_kept(alignment.until_rest(prediction, registered))};
+  } else if (has_leapt(registered)) {
+    followed = with_leap_followed(frame, prediction, registered, alignment);
+  } else {
+    followed = {alignment.until_rest(prediction, registered)};
+  }
+  if (judgement_.rival_distance > 0.0) followed = with_rival_sought(frame, followed);
+  const auto& [found, is_found_anew] = followed;
   report(found);
-  if (status_ == TrackingStatus::lost && !guess_) forget();
-  if (is_found_anew_) size_record_ = {};  // of what it was taken for
+  if (judgement_.status == TrackingStatus::lost && !search_.guess()) {
+    judgement_ = {};  // what was never sure is not lost: it is sought as at the start
+    report_.forget();
+  }
+  if (is_found_anew) size_record_ = {};  // of what it was taken for
   measure_size(found);
-  is_kept_ = status_ == TrackingStatus::tracking || (is_kept_ && agrees(found, options_));
-  if (is_found_anew_ || (!was_believed && status_ == TrackingStatus::tracking)) {
+  const bool is_believed_now = judgement_.status == TrackingStatus::tracking;
+  is_kept_ = is_believed_now || (is_kept_ && agrees(found, options_));
+  if (is_found_anew || (!was_believed && is_believed_now)) {
     predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
   } else {
     predictor_.update(frame.stamp, found.at_rest, found.observable,
                       registration_.moves().between(prediction, found.at_rest));
   }
-  count_frames_in_sight(found);
-  if (status_ == TrackingStatus::tracking) {
-    guess_ = found.at_rest;
-    frames_searched_ = 0;
-  }
+  joint_sight_.count(found, predicted.margins, options_);
+  report_.withhold_unknown(joint_sight_);
+  if (is_believed_now) search_.believe(found.at_rest);
 }
 
-void Tracker::Loop::measure_size(const Answer& found) {
-  if (!is_known() || !size_record_.is_due()) return;
-  size_record_.add(registration_.measure_size(found.configuration));
+/// `initializing` and `lost`: the object is sought where it was last believed to be, then anywhere.
+void Tracker::Loop::search(const DepthFrame& frame) {
+  const SearchScope near_first = is_kept_ ? SearchScope::given_first : SearchScope::near_first;
+  const SearchScope scope = options_.search_anywhere ? near_first : SearchScope::near;
+  const auto found = search_.seek(frame, scope, is_kept_);
+  const bool is_first = judgement_.status != TrackingStatus::lost && !search_.guess();
+  // What was never found is not lost.
+  if (!found || (is_first && classify(*found, options_) == TrackingStatus::lost)) {
+    report_.write_nothing();
+    return;
+  }
+  report(*found);
+  measure_size(*found);
+  const bool is_believed = judgement_.status == TrackingStatus::tracking;
+  is_kept_ = is_believed || (is_kept_ && agrees(*found, options_));
+  if (!judgement_.is_known()) return;
+  if (is_believed) search_.believe(found->at_rest);
+  predictor_.reset(frame.stamp, found->at_rest);
+  joint_sight_.begin(*found);
+}
+
+/// A joint that was hidden may have moved anywhere: what is seen of it decides where it is now.
+SoughtJoints Tracker::Loop::with_hidden_joints_sought(const Configuration& prediction) {
+  const std::vector<int> hidden = joint_sight_.sought();
+  if (hidden.empty()) return {.configuration = prediction, .margins = {}};
+  return acquisition_.find_joints(prediction, hidden);
 }
 
 /// Bodies contradict the image that did so a frame ago, when all else was believed.
 bool Tracker::Loop::is_doubted_as_before(const Answer& registered) const {
-  if (doubted_.empty() || frames_doubted_ >= kFramesToDoubtParts) return false;
+  const std::vector<int>& before = judgement_.doubted;
+  if (before.empty() || frames_doubted_ >= kFramesToDoubtParts) return false;
   const std::vector<int> now = contradicted_bodies(registered, options_);
-  return !now.empty() && std::includes(doubted_.begin(), doubted_.end(), now.begin(), now.end());
+  return !now.empty() && std::includes(before.begin(), before.end(), now.begin(), now.end());
 }
 
 /// A base that contradicts the image may be on its way elsewhere: then the image is asked again.
-Answer Tracker::Loop::with_doubts_kept(const Configuration& prediction, const Answer& registered) {
-  Answer kept = come_to_rest(prediction, registered);
-  kept.belief = doubted_.front() == 0 ? belief_by_image(kept.configuration) : belief_;
-  return kept;
-}
-
-/// Asks the image whether it is the object, if that decides.
-void Tracker::Loop::verify(Answer& found) {
-  if (is_believable(found, options_) || classify(found, options_) == TrackingStatus::lost) return;
-  found.belief = belief_by_image(found.configuration);
-  frames_doubted_ = 0;
-}
-
-/// One frame may mistake a stranger for the part that comes back; the second one tells.
-void Tracker::Loop::count_frames_in_sight(const Answer& found) {
-  for (int v = 0; v < model_.tree.variables(); ++v) {
-    const auto unknown = static_cast<std::size_t>(6 + v);
-    int& frames = frames_in_sight_[static_cast<std::size_t>(v)];
-    const bool is_in_sight =
-        found.observable[unknown] && !is_doubtful(found, v, hidden_margins_, model_.tree, options_);
-    frames = is_in_sight ? frames + 1 : 0;
-    result_.observable[unknown] = result_.observable[unknown] && frames >= kFramesToKnowMotion;
-  }
-}
-
-/// Gates stay as narrow as ever: wide ones drag parts onto each other, many steps do not.
-Answer Tracker::Loop::come_to_rest(const Configuration& prediction, const Answer& registered) {
-  Answer result = registered;
-  Configuration start = prediction;
-  for (int round = 0; round < options_.most_rounds && is_on_its_way(start, result); ++round) {
-    start = result.at_rest;
-    result = registration_.align(cloud_, start, further());
-  }
-  return result;
-}
-
-/// From where the last alignment of the frame has ended.
-AlignOptions Tracker::Loop::further() const {
-  return {.annealing_sigma = predictor_.annealing_sigma(),
-          .iterations = options_.further_iterations,
-          .goes_on = true};
-}
-
-/// What has come farther than the gate is wide was pulled along by what little was within it, and
-/// may be uncertain enough for steps of millimetres to be no more than noise.
-bool Tracker::Loop::is_on_its_way(const Configuration& start, const Answer& result) const {
-  return result.last_move > options_.resting_move ||
-         registration_.moves().between(start, result.at_rest) >
-             options_.registration.gate * predictor_.annealing_sigma();
+Answer Tracker::Loop::with_doubts_kept(Answer followed) {
+  ++frames_doubted_;
+  const bool is_base = judgement_.doubted.front() == 0;
+  followed.belief = is_base ? image_belief_.of(followed.configuration) : judgement_.belief;
+  return followed;
 }
 
 bool Tracker::Loop::is_hidden_at_once(const Answer& registered) const {
-  return registered.agreement.explained < result_.explained - kSuddenlyHidden;
+  return registered.agreement.explained < report_.result().explained - kSuddenlyHidden;
 }
 
 /// What leaps farther between two frames than the gate is wide is seen through where it was.
@@ -194,55 +152,73 @@ bool Tracker::Loop::has_leapt(const Answer& registered) const {
   return !is_explained || is_hidden_at_once(registered);
 }
 
-/// Whether there is nothing to be sought.
-bool Tracker::Loop::needs_no_search(const Answer& registered) const {
-  return classify(registered, options_) == TrackingStatus::tracking ||
-         (is_kept_ && agrees(registered, options_) && rests(registered, options_));
-}
-
 /// It is followed until it rests; joints are sought over their ranges, then the base around where
 /// it was last believed to be. Live, what does not help in the first frame of doubt is left to the
 /// search, which does all that, too.
-Answer Tracker::Loop::with_leap_followed(const DepthFrame& frame, const Configuration& prediction,
-                                         const Answer& registered) {
+Tracker::Loop::Followed Tracker::Loop::with_leap_followed(const DepthFrame& frame,
+                                                          const Configuration& prediction,
+                                                          const Answer& registered,
+                                                          FrameAlignment& alignment) {
   const bool is_hidden = is_hidden_at_once(registered);
-  Answer best = registered;
-  if (!options_.background_search || frames_searched_ == 0) {
+  Followed best{registered};
+  if (!options_.background_search || search_.frames_searched() == 0) {
     // It may be on its way still: then nothing is to be sought.
-    const Configuration start = best.at_rest;
-    const Answer followed = registration_.align(cloud_, start, further());
-    keep_better(come_to_rest(start, followed), options_, best);
-    carry_parts(prediction, best);
-    seek_contradicted_joints(best);
+    keep_better(alignment.followed(registered.at_rest), options_, best.answer);
+    alignment.carry_parts(prediction, best.answer);
+    seek_contradicted_joints(best.answer);
   }
-  verify(best);
-  if (is_hidden && guess_ && !options_.background_search) {
+  verify(best.answer);
+  if (is_hidden && search_.guess() && !options_.background_search) {
     // By itself, when the estimate lies behind it.
-    keep_better(acquisition_.find_near(*guess_), options_, best);
+    keep_better(acquisition_.find_near(*search_.guess()), options_, best.answer);
   }
-  if (!needs_no_search(best)) {
-    const bool anywhere = options_.search_anywhere && frames_searched_ >= kFramesOfDoubt;
-    if (const auto found = sought(frame, anywhere ? SearchScope::near_first : SearchScope::near)) {
-      is_found_anew_ = keep_better(*found, options_, best);
-    }
+  if (needs_no_search(best.answer, is_kept_, options_)) return best;
+  const bool anywhere = options_.search_anywhere && search_.frames_searched() >= kFramesOfDoubt;
+  const SearchScope scope = anywhere ? SearchScope::near_first : SearchScope::near;
+  if (const auto found = search_.seek(frame, scope, is_kept_)) {
+    best.is_found_anew = keep_better(*found, options_, best.answer);
   }
   return best;
 }
 
-/// While the base was on its way, parts were dragged along by whatever lay near. Where it is now,
-/// they start anew as predicted; of two answers that explain the image, that is the likelier one.
-void Tracker::Loop::carry_parts(const Configuration& prediction, Answer& best) {
-  const Configuration carried{best.at_rest.T_camera_base, prediction.q};
-  const double gate = options_.registration.gate * predictor_.annealing_sigma();
-  if (registration_.moves().between(prediction, carried) <= gate) return;
-  const Answer registered = registration_.align(
-      cloud_, carried, {predictor_.annealing_sigma(), options_.registration.max_iterations});
-  const Answer at_rest = come_to_rest(carried, registered);
-  if (classify(at_rest, options_) == TrackingStatus::tracking) {
-    best = at_rest;
-  } else {
-    keep_better(at_rest, options_, best);
+/// Where a search could not tell two places apart, following one of them does not, either: only
+/// another search may.
+Tracker::Loop::Followed Tracker::Loop::with_rival_sought(const DepthFrame& frame,
+                                                         const Followed& followed) {
+  Followed best = followed;
+  if (!(best.answer.rival_distance > 0.0)) doubt_base(judgement_.rival_distance, best.answer);
+  const auto found = search_.seek(frame, SearchScope::anywhere, is_kept_);
+  if (found && (classify(*found, options_) == TrackingStatus::tracking ||
+                found->belief > report_.result().belief)) {
+    best = {*found, true};
   }
+  return best;
+}
+
+/// Over their whole ranges.
+void Tracker::Loop::seek_contradicted_joints(Answer& best) {
+  const std::vector<int> variables = contradicted_variables(best, model_.tree, options_);
+  if (variables.empty()) return;
+  keep_better(acquisition_.with_joints_sought(best.at_rest, variables), options_, best);
+}
+
+/// Asks the image whether it is the object, if that decides.
+void Tracker::Loop::verify(Answer& found) {
+  if (is_believable(found, options_) || classify(found, options_) == TrackingStatus::lost) return;
+  found.belief = image_belief_.of(found.configuration);
+  frames_doubted_ = 0;
+}
+
+void Tracker::Loop::report(const Answer& answer) {
+  joint_sight_.note_flush_parts(answer, options_);
+  const Judgement before = judgement_;
+  judgement_ = judged(answer, options_);
+  report_.write(answer, before, judgement_, search_.alternatives());
+}
+
+void Tracker::Loop::measure_size(const Answer& found) {
+  if (!judgement_.is_known() || !size_record_.is_due()) return;
+  size_record_.add(registration_.measure_size(found.configuration));
 }
 
 }  // namespace lockbox

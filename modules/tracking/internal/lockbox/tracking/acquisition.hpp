@@ -37,7 +37,7 @@ class Acquisition {
 
   /// Looks until an answer is judged `tracking`. Returns the most convincing one, even if it is
   /// not; none if nothing in view resembles the model. Joints of which it is doubtful where they
-  /// cloud must hold the frame.; locked ones stand as in the guess, without it as at rest. The
+  /// are count as not observable. Locked ones stand as in the guess, or at rest without one. The
   /// cloud must hold the frame.
   std::optional<Answer> find(const DepthFrame& frame, const std::optional<Configuration>& guess,
                              SearchScope scope);
@@ -61,8 +61,8 @@ class Acquisition {
   /// Of what the last search of the whole frame has found: what it could not tell from it.
   const std::vector<Alternative>& alternatives() const { return alternatives_; }
 
-  /// Seeks joints over their whole range and registers everything from there; those of which it is
-  /// doubtful where they cloud must hold the frame..
+  /// Seeks joints over their whole range and registers everything from there. Those of which it is
+  /// doubtful where they are count as not observable. The cloud must hold the frame.
   Answer with_joints_sought(const Configuration& start, const std::vector<int>& variables);
 
   /// Seeks single joints over their whole range, see Initializer::find_joints.

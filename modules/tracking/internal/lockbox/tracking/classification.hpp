@@ -41,6 +41,10 @@ bool is_believable(const Answer& answer, const TrackerOptions& options);
 /// best.
 TrackingStatus classify(const Answer& answer, const TrackerOptions& options);
 
+/// Whether there is nothing to be sought: the answer is `tracking`, or rests and agrees while the
+/// estimate is kept (is_kept), even where the image does not determine it.
+bool needs_no_search(const Answer& answer, bool is_kept, const TrackerOptions& options);
+
 /// Whether the camera sees through what the body should hide: much of it, or some groups.
 bool is_contradicted(const Agreement& body, const TrackerOptions& options);
 

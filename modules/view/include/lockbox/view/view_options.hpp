@@ -16,7 +16,9 @@ struct ViewOptions {
   /// along the ray. Source: of normal errors one in 740 is beyond it.
   double free_space_tolerance = 3.0;
   /// Neighbouring pixels err alike: the information in N of them is that of N / correlation. Unit:
-  /// pixels. Source: not recorded; a sensor's profile replaces it.
+  /// pixels. Source: the demo, where the mean squared normalised error of joints is 0.4 with it;
+  /// with half of it noise counts as misfit, and that is 0.1; with double a door errs an eighth
+  /// more. A sensor's profile replaces it.
   double noise_correlation = 20.0;
 };
 

@@ -12,19 +12,20 @@
 
 namespace lockbox {
 
-class YamlNode {
+/// A value, and where it stands. Maps whose keys are known beforehand are read by YamlMap.
+class YamlValue {
  public:
-  /// The top of a file's only document. Throws InputError if it is not YAML.
-  static YamlNode read(const std::filesystem::path& file);
+  /// The content of a file. kind: what it should be, as a sentence has it. Throws InputError.
+  static YamlValue load(const std::filesystem::path& file, const std::string& kind);
 
   bool is_empty() const { return node_.IsNull(); }
 
   /// Keys and values; refuses what is no map, keys that are no text, and keys that come twice.
-  std::vector<std::pair<std::string, YamlNode>> entries() const;
+  std::vector<std::pair<YamlValue, YamlValue>> entries() const;
 
   /// Refuses what is no list, or not of that length.
-  std::vector<YamlNode> items(std::size_t count) const;
-  std::vector<YamlNode> items() const;
+  std::vector<YamlValue> items(std::size_t count) const;
+  std::vector<YamlValue> items() const;
 
   std::string text() const;
   double number() const;  ///< finite
@@ -32,7 +33,8 @@ class YamlNode {
   [[noreturn]] void refuse(const std::string& problem) const;
 
  private:
-  YamlNode(std::string file, const YAML::Node& node) : file_(std::move(file)), node_(node) {}
+  friend class YamlMap;
+  YamlValue(std::string file, const YAML::Node& node) : file_(std::move(file)), node_(node) {}
 
   std::string file_;
   YAML::Node node_;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/tracking/joint_sight.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace lockbox {
+namespace {
+
+constexpr int kFramesToKnow = 2;  // a joint that comes back into sight is sought until then
+
+}  // namespace
+
+JointSight::JointSight(const KinematicTree& tree)
+    : tree_(tree),
+      frames_in_sight_(static_cast<std::size_t>(tree.variables()), 0),
+      is_flush_(frames_in_sight_.size(), false) {}
+
+std::vector<int> JointSight::sought() const {
+  std::vector<int> variables;
+  for (int v = 0; v < tree_.variables(); ++v) {
+    if (!is_known(v) && !is_flush_[static_cast<std::size_t>(v)]) variables.push_back(v);
+  }
+  return variables;
+}
+
+bool JointSight::is_known(int variable) const {
+  return frames_in_sight_[static_cast<std::size_t>(variable)] >= kFramesToKnow;
+}
+
+void JointSight::note_flush_parts(const Answer& found, const TrackerOptions& options) {
+  for (int v = 0; v < tree_.variables(); ++v) {
+    is_flush_[static_cast<std::size_t>(v)] = is_flush(found, v, options);
+  }
+}
+
+bool JointSight::is_flush(const Answer& found, int variable, const TrackerOptions& options) const {
+  const int joint = tree_.variable_joint[static_cast<std::size_t>(variable)];
+  const auto body =
+      static_cast<std::size_t>(tree_.joints[static_cast<std::size_t>(joint)].child_body);
+  return !found.observable[static_cast<std::size_t>(6 + variable)] &&
+         body < found.flush_bodies.size() && found.flush_bodies[body] &&
+         found.body_agreement[body].explained >= options.least_of_sought_body;
+}
+
+void JointSight::count(const Answer& found, const JointMargins& margins,
+                       const TrackerOptions& options) {
+  for (int v = 0; v < tree_.variables(); ++v) {
+    const bool is_in_sight = found.observable[static_cast<std::size_t>(6 + v)] &&
+                             !is_doubtful(found, v, margins, tree_, options);
+    int& frames = frames_in_sight_[static_cast<std::size_t>(v)];
+    frames = is_in_sight ? frames + 1 : 0;
+  }
+}
+
+void JointSight::begin(const Answer& found) {
+  std::transform(found.observable.begin() + 6, found.observable.end(), frames_in_sight_.begin(),
+                 [](bool is_determined) { return is_determined ? kFramesToKnow : 0; });
+}
+
+}  // namespace lockbox
