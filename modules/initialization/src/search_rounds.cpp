@@ -116,9 +116,9 @@ std::vector<Candidate> Initializer::Workspace::seek_in_rounds(const TiledCloud& 
     const Round& round = rounds[static_cast<std::size_t>(progress.rounds++)];
     std::vector<std::vector<Hypothesis>> batches = in_batches(proposed(round, scene, fine_view));
     for (std::vector<Hypothesis>& batch : batches) {
+      const bool is_last = &batch == &batches.back();
       const double to_beat = answers.empty() ? least_evidence() : answers.front().evidence;
       assess(cloud, followed(cloud, std::move(batch), *round.breadth, to_beat), kRanked, answers);
-      const bool is_last = &batch == &batches.back();
       if (is_last || is_answer(answers)) seek_turns_of_best(cloud, turned, answers);
       is_convinced = !answers.empty() && is_clear(answers.front());
       if (is_convinced) break;
