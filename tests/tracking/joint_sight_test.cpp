@@ -28,7 +28,7 @@ class JointSightTest : public ::testing::Test {
   }
 
   const KinematicTree& tree = mechanism().tree;
-  const TrackerOptions options;
+  const TrackerOptions options{};
   JointSight sight{tree};
 };
 
