@@ -25,6 +25,18 @@ namespace lockbox {
 
 inline constexpr std::size_t kFramesOfSound = 4;
 
+// Types of records.
+inline constexpr std::uint32_t kGeneralProperty = 0x6;
+inline constexpr std::uint32_t kNodeAdded = 0xD;
+inline constexpr std::uint32_t kSeekTable = 0xE;
+
+template <typename T>
+T value_at(const std::string& bytes, std::size_t offset) {
+  T value;
+  std::memcpy(&value, &bytes[offset], sizeof(T));
+  return value;
+}
+
 inline void write_file(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }

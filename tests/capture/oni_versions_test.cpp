@@ -13,19 +13,9 @@ namespace lockbox {
 namespace {
 
 template <typename T>
-T value_at(const std::string& bytes, std::size_t offset) {
-  T value;
-  std::memcpy(&value, &bytes[offset], sizeof(T));
-  return value;
-}
-
-template <typename T>
 void append(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
-
-constexpr std::uint32_t kNodeAdded = 0xD;
-constexpr std::uint32_t kSeekTable = 0xE;
 
 /// Record by record as a version with 32-bit offsets, and without seek tables; nodes are added with
 /// the type `node_added`, which has that many bytes behind the name.

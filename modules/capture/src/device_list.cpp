@@ -20,7 +20,9 @@ void describe(const openni::DeviceInfo& info, ListedDevice& device) {
 void describe(const openni::VideoStream& depth, ListedDevice& device) {
   for (const auto& mode : depth_modes(depth)) device.modes.push_back(mode);
   device.chosen = described(depth.getVideoMode());
-  device.camera = camera_of(depth, device.chosen->width, device.chosen->height);
+  if (const auto angles = field_of_view(depth)) {
+    device.camera = camera_of(*angles, device.chosen->width, device.chosen->height);
+  }
 }
 
 ListedDevice look_at(const std::string& uri) {

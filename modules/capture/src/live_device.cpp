@@ -36,13 +36,14 @@ PinholeCamera own_camera(LiveConnection& connection, const SourceOptions& option
   const openni::VideoMode mode = connection.depth().getVideoMode();
   const int width = mode.getResolutionX();
   const int height = mode.getResolutionY();
-  const auto own = camera_of(connection.depth(), width, height);
-  if (!own && !options.camera && !options.camera_info) {
+  const auto angles = field_of_view(connection.depth());
+  if (!angles && !options.camera && !options.camera_info) {
     throw DeviceError(std::string(connection.info().getUri()) +
                       ": the device does not tell its field of view; give the camera's "
                       "calibration with --camera-info");
   }
-  return own.value_or(PinholeCamera{width, height, 0.0, 0.0, 0.0, 0.0});
+  return angles ? camera_of(*angles, width, height)
+                : PinholeCamera{width, height, 0.0, 0.0, 0.0, 0.0};
 }
 
 }  // namespace

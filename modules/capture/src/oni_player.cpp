@@ -87,7 +87,7 @@ struct OniPlayer::Impl {
     if (recording.is_cut_off || !recording.end_reason.empty()) {
       say_end();
     }
-    if (!is_calibrated && !camera_of(depth, first.width, first.height)) {
+    if (!is_calibrated && !angles) {
       throw InputError(path.string(),
                        "does not tell the camera's field of view; give the camera's calibration "
                        "with --camera-info");
@@ -123,8 +123,8 @@ struct OniPlayer::Impl {
   /// That of the next frame.
   PinholeCamera camera() const {
     const OniImage& image = recording.images[delivered];
-    return camera_of(depth, image.width, image.height)
-        .value_or(PinholeCamera{image.width, image.height, 0, 0, 0, 0});
+    return angles ? camera_of(*angles, image.width, image.height)
+                  : PinholeCamera{image.width, image.height, 0, 0, 0, 0};
   }
 
   ~Impl() { close(); }
@@ -154,6 +154,7 @@ struct OniPlayer::Impl {
         static_cast<int>(recording.frame_count)) {
       fail("understands this recording differently than its validator");
     }
+    angles = field_of_view(depth);
   }
 
   /// Repeating stays on, although nothing is played twice: switching it off makes the player spin
@@ -242,6 +243,7 @@ struct OniPlayer::Impl {
   std::function<void(const std::string&)> warn;
   openni::Device device;
   openni::VideoStream depth;
+  std::optional<FieldOfView> angles;
   std::size_t delivered = 0;
 };
 

@@ -87,18 +87,19 @@ float field_of_view(int pixels, double focal) {
   return static_cast<float>(2.0 * std::atan(0.5 * pixels / focal));
 }
 
-std::optional<PinholeCamera> camera_of(const openni::VideoStream& stream, int width, int height) {
-  const float horizontal = stream.getHorizontalFieldOfView();
-  const float vertical = stream.getVerticalFieldOfView();
-  if (!is_plausible(horizontal) || !is_plausible(vertical)) {
-    return std::nullopt;
-  }
-  return PinholeCamera{width,
-                       height,
-                       focal_length(width, horizontal),
-                       focal_length(height, vertical),
-                       0.5 * (width - 1),
-                       0.5 * (height - 1)};
+std::optional<FieldOfView> field_of_view(const openni::VideoStream& stream) {
+  const FieldOfView angles{stream.getHorizontalFieldOfView(), stream.getVerticalFieldOfView()};
+  const bool is_known = is_plausible(angles.horizontal) && is_plausible(angles.vertical);
+  return is_known ? std::optional(angles) : std::nullopt;
+}
+
+PinholeCamera camera_of(const FieldOfView& angles, int width, int height) {
+  return {width,
+          height,
+          focal_length(width, angles.horizontal),
+          focal_length(height, angles.vertical),
+          0.5 * (width - 1),
+          0.5 * (height - 1)};
 }
 
 void copy_frame(const openni::VideoFrameRef& from, bool mirrored, DepthFrame& to) {

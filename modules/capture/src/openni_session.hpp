@@ -22,11 +22,21 @@ std::string driver_folder();
 /// Text of OpenNI2's last error, for a message.
 std::string openni_error();
 
-/// The camera of a depth stream with images of this size, or nothing if the stream does not know
-/// its field of view. OpenNI2 keeps fields of view as floats; the focal length is the shortest
-/// decimal that has this field of view, so that focal lengths written by this library with up to
-/// four decimals come back exactly.
-std::optional<PinholeCamera> camera_of(const openni::VideoStream& stream, int width, int height);
+/// The angles that a stream sees across and down, radians, as OpenNI2 keeps them.
+struct FieldOfView {
+  float horizontal = 0.0F;
+  float vertical = 0.0F;
+};
+
+/// Nothing if the stream does not know its field of view. A recording may be asked only before it
+/// is started: where it begins again, the player's thread frees and writes its properties, without
+/// a lock, while they are read.
+std::optional<FieldOfView> field_of_view(const openni::VideoStream& stream);
+
+/// The camera of images of this size. The focal length is the shortest decimal that has this field
+/// of view, so that focal lengths written by this library with up to four decimals come back
+/// exactly.
+PinholeCamera camera_of(const FieldOfView& angles, int width, int height);
 
 /// The field of view of `pixels` pixels at focal length `focal` (pixels), as OpenNI2 keeps it.
 float field_of_view(int pixels, double focal);
