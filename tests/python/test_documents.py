@@ -169,7 +169,7 @@ def test_sensors_of_the_comparison_run(docs, tool, tmp_path):
     simulate = re.search(r"`(simulate -t auto [^`]*)`", text)[1]
     track = re.search(r"`(track --initial-state [^`]*)`", text)[1]
     (tmp_path / "camera.yaml").write_text(CAMERA)
-    for sensor in ("white", "stereo"):
+    for sensor in ("white", "structured-light"):
         made = simulate.replace("--sensor S", f"--sensor {sensor}").replace("--frames 30", "--frames 3")
         run(f"{tool} {made} -m rigid_block {SMALL_CAMERA} -o {sensor}", tmp_path, None)
         run(f"{tool} {track.replace('groundtruth', sensor + '/groundtruth')} -m rigid_block "

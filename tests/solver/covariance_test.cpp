@@ -18,9 +18,10 @@ constexpr int kResiduals = 20;  // of a tile
 
 /// How residuals err, in standard deviations of the noise.
 struct Errors {
-  double own = 1.0;     ///< of each residual
-  double shared = 0.0;  ///< of all residuals of a tile
-  double face = 0.0;    ///< of all tiles that look the same way, always the same
+  double own = 1.0;      ///< of each residual
+  double shared = 0.0;   ///< of all residuals of a tile
+  double face = 0.0;     ///< of half of the tiles, always the same
+  double contour = 0.0;  ///< the same, of those only along which the camera looks
 };
 
 /// What a solver has in hand at the solution.
@@ -41,10 +42,12 @@ class CovarianceTest : public ::testing::Test {
     Matrix6 hessian = Matrix6::Zero();
     Twist gradient = Twist::Zero();
     for (int t = 0; t < kTiles; ++t) {
-      TileSystem tile{static_cast<std::size_t>(t), 0, 1.0, Matrix6::Zero(), Twist::Zero()};
       const Eigen::Vector3d n = Eigen::Vector3d::Unit(t % axes + 3 - axes);
+      TileSystem tile{static_cast<std::size_t>(t), 0, 1.0, ray_, Matrix6::Zero(), Twist::Zero()};
       const Eigen::Vector3d centre(uniform(random_), uniform(random_), uniform(random_));
-      const double of_tile = errors.shared * normal(random_) + errors.face * (t < kTiles / 2);
+      const double of_tile =
+          errors.shared * normal(random_) +
+          (t < kTiles / 2 ? errors.face + (n.dot(ray_) == 0.0 ? errors.contour : 0.0) : 0.0);
       for (int i = 0; i < kResiduals; ++i) {
         const Eigen::Vector3d p =
             centre + 0.1 * Eigen::Vector3d(uniform(random_), uniform(random_), uniform(random_));
@@ -86,6 +89,7 @@ class CovarianceTest : public ::testing::Test {
   }
 
   std::mt19937 random_{3};
+  Eigen::Vector3d ray_ = Eigen::Vector3d::UnitZ();
   std::vector<BodyJacobian> jacobians_{Matrix6::Identity()};
   StepScale scale_{Eigen::VectorXd::Constant(6, 0.25), 100.0};
   std::vector<bool> held_ = std::vector<bool>(6, false);
@@ -137,6 +141,15 @@ TEST_F(CovarianceTest, OfAnObjectUnlikeItsModelIsLargerThanOfNoise) {
   estimate(solve({.own = 0.5, .face = 3.0}));
   covariance_.add_floors(motion_scales_);
   EXPECT_GT((covariance_.sigma() - covariance_.sigma_of_noise()).head<3>().minCoeff(), kNoise);
+}
+
+/// As of a stereo camera, whose foreground grows: faces are where they should be.
+TEST_F(CovarianceTest, WhereOnlyContoursAreOffTheDistanceIsKnown) {
+  estimate(solve({.own = 0.5, .contour = 3.0}));
+  covariance_.add_floors(motion_scales_);
+  const Eigen::VectorXd misfit = covariance_.sigma() - covariance_.sigma_of_noise();
+  EXPECT_GT(misfit.head<2>().minCoeff(), kNoise);
+  EXPECT_LT(misfit[2], 0.1 * kNoise);
 }
 
 TEST_F(CovarianceTest, WhatOneWallDoesNotTellIsUnknownByAUnit) {

@@ -101,6 +101,24 @@ TEST_F(FarSlider, IsFoundAnywhereInItsRange) {
   }
 }
 
+/// A position at the end of what is looked at is better than its neighbour, and no match. (From
+/// 18 mm below there is a dip within two pixels of where it was: that is followed.)
+TEST_F(FarSlider, IsNotTakenToBeWhereItIsNoLongerLookedFor) {
+  LowProminence low_prominence(model_, {}, Executor(2));
+  truth_.T_camera_base.translation().z() = 1.4;
+  const TiledCloud cloud = seen(1);
+  int found = 0;
+  for (const double off : {-0.03, -0.024, -0.012, 0.012, 0.018, 0.024, 0.03}) {
+    const Configuration start = off_by(off);
+    const auto match = low_prominence.find_near(cloud, start, variable_, start.q[variable_]);
+    if (!match) continue;
+    ++found;
+    const double error = std::abs(match->position - truth_.q[variable_]);
+    EXPECT_LT(error, 0.001 + 3.0 * std::sqrt(match->variance)) << off;
+  }
+  EXPECT_GE(found, 4);
+}
+
 TEST_F(FarSlider, IsToldWhereItStandsOutByAnError) {
   LowProminence low_prominence(model_, {}, Executor(2));
   truth_.T_camera_base.translation().z() = 1.4;

@@ -6,7 +6,7 @@
 namespace lockbox {
 namespace {
 
-constexpr double kNearEnough = 0.002;         // metres: a step that is as good as exact
+constexpr double kNearEnough = 0.001;         // metres: a step that is as good as exact
 constexpr double kNearEnoughForFine = 0.004;  // the same, where the last iteration follows
 constexpr int kMostFineIterations = 2;        // times the iterations, if more than a step is left
 constexpr int kMaxDampings = 5;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lockbox/core/square.hpp"
 #include "lockbox/core/units.hpp"
 
 namespace lockbox {
@@ -73,8 +74,33 @@ void CovarianceEstimator::measure_dispersion() {
   }
 }
 
-double CovarianceEstimator::Excess::metres() const {
-  return of_metre > 0.0 ? std::sqrt(std::max(0.0, squares) / of_metre) : 0.0;
+/// A tile that is off by d has the gradient H d. One whose normals are mostly along the ray speaks
+/// for what surfaces are off along it, one that is a contour for what they are off across.
+void CovarianceEstimator::Excess::add(const TileSystem& tile, double noise_correlation) {
+  const Eigen::Matrix3d hessian = tile.hessian.topLeftCorner<3, 3>();
+  const double of_all = hessian.squaredNorm();
+  if (!(of_all > 0.0)) return;
+  const double of_ray = (hessian * tile.ray).squaredNorm();
+  const Eigen::Vector2d of_metre_off(of_ray, of_all - of_ray);
+  const Eigen::Vector2d share = of_metre_off / of_all;
+  squares += share * (tile.gradient.head<3>().squaredNorm() - noise_correlation * hessian.trace());
+  of_metre += share * of_metre_off.transpose();
+}
+
+/// Where both together would need one to be less than nothing, the other explains all of its tiles.
+CovarianceEstimator::Misfit CovarianceEstimator::Excess::misfit() const {
+  const auto alone = [this](Index i) {
+    return of_metre(i, i) > 0.0 ? std::max(0.0, squares[i] / of_metre(i, i)) : 0.0;
+  };
+  const double determinant = of_metre.determinant();
+  Eigen::Vector2d found(alone(0), alone(1));
+  if (determinant > 0.0) {
+    const Eigen::Vector2d both = of_metre.inverse() * squares;
+    for (Index i = 0; i < 2; ++i) {
+      if (both[1 - i] >= 0.0) found[i] = std::max(0.0, both[i]);
+    }
+  }
+  return {std::sqrt(found[0]), std::sqrt(found[1])};
 }
 
 double CovarianceEstimator::dispersion(double pixels) const {
@@ -128,23 +154,19 @@ void CovarianceEstimator::sum_tiles(const std::vector<BodyJacobian>& jacobians) 
 }
 
 /// By body, metres by which surfaces lie elsewhere than the model says, from gradients of tiles
-/// beyond noise: the variance between studies of DerSimonian and Laird (1986), for a tile that is
-/// off by d has the gradient H_t d. Not less than of all bodies together: part of its own a body
-/// has followed.
+/// beyond noise: the variance between studies of DerSimonian and Laird (1986), in two parts. Not
+/// less than of all bodies together: part of its own a body has followed.
 void CovarianceEstimator::measure_misfits(double noise_correlation, std::size_t bodies) {
   excess_.assign(bodies + 1, {});
   for (const TileSystem& tile : merged_) {
-    const Eigen::Matrix3d hessian = tile.hessian.topLeftCorner<3, 3>();
-    const double squares =
-        tile.gradient.head<3>().squaredNorm() - noise_correlation * hessian.trace();
-    for (Excess* sum : {&excess_[static_cast<std::size_t>(tile.body)], &excess_.back()}) {
-      sum->squares += squares;
-      sum->of_metre += hessian.squaredNorm();
-    }
+    excess_[static_cast<std::size_t>(tile.body)].add(tile, noise_correlation);
+    excess_.back().add(tile, noise_correlation);
   }
   misfits_.resize(bodies);
+  const Misfit of_all = excess_.back().misfit();
   for (std::size_t b = 0; b < bodies; ++b) {
-    misfits_[b] = std::max(excess_[b].metres(), excess_.back().metres());
+    const Misfit own = excess_[b].misfit();
+    misfits_[b] = {std::max(own.along, of_all.along), std::max(own.across, of_all.across)};
   }
 }
 
@@ -156,13 +178,16 @@ void CovarianceEstimator::carry_misfits(const std::vector<BodyJacobian>& jacobia
   for (const TileSystem& tile : merged_) {
     const auto body = static_cast<std::size_t>(tile.body);
     const BodyJacobian& jacobian = jacobians[body];
-    const double of_metre = tile.hessian.topLeftCorner<3, 3>().trace();
+    const Eigen::Matrix3d hessian = tile.hessian.topLeftCorner<3, 3>();
+    const double along = tile.ray.dot(hessian * tile.ray);
+    const double off = square(misfits_[body].along) * along +
+                       square(misfits_[body].across) * (hessian.trace() - along);
     for (Index i = 0; i < n; ++i) {
       const auto move = jacobian.col(i);
       if (move.isZero()) continue;
       const double of_unit = move.dot(tile.hessian * move);
       told_[i] += of_unit;
-      misled_[i] += misfits_[body] * std::sqrt(std::max(0.0, of_unit * of_metre));
+      misled_[i] += std::sqrt(std::max(0.0, of_unit * off));
     }
   }
   for (Index i = 0; i < n; ++i) misled_[i] = told_[i] > 0.0 ? misled_[i] / told_[i] : 0.0;

@@ -159,8 +159,9 @@ void FreeSpaceTerm::find_tile_systems(const CorrespondenceSet& correspondences,
                                       std::size_t first_tile, double weight,
                                       std::vector<TileSystem>& systems) const {
   const CorrespondenceSet::Block& block = correspondences.blocks()[block_index];
-  const kernels::RigidMotion motion =
-      to_rigid_motion(T_camera_body[static_cast<std::size_t>(block.body)]);
+  const Eigen::Isometry3d& pose = T_camera_body[static_cast<std::size_t>(block.body)];
+  const kernels::RigidMotion motion = to_rigid_motion(pose);
+  const Eigen::Vector3d camera = pose.inverse().translation();
   std::array<std::size_t, kernels::kMostCorrespondences> ends;
   std::array<kernels::CorrespondenceProducts, kernels::kMostCorrespondences> products;
   std::size_t runs = 0;
@@ -174,8 +175,9 @@ void FreeSpaceTerm::find_tile_systems(const CorrespondenceSet& correspondences,
   for (std::size_t run = 0; run < runs; ++run) {
     const std::size_t last = block.first + ends[run] - 1;
     systems.push_back({first_tile + correspondences.tile(last), block.body,
-                       static_cast<double>(correspondences.pixels_of(last)), Matrix6::Zero(),
-                       Twist::Zero()});
+                       static_cast<double>(correspondences.pixels_of(last)),
+                       (correspondences.point(last).cast<double>() - camera).normalized(),
+                       Matrix6::Zero(), Twist::Zero()});
     using Rows = Eigen::Matrix<float, 7, 8, Eigen::RowMajor>;
     const auto rows = Eigen::Map<const Rows>(&products[run].rows[0][0]).cast<double>();
     systems.back().hessian = weight * rows.topLeftCorner<6, 6>();

@@ -14,7 +14,8 @@
 namespace lockbox {
 namespace {
 
-constexpr int kPixelsAround = 4;
+constexpr double kPixelsAround = 4.0;
+constexpr double kPixelsExpected = 2.0;  // from where it was before: it is followed
 constexpr double kPixelsDragged = 16.0;  // by points, at most
 constexpr double kScanPixels = 0.75;     // from one position to the next over the whole range
 constexpr int kMostSteps = 127;
@@ -74,21 +75,35 @@ double LowProminence::pixel_step(const PinholeCamera& camera, const Configuratio
   return distance(variable, configuration) / (camera.fx * motion_scales_[variable]);
 }
 
+/// As far around the best position as is looked at: a slope is no match, however steep, and where
+/// it was not expected, neither is a dip on a slope.
 std::optional<JointMatch> LowProminence::find_near(const TiledCloud& cloud,
                                                    const Configuration& configuration, int variable,
                                                    double before) {
   const double pixel = pixel_step(cloud.camera(), configuration, variable);
   const double start = configuration.q[variable];
-  const int way = static_cast<int>(
-      std::clamp(std::round((before - start) / pixel), -kPixelsDragged, kPixelsDragged));
-  positions_.clear();
-  for (int k = std::min(0, way) - kPixelsAround; k <= std::max(0, way) + kPixelsAround; ++k) {
-    positions_.push_back(start + k * pixel);
+  const double way =
+      std::clamp(std::round((before - start) / pixel), -kPixelsDragged, kPixelsDragged);
+  const double elsewhere = std::ceil(kElsewhere / motion_scales_[variable] / pixel);
+  const VariableLimits limits = variable_limits(model_.tree, variable);
+  double first = std::min(0.0, way) - kPixelsAround;
+  double last = std::max(0.0, way) + kPixelsAround;
+  while (last - first <= kMostSteps) {
+    positions_.clear();
+    for (double k = first; k <= last; ++k) positions_.push_back(start + k * pixel);
+    put_between(limits, positions_);
+    costs_ = region_.compare(cloud, configuration, variable, positions_);
+    if (costs_.empty()) return std::nullopt;
+    const std::size_t least = best(costs_);
+    const double at = (positions_[least] - start) / pixel;
+    const double around = std::abs(at - way) < kPixelsExpected ? 1.0 : elsewhere;
+    const bool ends_before = at - around < first && positions_.front() > limits.lower;
+    const bool ends_beyond = at + around > last && positions_.back() < limits.upper;
+    if (!ends_before && !ends_beyond) return match_at(least);
+    if (ends_before) first = std::floor(at - around);
+    if (ends_beyond) last = std::ceil(at + around);
   }
-  put_between(variable_limits(model_.tree, variable), positions_);
-  costs_ = region_.compare(cloud, configuration, variable, positions_);
-  if (costs_.empty()) return std::nullopt;
-  return match_at(best(costs_));
+  return std::nullopt;
 }
 
 /// The variance that all positions have by their likelihood.

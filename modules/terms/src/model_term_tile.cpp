@@ -75,8 +75,11 @@ void ModelTerm::linearize_tile(const Scene& scene, std::size_t tile_index,
         kernels::accumulate(tile.padded, scratch.hits[l], scratch.weight[l]);
     const BodySystem system = to_system(tile_sums, tile.weight, kNormalVariance);
     sum_of(chunk.sums, body) += system;
-    chunk.tile_systems[first + l] = {tile_index, body, tile.weight, system.hessian,
-                                     system.gradient};
+    const Eigen::Vector3d camera =
+        bodies_[static_cast<std::size_t>(body)].T_body_camera.translation();
+    const Eigen::Vector3d seen = Eigen::Vector3d(tile_sums.first_moment) - tile_sums.mass * camera;
+    chunk.tile_systems[first + l] = {tile_index,        body,           tile.weight,
+                                     seen.normalized(), system.hessian, system.gradient};
     chunk.totals.weighted_squares +=
         tile.weight * (tile_sums.weighted_squares + tile.scatter * tile_sums.weight);
     chunk.totals.points += tile.weight * tile_sums.weight;

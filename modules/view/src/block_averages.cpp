@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "lockbox/core/square.hpp"
 #include "lockbox/kernels/flatness.hpp"
 #include "lockbox/kernels/pooling.hpp"
 
@@ -119,20 +120,31 @@ class BlockAverages::Band {
         for (const int du : {0, half}) split(scene, u + du, v + dv, half, smallest);
       }
     } else {
-      const int middle = SamplingDensity::first_sample(size);
-      const int scale = scene.density.scale;
-      add_pixel(scene, (u_ + u + middle) * scale + scale / 2,
-                (v_ + v + middle) * scale + scale / 2);
+      add_middle(scene, u_ + u, v_ + v, size);
     }
   }
 
-  void add_pixel(const Scene& scene, int u, int v) {
+  /// Of a block: its pixel in the middle, for all that show the same body.
+  void add_middle(const Scene& scene, int u, int v, int size) {
+    const RenderedDepth& view = scene.surface.view();
+    const int u0 = u + SamplingDensity::first_sample(size);
+    const int v0 = v + SamplingDensity::first_sample(size);
+    if (u0 >= view.width || v0 >= view.height) return;
+    const Pixel at = scene.surface.camera_pixel(u0, v0);
     const PinholeCamera& camera = scene.cloud.camera();
-    if (u >= camera.width || v >= camera.height) return;
-    const auto pixel = static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +
-                       static_cast<std::size_t>(u);
-    const float z = scene.cloud.depth()[pixel];
-    if (z > 0.0F) add(camera, u, v, z, 1.0F);
+    if (at.u >= camera.width || at.v >= camera.height) return;
+    const float z =
+        scene.cloud
+            .depth()[static_cast<std::size_t>(at.v) * static_cast<std::size_t>(camera.width) +
+                     static_cast<std::size_t>(at.u)];
+    if (!(z > 0.0F)) return;
+    const std::int16_t body = view.id[view.index(u0, v0)];
+    int alike = 0;
+    for (int row = v; row < std::min(v + size, view.height); ++row) {
+      const auto first = view.id.begin() + static_cast<std::ptrdiff_t>(view.index(u, row));
+      alike += static_cast<int>(std::count(first, first + std::min(size, view.width - u), body));
+    }
+    add(camera, at.u, at.v, z, static_cast<float>(alike * square(scene.density.scale)));
   }
 
   /// On the ray of the pixel in the middle, as far from the face as the pixels are in the mean.

@@ -78,11 +78,19 @@ class CovarianceEstimator {
     double expected;
     int tiles;
   };
-  /// Of tiles: how much gradients exceed those of noise, and would if they were a metre off.
+  /// Metres by which surfaces are off. Cameras err differently along their rays and across them:
+  /// faces tell of the one, contours of the other.
+  struct Misfit {
+    double along = 0.0;
+    double across = 0.0;
+  };
+  /// Of tiles: how much squared gradients exceed those of noise, and would if surfaces were a metre
+  /// off along the ray, or across it; of those that tell of the one, and of the other.
   struct Excess {
-    double squares = 0.0;
-    double of_metre = 0.0;
-    double metres() const;
+    Eigen::Vector2d squares = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d of_metre = Eigen::Matrix2d::Zero();
+    void add(const TileSystem& tile, double noise_correlation);
+    Misfit misfit() const;
   };
   void merge(const std::vector<TileSystem>& tiles);
   void measure_dispersion();
@@ -117,7 +125,7 @@ class CovarianceEstimator {
   Eigen::VectorXd unknown_modes_;
   std::vector<Dispersion> dispersions_;  ///< of all tiles, then by pixels
   std::vector<Excess> excess_;           ///< by body, and of all
-  std::vector<double> misfits_;          ///< by body, metres
+  std::vector<Misfit> misfits_;          ///< by body
   Eigen::VectorXd misled_;               ///< by unknown
   Eigen::VectorXd told_;                 ///< information, the same
   std::vector<Matrix6> body_covariances_;

@@ -50,7 +50,8 @@ BodySystem to_system(const kernels::NormalSums& sums, double weight, double norm
 struct TileSystem {
   std::size_t tile;
   int body;
-  double pixels;  ///< that each of its residuals stands for
+  double pixels;        ///< that each of its residuals stands for
+  Eigen::Vector3d ray;  ///< along which the camera sees the tile: a unit vector, body frame
   Matrix6 hessian;
   Twist gradient;
 };

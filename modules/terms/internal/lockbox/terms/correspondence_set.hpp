@@ -56,6 +56,10 @@ class CorrespondenceSet {
   /// Of a correspondence that is laid out.
   std::size_t tile(std::size_t correspondence) const { return tiles_[correspondence]; }
   float pixels_of(std::size_t correspondence) const { return arrays_[pixels][correspondence]; }
+  /// Of the model, body frame.
+  Eigen::Vector3f point(std::size_t correspondence) const {
+    return {arrays_[px][correspondence], arrays_[py][correspondence], arrays_[pz][correspondence]};
+  }
 
  private:
   enum Number { px, py, pz, tx, ty, tz, dx, dy, dz, variance, direction_variance, pixels, numbers };
