@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "initialization/seen_model.hpp"
+#include "lockbox/core/lie.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/simulation/deviating_model.hpp"
 #include "lockbox/simulation/simulator.hpp"
@@ -27,9 +28,15 @@ void PrintTo(const Look& look, std::ostream* stream) {
           << look.depth;
 }
 
+/// What is seen of a look, aligned with the model, and what it was.
+struct SeenSize {
+  SizeMeasurement size;
+  Eigen::VectorXd error;  ///< of (base twist, variables)
+};
+
 class ApparentSizeProperty : public ::testing::TestWithParam<Look> {
  protected:
-  SizeMeasurement measured(const Look& look) {
+  SeenSize measured(const Look& look) {
     const ArticulatedModel& model = shipped(look.model);
     const KinematicTree built = deviating_model(model.tree, {.scale = look.scale}, 3, Executor());
     State state;
@@ -51,13 +58,16 @@ class ApparentSizeProperty : public ::testing::TestWithParam<Look> {
     Configuration start = state.configuration;
     start.T_camera_base = simulator.apparent_base();
     const RegistrationResult& found = registration.align(cloud, start, {0.005, 12, false, 6});
-    return registration.measure_size(found.configuration);
+    Eigen::VectorXd error(found.sigma.size());
+    error << log_se3(start.T_camera_base.inverse() * found.configuration.T_camera_base),
+        found.configuration.q - start.q;
+    return {registration.measure_size(found.configuration), error};
   }
 };
 
 TEST_P(ApparentSizeProperty, IsFoundOutWithItsDeviation) {
   const Look& look = GetParam();
-  const SizeMeasurement size = measured(look);
+  const SizeMeasurement size = measured(look).size;
   const double along = look.scale * look.depth;
   const double across = along * look.focal;
   const Eigen::Vector2d sigma = size.covariance.diagonal().cwiseSqrt();
@@ -65,6 +75,19 @@ TEST_P(ApparentSizeProperty, IsFoundOutWithItsDeviation) {
   EXPECT_NEAR(size.value[0], across, 4.0 * sigma[0] + 0.02 * std::abs(across - 1.0));
   EXPECT_LT(sigma[0], 0.005);
   EXPECT_NEAR(size.value[1], along, 4.0 * sigma[1] + 0.02 * std::abs(across - 1.0));
+}
+
+/// Where the size is off by as much as objects and cameras are; beyond, gates lose what is too far.
+class MisleadingSize : public ApparentSizeProperty {};
+
+TEST_P(MisleadingSize, PutsTheBaseElsewhereAsFarAsIsSaid) {
+  const auto [size, error] = measured(GetParam());
+  const Eigen::Vector3d said = size.effect.topRows<3>() * (size.value - Eigen::Vector2d::Ones());
+  const Eigen::Vector3d off = error.head<3>();
+  EXPECT_GT(off.norm(), 0.003);
+  EXPECT_GT(said.norm(), 0.5 * off.norm());
+  EXPECT_LT(said.norm(), 2.0 * off.norm());
+  EXPECT_GT(said.dot(off), 0.5 * said.norm() * off.norm());
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ApparentSizeProperty,
@@ -76,6 +99,12 @@ INSTANTIATE_TEST_SUITE_P(Of, ApparentSizeProperty,
                                            Look{"rigid_block", 1.0, 1.0, 1.05}, Look{"cabinet"},
                                            Look{"cabinet", 0.98}, Look{"cabinet", 1.02},
                                            Look{"cabinet", 1.0, 1.02}));
+
+INSTANTIATE_TEST_SUITE_P(Of, MisleadingSize,
+                         ::testing::Values(Look{"rigid_block", 0.98}, Look{"rigid_block", 1.02},
+                                           Look{"cabinet", 0.98}, Look{"cabinet", 1.02},
+                                           Look{"cabinet", 1.0, 1.02}, Look{"lockbox", 0.985},
+                                           Look{"lockbox", 1.01}));
 
 }  // namespace
 }  // namespace lockbox

@@ -10,7 +10,7 @@ namespace lockbox {
 namespace {
 
 SizeMeasurement measurement(double across, double along, double sigma) {
-  return {{across, along}, sigma * sigma * Eigen::Matrix2d::Identity()};
+  return {{across, along}, sigma * sigma * Eigen::Matrix2d::Identity(), {}};
 }
 
 ApparentSize apparent(double across, double along, double sigma_across, double sigma_along) {
@@ -36,6 +36,27 @@ TEST(SizeRecord, KnowsFromOneMeasurementWhatIsATenthTooLarge) {
   SizeRecord record;
   record.add(measurement(1.1, 1.1, 0.005));
   EXPECT_TRUE(record.mean().is_implausible());
+}
+
+TEST(SizeRecord, MakesAnswersLessSureByWhatIsMoreThanChance) {
+  RegistrationResult aligned;
+  aligned.covariance = 1e-6 * Eigen::MatrixXd::Identity(7, 7);
+  aligned.sigma = Eigen::VectorXd::Constant(7, 1e-3);
+  SizeRecord record;
+  record.add_misfit(aligned);
+  EXPECT_EQ(aligned.sigma, Eigen::VectorXd::Constant(7, 1e-3)) << "nothing was measured";
+  SizeMeasurement size = measurement(1.02, 1.02, 0.002);
+  size.effect.setZero(7, 2);
+  size.effect(6, 0) = 0.4;  // metres for a size of 1: 8 mm for 2 %
+  for (int i = 0; i < 4; ++i) record.add(size);
+  record.add_misfit(aligned);
+  EXPECT_NEAR(aligned.sigma[6], std::hypot(0.001, 0.0079), 1e-4);
+  EXPECT_NEAR(aligned.sigma[0], 1e-3, 1e-9);
+  size.value = {1.002, 1.001};  // less than its standard deviation
+  for (int i = 0; i < 6; ++i) record.add(size);
+  aligned.covariance = 1e-6 * Eigen::MatrixXd::Identity(7, 7);
+  record.add_misfit(aligned);
+  EXPECT_NEAR(aligned.sigma[6], 1e-3, 1e-9);
 }
 
 TEST(SizeRecord, IsNotSurerForErrorsThatRepeat) {

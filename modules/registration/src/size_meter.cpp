@@ -64,7 +64,20 @@ SizeMeasurement SizeMeter::measure(const PredictedView& view, const TiledCloud& 
   const Index size = step_.size() - kSizeUnknowns;
   const Eigen::MatrixXd covariance =
       factors_.solve(Eigen::MatrixXd::Identity(step_.size(), step_.size()));
-  return {Eigen::Vector2d::Ones() + step_.segment<2>(size), covariance.block<2, 2>(size, size)};
+  return {Eigen::Vector2d::Ones() + step_.segment<2>(size), covariance.block<2, 2>(size, size),
+          effect()};
+}
+
+/// Where the size is held, at the least cost the others go by -H_xx^-1 H_xs for each unit of it.
+Eigen::Matrix<double, Eigen::Dynamic, 2> SizeMeter::effect() {
+  const Index size = step_.size() - kSizeUnknowns;
+  Eigen::Matrix<double, Eigen::Dynamic, 2> of_size = hessian_.middleCols<2>(size);
+  of_size.middleRows<2>(size).setZero();
+  hessian_.middleCols<2>(size).setZero();
+  hessian_.middleRows<2>(size).setZero();
+  hessian_.block<2, 2>(size, size).setIdentity();
+  factors_.compute(hessian_);
+  return factors_.solve(of_size).topRows(size);
 }
 
 /// Of the surface that is visible, where it is flat.

@@ -39,6 +39,7 @@ class SizeMeter {
   void add_contours_of_body(std::span<const ContourPoint> own, const TiledCloud& cloud,
                             double annealing_sigma);
   void take_step();
+  Eigen::Matrix<double, Eigen::Dynamic, 2> effect();
   Eigen::Vector3d motion(int body, const Eigen::Vector3d& point) const;
   double weight(double residual, double variance) const;
 

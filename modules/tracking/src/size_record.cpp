@@ -31,6 +31,17 @@ bool SizeRecord::is_due() {
 void SizeRecord::add(const SizeMeasurement& size) {
   kept_[count_ % kKept] = size;
   ++count_;
+  // What is left of an estimate of two numbers beside their errors (James and Stein, 1961).
+  const ApparentSize found = mean();
+  const Eigen::Vector2d off = found.value - Eigen::Vector2d::Ones();
+  const double squares = off.dot(found.covariance.ldlt().solve(off));
+  misled_ = std::max(0.0, 1.0 - 2.0 / squares) * (size.effect * off);
+}
+
+void SizeRecord::add_misfit(RegistrationResult& aligned) const {
+  if (misled_.size() == 0) return;
+  aligned.covariance.noalias() += misled_ * misled_.transpose();
+  aligned.sigma = aligned.covariance.diagonal().cwiseSqrt();
 }
 
 ApparentSize SizeRecord::mean() const {

@@ -76,7 +76,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
     followed = {alignment.until_rest(prediction, registered)};
   }
   if (judgement_.rival_distance > 0.0) followed = with_rival_sought(frame, followed);
-  const auto& [found, is_found_anew] = followed;
+  auto& [found, is_found_anew] = followed;
   report(found);
   if (judgement_.status == TrackingStatus::lost && !search_.guess()) {
     judgement_ = {};  // what was never sure is not lost: it is sought as at the start
@@ -101,7 +101,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
 void Tracker::Loop::search(const DepthFrame& frame) {
   const SearchScope near_first = is_kept_ ? SearchScope::given_first : SearchScope::near_first;
   const SearchScope scope = options_.search_anywhere ? near_first : SearchScope::near;
-  const auto found = search_.seek(frame, scope, is_kept_);
+  auto found = search_.seek(frame, scope, is_kept_);
   const bool is_first = judgement_.status != TrackingStatus::lost && !search_.guess();
   // What was never found is not lost.
   if (!found || (is_first && classify(*found, options_) == TrackingStatus::lost)) {
@@ -209,7 +209,8 @@ void Tracker::Loop::verify(Answer& found) {
   frames_doubted_ = 0;
 }
 
-void Tracker::Loop::report(const Answer& answer) {
+void Tracker::Loop::report(Answer& answer) {
+  size_record_.add_misfit(answer);
   joint_sight_.note_flush_parts(answer, options_);
   const Judgement before = judgement_;
   judgement_ = judged(answer, options_);

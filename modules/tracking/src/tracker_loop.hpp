@@ -52,7 +52,7 @@ class Tracker::Loop {
   Followed with_rival_sought(const DepthFrame& frame, const Followed& followed);
   void seek_contradicted_joints(Answer& best);
   void verify(Answer& found);
-  void report(const Answer& answer);
+  void report(Answer& answer);
   void measure_size(const Answer& found);
 
   const ArticulatedModel& model_;

@@ -42,6 +42,9 @@ struct AlignOptions {
 struct SizeMeasurement {
   Eigen::Vector2d value = Eigen::Vector2d::Ones();           ///< (across, along)
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< of it
+  /// How far off each of (base twist, variables) is of an alignment, which takes the size for 1: a
+  /// row for a size of (1, 0) and (0, 1) more, in the unknowns' units.
+  Eigen::Matrix<double, Eigen::Dynamic, 2> effect;
 };
 
 /// What an alignment has found, and how sure it is of it.

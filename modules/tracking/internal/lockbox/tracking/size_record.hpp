@@ -21,12 +21,17 @@ class SizeRecord {
   /// Of infinite covariance until there is a measurement; of few ones more than they say.
   ApparentSize mean() const;
 
+  /// Adds to what an alignment is unsure of by how much it is off because it takes the size for 1,
+  /// as far as that is more than chance; nothing until there is a measurement.
+  void add_misfit(RegistrationResult& aligned) const;
+
  private:
   static constexpr std::size_t kKept = 6;
 
   std::array<SizeMeasurement, kKept> kept_;  ///< in turns
   std::size_t count_ = 0;                    ///< of all measurements
   std::size_t frames_to_next_ = 0;
+  Eigen::VectorXd misled_;  ///< how far (base twist, variables) are off
 };
 
 }  // namespace lockbox
