@@ -2,10 +2,10 @@
 #include "lockbox/view/block_averages.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
-#include "lockbox/core/square.hpp"
 #include "lockbox/kernels/flatness.hpp"
 #include "lockbox/kernels/pooling.hpp"
 
@@ -14,6 +14,10 @@ namespace {
 
 constexpr int kCellSize = SamplingDensity::kCellSize;
 constexpr float kBend = 1.5e-5F;  // 1 / metre, from pixel to pixel of the view: 0.02 mm at 1.2 m
+/// Metres of depth for one across. No sensor measures what is seen at less than 10 degrees: a
+/// steeper step is an edge. Doubled, edges of small relief are taken for faces; halved, faces that
+/// are seen at less than 18 degrees are left to their contours.
+constexpr float kSteepest = 5.7F;
 /// Times the gate: how far off the face may be expected.
 constexpr double kReachOfCut = 2.0;
 constexpr int kRowsOfCells = 2;    // of a band
@@ -120,17 +124,22 @@ class BlockAverages::Band {
         for (const int du : {0, half}) split(scene, u + du, v + dv, half, smallest);
       }
     } else {
-      add_middle(scene, u_ + u, v_ + v, size);
+      add_pixel_of(scene, mask_ & block, u, v, size);
     }
   }
 
-  /// Of a block: its pixel in the middle, for all that show the same body.
-  void add_middle(const Scene& scene, int u, int v, int size) {
-    const RenderedDepth& view = scene.surface.view();
-    const int u0 = u + SamplingDensity::first_sample(size);
-    const int v0 = v + SamplingDensity::first_sample(size);
-    if (u0 >= view.width || v0 >= view.height) return;
-    const Pixel at = scene.surface.camera_pixel(u0, v0);
+  /// Of a block that is not all flat: the pixel in its middle, or another of its flat ones, for all
+  /// that may be taken for it.
+  void add_pixel_of(const Scene& scene, CellMask flat, int u, int v, int size) {
+    const int middle = SamplingDensity::first_sample(size);
+    int at_u = u + middle;
+    int at_v = v + middle;
+    if (flat != 0 && (flat & block_of(at_u, at_v, 1)) == 0) {
+      const int first = std::countr_zero(flat);
+      at_u = first % kCellSize;
+      at_v = first / kCellSize;
+    }
+    const Pixel at = scene.surface.camera_pixel(u_ + at_u, v_ + at_v);
     const PinholeCamera& camera = scene.cloud.camera();
     if (at.u >= camera.width || at.v >= camera.height) return;
     const float z =
@@ -138,13 +147,31 @@ class BlockAverages::Band {
             .depth()[static_cast<std::size_t>(at.v) * static_cast<std::size_t>(camera.width) +
                      static_cast<std::size_t>(at.u)];
     if (!(z > 0.0F)) return;
-    const std::int16_t body = view.id[view.index(u0, v0)];
-    int alike = 0;
-    for (int row = v; row < std::min(v + size, view.height); ++row) {
-      const auto first = view.id.begin() + static_cast<std::ptrdiff_t>(view.index(u, row));
-      alike += static_cast<int>(std::count(first, first + std::min(size, view.width - u), body));
+    const int alike =
+        goes_on(scene.surface, u_ + u, v_ + v, size) ? size * size : std::popcount(flat);
+    const int pixels = alike * scene.density.scale * scene.density.scale;
+    add(camera, at.u, at.v, z, static_cast<float>(std::max(1, pixels)));
+  }
+
+  /// Whether one surface goes on over a block: where it ends, a pixel is of what is before or of
+  /// what is behind.
+  static bool goes_on(const VisibleSurface& surface, int u, int v, int size) {
+    const RenderedDepth& view = surface.view();
+    if (u + size > view.width || v + size > view.height) return false;
+    const std::int16_t body = view.id[view.index(u, v)];
+    float nearest = view.depth[view.index(u, v)];
+    float farthest = nearest;
+    for (int row = v; row < v + size; ++row) {
+      const std::size_t first = view.index(u, row);
+      const std::size_t end = first + static_cast<std::size_t>(size);
+      for (std::size_t i = first; i < end; ++i) {
+        if (view.id[i] != body) return false;
+        nearest = std::min(nearest, view.depth[i]);
+        farthest = std::max(farthest, view.depth[i]);
+      }
     }
-    add(camera, at.u, at.v, z, static_cast<float>(alike * square(scene.density.scale)));
+    const auto pixel = static_cast<float>(1.0 / surface.view_camera().fx);
+    return farthest - nearest <= kSteepest * static_cast<float>(size) * pixel * nearest;
   }
 
   /// On the ray of the pixel in the middle, as far from the face as the pixels are in the mean.
