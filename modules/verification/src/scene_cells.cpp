@@ -46,14 +46,16 @@ SceneCells::SceneCells(const CoarseView& view, double sensor_noise, double toler
   std::transform(view.depth.begin(), view.depth.end(), cells_.begin(),
                  [](float z) { return z > 0.0F ? 1.0F / z : 0.0F; });
   noise_ = std::max(noise_of(cells_, width(), height()), kLeastOfProfile * sensor_noise);
+  all_noise_ = std::max(noise_, sensor_noise);
 }
 
 double SceneCells::deviation(double inverse_depth) const {
-  return std::hypot(noise_, tolerance_ * inverse_depth * inverse_depth);
+  return std::hypot(all_noise_, tolerance_ * inverse_depth * inverse_depth);
 }
 
 double SceneCells::deviation(double inverse_depth, const Sight& sight) const {
-  return std::hypot(deviation(inverse_depth), noise_ * std::sqrt(sight.variances()));
+  return std::hypot(noise_, tolerance_ * inverse_depth * inverse_depth,
+                    noise_ * std::sqrt(sight.variances()));
 }
 
 int SceneCells::contour_reach(double inverse_depth) const {

@@ -48,7 +48,7 @@ inline constexpr std::array<Sight, 8> kSights{{{1, 0, 3, 5},
 class SceneCells {
  public:
   /// sensor_noise: as the sensor's profile has it, standard deviation of a pixel's 1/depth,
-  /// 1/metre. What the frame itself shows counts, but for an image without any noise.
+  /// 1/metre. What cells err by beside their neighbours is measured in the frame itself.
   /// tolerance: what a model differs by from its object along the ray, standard deviation, metres.
   SceneCells(const CoarseView& view, double sensor_noise, double tolerance);
 
@@ -67,10 +67,10 @@ class SceneCells {
 
   std::span<const float> cells() const { return cells_; }
 
-  /// The standard deviation of a cell's noise, 1/metre.
+  /// The standard deviation of a cell's noise beside its neighbours', 1/metre.
   double noise() const { return noise_; }
   double tolerance() const { return tolerance_; }
-  /// Of what a model shows there: the cell's noise and the model's tolerance.
+  /// Of what a model shows there: all of the cell's noise and the model's tolerance.
   double deviation(double inverse_depth) const;
   /// The same of what is foretold from two other cells.
   double deviation(double inverse_depth, const Sight& sight) const;
@@ -85,7 +85,8 @@ class SceneCells {
  private:
   PinholeCamera camera_;
   std::vector<float> cells_;
-  double noise_;
+  double noise_;      ///< beside the neighbours'
+  double all_noise_;  ///< with what they err by alike
   double tolerance_;
 };
 
