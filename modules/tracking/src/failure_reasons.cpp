@@ -22,6 +22,8 @@ constexpr double kWidestView = 140.0;
 constexpr double kTooLarge = 1.5;
 /// Pixels: fewer show no side of a model.
 constexpr double kFewestPixels = 16.0;
+/// Times the assumed noise: where small things fill the image, it is estimated 1.8 times too large.
+constexpr double kNoisier = 2.0;
 /// Metres that objects are usually seen from.
 constexpr double kUsuallyNearest = 0.3;
 constexpr double kUsuallyFarthest = 4.0;
@@ -138,6 +140,12 @@ void add_what_to_check(const SearchFailure& failure, std::vector<std::string>& a
                 " units per metre (--depth-scale)");
   all.push_back("- camera: it sees " + number(failure.field_of_view) +
                 " degrees from left to right by its focal length (--camera-info)");
+  if (failure.noise > kNoisier * failure.assumed_noise) {
+    all.push_back("- sensor: depths err by " + number(1e3 * failure.noise) + " mm at " +
+                  number(failure.median_depth) + " m, where " +
+                  number(1e3 * failure.assumed_noise) +
+                  " mm are assumed (--sensor auto, or the name of yours)");
+  }
   all.push_back("- model: it is " + number(failure.model_size) +
                 " m across; is it this object, and in metres? (lockbox inspect, --mesh-scale)");
 }

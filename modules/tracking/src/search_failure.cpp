@@ -9,6 +9,7 @@
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/symmetry.hpp"
+#include "lockbox/sensor/noise_estimate.hpp"
 #include "lockbox/tracking/classification.hpp"
 
 namespace lockbox {
@@ -105,6 +106,9 @@ SearchFailure search_failure(const DepthFrame& frame, const KinematicTree& tree,
       2.0 * std::atan(0.5 * frame.camera.width / frame.camera.fx) * 180.0 / std::numbers::pi;
   failure.model_size = model_size(tree);
   look_at_depths(frame, failure);
+  if (const auto noise = estimate_noise(frame))
+    failure.noise = noise->sigma_z(failure.median_depth);
+  failure.assumed_noise = options.registration.noise.sigma_z(failure.median_depth);
   if (best != nullptr) failure.best = place(*best, tree, options);
   return failure;
 }

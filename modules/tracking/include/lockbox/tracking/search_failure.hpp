@@ -34,7 +34,9 @@ struct SearchFailure {
   double min_depth = 0.0;        ///< metres, of CloudOptions
   double max_depth = 0.0;        ///< likewise
   double units_per_metre = 0.0;  ///< of the frame's depths
-  double field_of_view = 0.0;    ///< degrees, from the left edge of the image to the right one
+  double noise = 0.0;  ///< metres that depths err by at the median, by the image; 0: unknown
+  double assumed_noise = 0.0;  ///< the same as the sensor's profile has it
+  double field_of_view = 0.0;  ///< degrees, from the left edge of the image to the right one
   /// Metres that the longer side of the image spans at the farthest depth in use; 0: there is none.
   double view_size = 0.0;
   double model_size = 0.0;    ///< metres, the diagonal of the box around the model at rest
