@@ -26,6 +26,8 @@ constexpr const char* kCorner = R"(<robot name="corner"><link name="corner">
   <visual><origin xyz="-0.105 0.02 0.08"/><geometry><box size="0.03 0.14 0.14"/></geometry></visual>
   <visual><origin xyz="0.04 0.075 0.05"/><geometry><box size="0.12 0.03 0.08"/></geometry></visual>
 </link></robot>)";
+constexpr const char* kOther = R"(<robot name="other"><link name="other"><visual><geometry>
+<cylinder radius="0.03" length="0.7"/></geometry></visual></link></robot>)";
 constexpr const char* kStates =
     "timestamp,tx,ty,tz,qx,qy,qz,qw\n0,0.01,-0.02,0.7,0.983,0.101,-0.048,0.144\n"
     "0.033,0.012,-0.02,0.7,0.983,0.101,-0.048,0.144\n";
@@ -172,14 +174,19 @@ TEST_F(Mistake, ObjectOutOfView) {
 }
 
 TEST_F(Mistake, WrongModel) {
-  write_text(folder / "other.urdf", R"(<robot name="other"><link name="other"><visual><geometry>
-<cylinder radius="0.03" length="0.7"/></geometry></visual></link></robot>)");
+  write_text(folder / "other.urdf", kOther);
   const auto inspected = run_tool({"inspect", "--model", folder / "other.urdf"}).output;
   EXPECT_THAT(inspected, testing::ContainsRegex("other +60\\.00 +60\\.00 +700\\.00\n"));
   const auto result = track(kOneFrame, "other.urdf");
   EXPECT_EQ(result.status, kNeverTracked);
   EXPECT_THAT(result.errors, AllOf(HasSubstr("check these"), HasSubstr("is it this object"),
                                    HasSubstr("0.71 m across"), HasSubstr("lockbox inspect")));
+}
+
+TEST_F(Mistake, SensorThatErrsLess) {
+  write_text(folder / "other.urdf", kOther);
+  const auto result = track({"--max-frames", "1", "--sensor", "ideal"}, "other.urdf");
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("sensor: depths err by"), HasSubstr("--sensor auto")));
 }
 
 }  // namespace

@@ -19,9 +19,7 @@
 namespace lockbox {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 std::string said(const SearchFailure& failure) {
   std::string all;
@@ -104,14 +102,6 @@ TEST_F(SearchFailureTest, AFrameThatIsSoundExplainsNothing) {
   EXPECT_NEAR(failure().field_of_view, 58.1, 0.1);
   EXPECT_THAT(said(failure()), HasSubstr("it sees 58 degrees"));
   EXPECT_THAT(said(failure()), HasSubstr("it is 0.32 m across"));
-}
-
-TEST_F(SearchFailureTest, DepthsErrByMoreThanIsAssumed) {
-  EXPECT_THAT(said(failure()), Not(HasSubstr("--sensor")));
-  TrackerOptions quiet = options();
-  quiet.registration.noise.depth_quadratic *= 0.3;
-  EXPECT_THAT(said(search_failure(frame, model.tree, quiet, nullptr)),
-              AllOf(HasSubstr("sensor: depths err by"), HasSubstr("--sensor auto")));
 }
 
 TEST_F(SearchFailureTest, NoPixelHasADepth) {

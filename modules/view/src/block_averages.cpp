@@ -14,10 +14,6 @@ namespace {
 
 constexpr int kCellSize = SamplingDensity::kCellSize;
 constexpr float kBend = 1.5e-5F;  // 1 / metre, from pixel to pixel of the view: 0.02 mm at 1.2 m
-/// Metres of depth for one across. No sensor measures what is seen at less than 10 degrees: a
-/// steeper step is an edge. Doubled, edges of small relief are taken for faces; halved, faces that
-/// are seen at less than 18 degrees are left to their contours.
-constexpr float kSteepest = 5.7F;
 /// Times the gate: how far off the face may be expected.
 constexpr double kReachOfCut = 2.0;
 constexpr int kRowsOfCells = 2;    // of a band
@@ -148,30 +144,9 @@ class BlockAverages::Band {
                      static_cast<std::size_t>(at.u)];
     if (!(z > 0.0F)) return;
     const int alike =
-        goes_on(scene.surface, u_ + u, v_ + v, size) ? size * size : std::popcount(flat);
+        scene.surface.goes_on(u_ + u, v_ + v, size) ? size * size : std::popcount(flat);
     const int pixels = alike * scene.density.scale * scene.density.scale;
     add(camera, at.u, at.v, z, static_cast<float>(std::max(1, pixels)));
-  }
-
-  /// Whether one surface goes on over a block: where it ends, a pixel is of what is before or of
-  /// what is behind.
-  static bool goes_on(const VisibleSurface& surface, int u, int v, int size) {
-    const RenderedDepth& view = surface.view();
-    if (u + size > view.width || v + size > view.height) return false;
-    const std::int16_t body = view.id[view.index(u, v)];
-    float nearest = view.depth[view.index(u, v)];
-    float farthest = nearest;
-    for (int row = v; row < v + size; ++row) {
-      const std::size_t first = view.index(u, row);
-      const std::size_t end = first + static_cast<std::size_t>(size);
-      for (std::size_t i = first; i < end; ++i) {
-        if (view.id[i] != body) return false;
-        nearest = std::min(nearest, view.depth[i]);
-        farthest = std::max(farthest, view.depth[i]);
-      }
-    }
-    const auto pixel = static_cast<float>(1.0 / surface.view_camera().fx);
-    return farthest - nearest <= kSteepest * static_cast<float>(size) * pixel * nearest;
   }
 
   /// On the ray of the pixel in the middle, as far from the face as the pixels are in the mean.

@@ -58,6 +58,11 @@ PinholeCamera every_nth_pixel(const PinholeCamera& camera, int n) {
           camera.fy / n,    (camera.cx - first) / n, (camera.cy - first) / n};
 }
 
+/// Metres of depth for one across. No sensor measures what is seen at less than 10 degrees: a
+/// steeper step is an edge. Doubled, edges of small relief are taken for faces; halved, faces that
+/// are seen at less than 18 degrees are left to their contours.
+constexpr float kSteepest = 5.7F;
+
 }  // namespace
 
 void VisibleSurface::render(const ArticulatedModel& model, const BodyPoses& T_camera_body,
@@ -204,6 +209,24 @@ void VisibleSurface::predict(const PointTiles& points, const ContinuedEdges& con
                               predict_tile(points.tiles()[t]);
                             }
                           });
+}
+
+bool VisibleSurface::goes_on(int u, int v, int size) const {
+  if (u + size > image_.width || v + size > image_.height) return false;
+  const std::int16_t body = image_.id[image_.index(u, v)];
+  float nearest = image_.depth[image_.index(u, v)];
+  float farthest = nearest;
+  for (int row = v; row < v + size; ++row) {
+    const std::size_t first = image_.index(u, row);
+    const std::size_t end = first + static_cast<std::size_t>(size);
+    for (std::size_t i = first; i < end; ++i) {
+      if (image_.id[i] != body) return false;
+      nearest = std::min(nearest, image_.depth[i]);
+      farthest = std::max(farthest, image_.depth[i]);
+    }
+  }
+  const auto pixel = static_cast<float>(1.0 / view_camera().fx);
+  return farthest - nearest <= kSteepest * static_cast<float>(size) * pixel * nearest;
 }
 
 }  // namespace lockbox

@@ -45,6 +45,10 @@ class VisibleSurface {
   const PinholeCamera& view_camera() const { return renderer_->camera(); }
   int reduction() const { return reduction_; }
 
+  /// Whether one surface goes on over a square of the view. Where it ends, a pixel is of what is
+  /// before or of what is behind.
+  bool goes_on(int u, int v, int size) const;
+
   /// Where the bodies were when they were drawn.
   const BodyPoses& T_body_camera() const { return T_body_camera_; }
 
