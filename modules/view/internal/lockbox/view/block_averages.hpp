@@ -25,8 +25,8 @@ class BlockAverages : public PointTiles {
   /// What is pooled, by reference. The cloud must have an image, all of it (TiledCloud::is_masked),
   /// seen by the camera that the surface is seen by. Blocks are as large as faces allow, from a
   /// cell of the density down to its spacing, or to least_spacing pixels of the view; one of the
-  /// smallest that shows more than one face gives the pixel in its middle, which stands for all
-  /// that show its body: as one pixel of many it would leave narrow faces to their contours.
+  /// smallest that is not flat gives one pixel, which stands for all of it where a surface goes on
+  /// over it: as one pixel of many it would leave narrow and round faces to their contours.
   struct Scene {
     const TiledCloud& cloud;
     const VisibleSurface& surface;
