@@ -20,6 +20,10 @@ class ForeignObjects : public DrawnObjectsExperiment {
                     "none, or a third of every moderate deviation (see mismatch)")
         ->check(one_of({"none", "third"}));
     options.add_option("--frames", frames_, "Of each piece, which stands still")->check(positive());
+    options.add_flag(
+        "--tell-sensor", tells_sensor_,
+        "Tell the tracker the sensor's profile (track --sensor); else it takes all for "
+        "a PrimeSense");
   }
 
  private:
@@ -31,7 +35,7 @@ class ForeignObjects : public DrawnObjectsExperiment {
 
   std::string variant(const ExperimentSettings& settings) const override {
     return deviation_ + "_" + (settings.sensor_is_given ? settings.sensor + "_" : "") +
-           std::to_string(frames_) + "frames_";
+           (tells_sensor_ ? "told_" : "") + std::to_string(frames_) + "frames_";
   }
 
   std::string run_piece(const ObjectBlock& block, std::uint64_t piece,
@@ -55,6 +59,7 @@ class ForeignObjects : public DrawnObjectsExperiment {
     ForeignSettings result;
     result.camera = sensor_model(settings.sensor).camera;
     if (settings.sensor_is_given) result.sensor = settings.sensor;
+    result.tells_sensor = tells_sensor_;
     result.seed = settings.seed;
     result.deviates = deviation_ == "third";
     result.frames = frames_;
@@ -66,6 +71,7 @@ class ForeignObjects : public DrawnObjectsExperiment {
   DrawnKind kind_;
   std::string deviation_ = "none";
   int frames_ = 1;
+  bool tells_sensor_ = false;
 };
 
 }  // namespace

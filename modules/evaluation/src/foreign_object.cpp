@@ -8,6 +8,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/evaluation/bound.hpp"
+#include "lockbox/sensor/sensor_profile.hpp"
 #include "lockbox/simulation/deviating_model.hpp"
 #include "lockbox/simulation/deviation_presets.hpp"
 #include "lockbox/simulation/simulator.hpp"
@@ -64,6 +65,12 @@ Eigen::VectorXd bound_of(const ArticulatedModel& model, const State& truth,
   return bound_sigma(information.compute(truth.configuration, scenery));
 }
 
+TrackerOptions tracker_options(const ForeignSettings& settings, const SensorModel& sensor) {
+  TrackerOptions options = stoppable(settings.stop_request);
+  if (settings.tells_sensor) assume_sensor(find_sensor_profile(sensor.name), options);
+  return options;
+}
+
 /// Tracks one object, and judges what comes out.
 class ForeignRun {
  public:
@@ -78,7 +85,7 @@ class ForeignRun {
         bound_(bound_of(model, truth_, scene_, settings.camera, sensor, executor)),
         comparison_(model, Tolerances{}),
         verifier_(model.tree),
-        tracker_(model, stoppable(settings.stop_request)) {}
+        tracker_(model, tracker_options(settings, sensor)) {}
 
   const Eigen::VectorXd& bound() const { return bound_; }
 

@@ -43,9 +43,10 @@ struct ForeignResult {
 struct ForeignSettings {
   PinholeCamera camera;
   std::optional<std::string> sensor;  ///< none: the one that the block draws
-  std::uint64_t seed = 1;             ///< of the sensor's noise and of the deviation
-  bool deviates = false;  ///< by a third of every moderate deviation (deviation_presets.hpp)
-  int frames = 1;         ///< of the object, which stands still
+  bool tells_sensor = false;  ///< the tracker is told the sensor's profile; else a PrimeSense's
+  std::uint64_t seed = 1;     ///< of the sensor's noise and of the deviation
+  bool deviates = false;      ///< by a third of every moderate deviation (deviation_presets.hpp)
+  int frames = 1;             ///< of the object, which stands still
   /// Made if needed; model.urdf, truth.csv, scene.yaml and deviation.yaml are written there.
   std::filesystem::path folder;
   StopRequest stop_request = nullptr;  ///< of loading and of searches
