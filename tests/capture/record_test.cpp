@@ -8,6 +8,7 @@
 
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_writer.hpp"
+#include "lockbox/capture/pcd_folder.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_camera.hpp"
 #include "temporary_folder.hpp"
@@ -16,6 +17,7 @@ namespace lockbox {
 namespace {
 
 using namespace std::chrono_literals;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -88,6 +90,34 @@ TEST(Record, ADeviceIsRecordedForSecondsOfTheClock) {
   const SyntheticCamera camera(5ms);
   const RecordingEnd end{[] { return false; }, LOCKBOX_SLOWDOWN * 0.3};
   EXPECT_GT(record("openni2:" + camera.uri(), folder / "a.oni", end), 5U);
+}
+
+TEST(Record, ACloudInAnotherUnitIsNamed) {
+  const TemporaryFolder folder;
+  const PcdFolderWriter writer(folder / "clouds");
+  writer.write(synthetic_frame(0));
+  DepthFrame fine = synthetic_frame(1);
+  fine.metres_per_unit = 0.0001F;
+  writer.write(fine);
+  const auto never = [] { return false; };
+  EXPECT_THAT(
+      [&] { record((folder / "clouds").string(), folder / "a.oni", {never}); },
+      ThrowsMessage<InputError>(
+          AllOf(HasSubstr("clouds/00000000000.033333.pcd: frame 1 has another depth unit (100 um)"),
+                HasSubstr("a.oni (1 mm, as "),
+                HasSubstr("clouds/00000000000.000000.pcd), which ends before it"))));
+}
+
+TEST(Record, WhatNoRecordingHoldsIsRefusedByItsName) {
+  const TemporaryFolder folder;
+  PinholeCamera camera = small_camera();
+  camera.cx += 1.0;
+  EXPECT_THAT([&] { OniWriter(folder / "a.oni", camera, 30); },
+              ThrowsMessage<InputError>(HasSubstr("a.oni: the camera's principal point (80.5,")));
+  EXPECT_THAT([&] { OniWriter(folder / "a.oni", small_camera(), 30, 0.00025F); },
+              ThrowsMessage<InputError>(HasSubstr("a.oni: an .oni file holds depths in units")));
+  EXPECT_THAT([&] { OniWriter(folder / "a.oni", small_camera(), 30, 0.00025F, "far.pcd"); },
+              ThrowsMessage<InputError>(HasSubstr("far.pcd: an .oni file holds depths in units")));
 }
 
 TEST(Record, WrongSourcesAreRefused) {

@@ -148,7 +148,7 @@ void record_streams(const std::filesystem::path& file, const Streams& streams, i
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     throw std::runtime_error("no sockets");
   }
-  VirtualDepthSender sender(ends[0], camera, 30, 0.001F, true);
+  VirtualDepthSender sender(ends[0], camera, 30, 0.001F, file.string());
   openni::Device device;
   const std::string uri = std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(ends[1]);
   StreamsOfDevice::require(device.open(uri.c_str()));
