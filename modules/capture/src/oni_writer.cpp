@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <string_view>
 #include <thread>
@@ -70,10 +72,11 @@ void cut_tail(const std::filesystem::path& file) {
   std::filesystem::resize_file(file, validate_oni(file).end);
 }
 
-std::array<int, 2> connected_sockets() {
+std::array<int, 2> connected_sockets(const std::filesystem::path& recording) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw DeviceError("no socket to the recorder can be made");
+    throw DeviceError(recording.string() +
+                      ": no socket to its recorder can be made: " + std::strerror(errno));
   }
   return ends;
 }
@@ -89,7 +92,7 @@ struct Written {
 struct OniWriter::Impl {
   Impl(const std::filesystem::path& path, const PinholeCamera& pinhole, int frames_per_second,
        float metres_per_unit, const std::string& from)
-      : Impl(path, pinhole, frames_per_second, metres_per_unit, from, connected_sockets()) {}
+      : Impl(path, pinhole, frames_per_second, metres_per_unit, from, connected_sockets(path)) {}
 
   Impl(const std::filesystem::path& path, const PinholeCamera& pinhole, int frames_per_second,
        float metres_per_unit, const std::string& from, std::array<int, 2> ends)
