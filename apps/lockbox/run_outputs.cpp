@@ -51,12 +51,12 @@ RunOutputs::RunOutputs(const ArticulatedModel& model, RunDescription description
 }
 
 void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result,
-                     const SourceFaults& faults) {
-  if (totals_.frames() == 0) begin(frame);
+                     const FrameSource& source) {
+  if (totals_.frames() == 0) begin(frame, source.file_of_frame());
   if (!settings_.publish.empty()) publisher_.publish(state_line(tree_, frame.index, result));
-  totals_.add(result, faults);
+  totals_.add(result, source.faults());
   if (states_) states_->write(result);
-  if (recording_) recording_->write(frame);
+  if (recording_) recording_->write(frame, source.file_of_frame());
   if (snapshots_) snapshots_->add(frame, result.configuration);
   if (view_) {
     view_->show(frame, shown(tree_, result),
@@ -79,11 +79,12 @@ void RunOutputs::abandon(const std::string& end) noexcept {
 }
 
 /// What only the first frame tells.
-void RunOutputs::begin(const DepthFrame& frame) {
+void RunOutputs::begin(const DepthFrame& frame, const std::string& file) {
   description_.camera = frame.camera;
   describe("still running, or ended by force");
   if (!settings_.recording.empty()) {
-    recording_.emplace(settings_.recording, frame.camera, kRecordingRate, frame.metres_per_unit);
+    recording_.emplace(settings_.recording, frame.camera, kRecordingRate, frame.metres_per_unit,
+                       file);
   }
 }
 

@@ -23,8 +23,8 @@ class RunOutputs {
   RunOutputs(const ArticulatedModel& model, RunDescription description, const RunSettings& settings,
              Publisher& publisher);
 
-  /// faults: of the source, up to this frame.
-  void add(const DepthFrame& frame, const TrackingResult& result, const SourceFaults& faults);
+  /// source: that has delivered this frame last.
+  void add(const DepthFrame& frame, const TrackingResult& result, const FrameSource& source);
 
   /// end: why the run has ended.
   void finish(const std::string& end);
@@ -37,7 +37,7 @@ class RunOutputs {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void begin(const DepthFrame& frame);
+  void begin(const DepthFrame& frame, const std::string& file);
   void describe(const std::string& end) const;
 
   const RunSettings& settings_;

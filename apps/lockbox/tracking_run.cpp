@@ -49,7 +49,7 @@ std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& 
     progress.begin(phase_after(status));
     const TrackingResult& result = tracker.process(frame);
     status = result.status;
-    outputs.add(frame, result, source.faults());
+    outputs.add(frame, result, source);
     report.look_at(tracker, frame, outputs.totals());
     size_report.look_at(result);
     progress.update(outputs.totals().frames(), to_string(status));

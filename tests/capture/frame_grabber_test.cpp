@@ -131,6 +131,29 @@ TEST(FrameGrabber, StartsFromTheBeginningAgain) {
   EXPECT_EQ(frames, 6);
 }
 
+/// Where its own thread has ended, the system gives the next one the same id.
+TEST(FrameGrabber, IsStartedByAThreadThatCameAfterItsOwn) {
+  const TemporaryFolder folder;
+  write_folder(folder / "depth", 2);
+  FrameGrabber grabber((folder / "depth").string());
+  std::atomic<int> frames{0};
+  grabber.registerCallback<FrameGrabber::FrameCallback>(
+      [&frames](const std::shared_ptr<const DepthFrame>&) { ++frames; });
+  std::atomic<int> ends{0};
+  grabber.registerCallback<FrameGrabber::EndCallback>([&ends](const std::string&) { ++ends; });
+  const auto play = [&grabber, &ends](int rounds) {
+    grabber.start();
+    const auto patience = std::chrono::steady_clock::now() + 10s;
+    while (ends < rounds && std::chrono::steady_clock::now() < patience) {
+      std::this_thread::sleep_for(1ms);
+    }
+  };
+  play(1);
+  grabber.stop();
+  std::thread(play, 2).join();
+  EXPECT_EQ(frames, 4);
+}
+
 TEST(FrameGrabber, ACallbackMayStopIt) {
   const TemporaryFolder folder;
   write_folder(folder / "depth", 5);

@@ -41,7 +41,7 @@ TEST(LiveDevice, ASlowConsumerGetsTheNewestFrame) {
   DepthFrame first;
   DepthFrame second;
   ASSERT_TRUE(device.next(first));
-  std::this_thread::sleep_for(200ms);
+  std::this_thread::sleep_for(LOCKBOX_SLOWDOWN * 200ms);
   ASSERT_TRUE(device.next(second));
   EXPECT_GT(second.index, first.index + 5);
   EXPECT_EQ(device.faults().dropped, second.index - first.index - 1);

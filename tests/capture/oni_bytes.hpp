@@ -46,12 +46,12 @@ inline std::string read_file(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Runs work in a child process, because what it does may crash, and returns its exit status; -1
-/// if it crashed or hung.
+/// Runs work in a child process, because what it does may crash, and returns its exit status, or
+/// minus the signal that ended it: that of the alarm if it hung.
 inline int status_of_child(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child == 0) {
-    ::alarm(20);
+    ::alarm(200);  // seconds by the clock: the machine may be busy
     try {
       ::_exit(work());
     } catch (const std::exception& error) {
@@ -61,7 +61,7 @@ inline int status_of_child(const std::function<int()>& work) {
   }
   int status = 0;
   ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
 /// The bytes of a small sound recording.

@@ -8,6 +8,7 @@
 
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/capture/oni_writer.hpp"
+#include "lockbox/capture/pcd_folder.hpp"
 #include "lockbox/core/error.hpp"
 #include "synthetic_camera.hpp"
 #include "temporary_folder.hpp"
@@ -16,16 +17,19 @@ namespace lockbox {
 namespace {
 
 using namespace std::chrono_literals;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
+
+/// Frames that a camera sends from its start on: the recorder takes some of them, also on a busy
+/// machine.
+constexpr std::uint64_t kEnough = LOCKBOX_SLOWDOWN * 60;
 
 TEST(Record, ALiveDeviceIsRecordedBitForBit) {
   const TemporaryFolder folder;
   const SyntheticCamera camera(5ms);
-  const auto deadline = std::chrono::steady_clock::now() + LOCKBOX_SLOWDOWN * 300ms;
-  const std::size_t count =
-      record("openni2:" + camera.uri(), folder / "a.oni",
-             {[deadline] { return std::chrono::steady_clock::now() > deadline; }});
+  const auto enough = [&camera] { return camera.sent() >= kEnough; };
+  const std::size_t count = record("openni2:" + camera.uri(), folder / "a.oni", {enough});
   EXPECT_GT(count, 5U);
   OniPlayer player(folder / "a.oni");
   DepthFrame frame;
@@ -45,7 +49,9 @@ TEST(Record, UnpluggingEndsTheRecording) {
   const TemporaryFolder folder;
   SyntheticCamera camera(2ms);
   auto unplug = std::async(std::launch::async, [&camera] {
-    std::this_thread::sleep_for(LOCKBOX_SLOWDOWN * 200ms);
+    for (int i = 0; i < LOCKBOX_SLOWDOWN * 4000 && camera.sent() < kEnough; ++i) {
+      std::this_thread::sleep_for(5ms);
+    }
     camera.unplug();
   });
   EXPECT_GT(record("openni2:" + camera.uri(), folder / "a.oni", {[] { return false; }}), 5U);
@@ -88,6 +94,34 @@ TEST(Record, ADeviceIsRecordedForSecondsOfTheClock) {
   const SyntheticCamera camera(5ms);
   const RecordingEnd end{[] { return false; }, LOCKBOX_SLOWDOWN * 0.3};
   EXPECT_GT(record("openni2:" + camera.uri(), folder / "a.oni", end), 5U);
+}
+
+TEST(Record, ACloudInAnotherUnitIsNamed) {
+  const TemporaryFolder folder;
+  const PcdFolderWriter writer(folder / "clouds");
+  writer.write(synthetic_frame(0));
+  DepthFrame fine = synthetic_frame(1);
+  fine.metres_per_unit = 0.0001F;
+  writer.write(fine);
+  const auto never = [] { return false; };
+  EXPECT_THAT(
+      [&] { record((folder / "clouds").string(), folder / "a.oni", {never}); },
+      ThrowsMessage<InputError>(
+          AllOf(HasSubstr("clouds/00000000000.033333.pcd: frame 1 has another depth unit (100 um)"),
+                HasSubstr("a.oni (1 mm, as "),
+                HasSubstr("clouds/00000000000.000000.pcd), which ends before it"))));
+}
+
+TEST(Record, WhatNoRecordingHoldsIsRefusedByItsName) {
+  const TemporaryFolder folder;
+  PinholeCamera camera = small_camera();
+  camera.cx += 1.0;
+  EXPECT_THAT([&] { OniWriter(folder / "a.oni", camera, 30); },
+              ThrowsMessage<InputError>(HasSubstr("a.oni: the camera's principal point (80.5,")));
+  EXPECT_THAT([&] { OniWriter(folder / "a.oni", small_camera(), 30, 0.00025F); },
+              ThrowsMessage<InputError>(HasSubstr("a.oni: an .oni file holds depths in units")));
+  EXPECT_THAT([&] { OniWriter(folder / "a.oni", small_camera(), 30, 0.00025F, "far.pcd"); },
+              ThrowsMessage<InputError>(HasSubstr("far.pcd: an .oni file holds depths in units")));
 }
 
 TEST(Record, WrongSourcesAreRefused) {

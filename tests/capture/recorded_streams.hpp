@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "growing_recording.hpp"
 #include "lockbox/capture/virtual_depth.hpp"
 #include "lockbox/capture/virtual_depth_protocol.hpp"
 #include "synthetic_frames.hpp"
@@ -116,10 +117,12 @@ class StreamsOfDevice {
   std::deque<openni::VideoStream> streams_;
 };
 
-/// The recorder starts in a thread of its own, and frames that come before it are lost.
-inline void start_recorder(openni::Recorder& recorder) {
+/// The recorder starts in a thread of its own. Frames that come before it are lost; and it must not
+/// read the properties of a recording that plays, whose player replaces them without a lock.
+inline void start_recorder(openni::Recorder& recorder, const std::filesystem::path& file) {
   StreamsOfDevice::require(recorder.start());
-  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  GrowingRecording(file).wait_for(OniRecordType::data_begin);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));  // a few instructions are left
 }
 
 /// Records what the device delivers; prepare is called when the recorder is ready.
@@ -130,7 +133,7 @@ void record_device(openni::Device& device, const std::filesystem::path& file,
   openni::Recorder recorder;
   StreamsOfDevice::require(recorder.create(file.c_str()));
   attached.attach_to(recorder, streams.lossy);
-  start_recorder(recorder);
+  start_recorder(recorder, file);
   attached.start();
   prepare(attached);
   attached.read_through(frames);
@@ -148,7 +151,7 @@ void record_streams(const std::filesystem::path& file, const Streams& streams, i
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     throw std::runtime_error("no sockets");
   }
-  VirtualDepthSender sender(ends[0], camera, 30, 0.001F, true);
+  VirtualDepthSender sender(ends[0], camera, 30, 0.001F, file.string());
   openni::Device device;
   const std::string uri = std::string(kVirtualDepthPrefix) + "fd:" + std::to_string(ends[1]);
   StreamsOfDevice::require(device.open(uri.c_str()));

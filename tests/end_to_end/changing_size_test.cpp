@@ -96,8 +96,8 @@ TEST_F(ChangingSize, IsRecordedAgainAsFarAsOneRecordingCan) {
       run_tool({"record", "--source", path("changing.oni"), "--output", path("again.oni")});
   EXPECT_EQ(recorded.status, 3);
   EXPECT_THAT(recorded.errors,
-              HasSubstr("again.oni: frame 11 has another camera (160x120) than the recording "
-                        "(320x240), which ends before it"));
+              HasSubstr("changing.oni: frame 11 has another camera (160x120) than the recording " +
+                        path("again.oni") + " (320x240), which ends before it"));
   EXPECT_EQ(validate_oni(path("again.oni")).frame_count, kLarge);
 }
 

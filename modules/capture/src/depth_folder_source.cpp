@@ -129,6 +129,10 @@ bool DepthFolderSource::is_unit_stated() const {
   return impl_->given_scale.has_value();
 }
 
+std::string DepthFolderSource::file_of_frame() const {
+  return impl_->position == 0 ? std::string() : impl_->entries[impl_->position - 1].image.string();
+}
+
 std::string DepthFolderSource::description() const {
   return "depth images in " + impl_->folder.string() + ", " +
          fixed_number_text(impl_->units_per_metre) + " units per metre";

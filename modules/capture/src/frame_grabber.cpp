@@ -83,6 +83,7 @@ void FrameGrabber::stop() {
 void FrameGrabber::join() {
   if (thread_.joinable()) {
     thread_.join();
+    worker_ = std::thread::id();  // which another thread may have from now on
   }
 }
 

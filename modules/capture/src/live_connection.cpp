@@ -26,7 +26,8 @@ bool is_same_kind(const openni::DeviceInfo& one, const openni::DeviceInfo& other
 }  // namespace
 
 LiveConnection::LiveConnection(const std::string& uri, const std::optional<WantedMode>& mode)
-    : unplug_watch_(opened(uri, mode, device_, depth_)) {}
+    : unplug_watch_(opened(uri, mode, device_, depth_)),
+      is_mirrored_(depth_.getMirroringEnabled()) {}
 
 LiveConnection::~LiveConnection() {
   depth_.stop();

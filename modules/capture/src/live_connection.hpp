@@ -27,11 +27,16 @@ class LiveConnection {
   const openni::DeviceInfo& info() const { return device_.getDeviceInfo(); }
   bool is_unplugged() const { return unplug_watch_.unplugged(); }
 
+  /// Whether its images are, although it was told otherwise. It was asked before it was started:
+  /// properties of streams are not read while the driver's thread works with them.
+  bool is_mirrored() const { return is_mirrored_; }
+
  private:
   /// Closed if what comes later in the constructor throws.
   openni::Device device_;
   openni::VideoStream depth_;
   UnplugWatch unplug_watch_;
+  bool is_mirrored_;
 };
 
 /// What a device that was unplugged may be called when it comes back. USB devices are named by the

@@ -93,7 +93,7 @@ struct LiveDevice::Impl {
 
   void deliver(const openni::VideoFrameRef& read, DepthFrame& frame) {
     frame.camera = camera;
-    copy_frame(read, connection->depth().getMirroringEnabled(), frame);
+    copy_frame(read, connection->is_mirrored(), name, frame);
     frames.add(read.getFrameIndex(), Clock::now(), frame);
     rectification.apply(frame);
   }

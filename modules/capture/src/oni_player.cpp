@@ -261,7 +261,7 @@ bool OniPlayer::next(DepthFrame& frame) {
     return false;
   }
   frame.camera = impl_->camera();
-  copy_frame(read, impl_->recording.images[impl_->delivered].mirrored, frame);
+  copy_frame(read, impl_->recording.images[impl_->delivered].mirrored, file_of_frame(), frame);
   frame.index = impl_->delivered++;
   impl_->rectification.apply(frame);
   return true;
@@ -269,6 +269,10 @@ bool OniPlayer::next(DepthFrame& frame) {
 
 std::optional<std::size_t> OniPlayer::frame_count() const {
   return impl_->recording.frame_count;
+}
+
+std::string OniPlayer::file_of_frame() const {
+  return impl_->recording.file.string();
 }
 
 std::string OniPlayer::description() const {

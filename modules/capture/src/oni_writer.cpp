@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <string_view>
 #include <thread>
@@ -20,6 +22,7 @@
 #include "lockbox/capture/virtual_depth.hpp"
 #include "lockbox/capture/virtual_depth_protocol.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/readable_text.hpp"
 #include "recorder_process.hpp"
 
 namespace lockbox {
@@ -69,10 +72,11 @@ void cut_tail(const std::filesystem::path& file) {
   std::filesystem::resize_file(file, validate_oni(file).end);
 }
 
-std::array<int, 2> connected_sockets() {
+std::array<int, 2> connected_sockets(const std::filesystem::path& recording) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw DeviceError("no socket to the recorder can be made");
+    throw DeviceError(recording.string() +
+                      ": no socket to its recorder can be made: " + std::strerror(errno));
   }
   return ends;
 }
@@ -87,15 +91,17 @@ struct Written {
 
 struct OniWriter::Impl {
   Impl(const std::filesystem::path& path, const PinholeCamera& pinhole, int frames_per_second,
-       float metres_per_unit)
-      : Impl(path, pinhole, frames_per_second, metres_per_unit, connected_sockets()) {}
+       float metres_per_unit, const std::string& from)
+      : Impl(path, pinhole, frames_per_second, metres_per_unit, from, connected_sockets(path)) {}
 
   Impl(const std::filesystem::path& path, const PinholeCamera& pinhole, int frames_per_second,
-       float metres_per_unit, std::array<int, 2> ends)
+       float metres_per_unit, const std::string& from, std::array<int, 2> ends)
       : file(path),
         camera(pinhole),
         unit(metres_per_unit),
-        sender(std::in_place, ends[0], pinhole, frames_per_second, metres_per_unit, true) {
+        first(from),
+        sender(std::in_place, ends[0], pinhole, frames_per_second, metres_per_unit,
+               from.empty() ? path.string() : from) {
     try {
       require_temporary_folder();
       lock_replaceable(path, lock);
@@ -109,22 +115,24 @@ struct OniWriter::Impl {
     ::close(ends[1]);
   }
 
-  void check(const DepthFrame& frame) const {
-    const std::string where = file.string();
+  void check(const DepthFrame& frame, const std::string& from) const {
+    const std::string where = from.empty() ? file.string() : from;
     const std::string name = "frame " + std::to_string(frame.index);
+    const std::string began = first.empty() || first == from ? "" : ", as " + first;
+    const auto refuse = [&](const std::string& what, const std::string& its,
+                            const std::string& ours) {
+      throw InputError(where, name + " has another " + what + " (" + its + ") than the recording " +
+                                  file.string() + " (" + ours + began + "), which ends before it");
+    };
     if (!(frame.camera == camera)) {
-      throw InputError(
-          where, name + " has another camera (" +
-                     size_text(frame.camera.width, frame.camera.height) + ") than the recording (" +
-                     size_text(camera.width, camera.height) + "), which ends before it");
+      refuse("camera", size_text(frame.camera.width, frame.camera.height),
+             size_text(camera.width, camera.height));
     }
     if (frame.metres_per_unit != unit) {
-      throw InputError(where, name +
-                                  " has another depth unit than the recording, which ends "
-                                  "before it");
+      refuse("depth unit", readable_length(frame.metres_per_unit), readable_length(unit));
     }
     if (!(frame.stamp >= 0.0) || (!written.empty() && frame.stamp <= written.back().stamp)) {
-      throw InputError(where, "the stamps of frames must increase");
+      throw InputError(where, name + ": the stamps of frames must increase, from 0 s at least");
     }
   }
 
@@ -157,6 +165,7 @@ struct OniWriter::Impl {
   std::filesystem::path file;
   PinholeCamera camera;
   float unit;
+  std::string first;  ///< the file of the first frame
   std::optional<VirtualDepthSender> sender;
   std::optional<RecordingLock> lock;
   std::optional<RecorderProcess> recorder;
@@ -165,15 +174,15 @@ struct OniWriter::Impl {
 };
 
 OniWriter::OniWriter(const std::filesystem::path& file, const PinholeCamera& camera,
-                     int frames_per_second, float metres_per_unit)
-    : impl_(std::make_unique<Impl>(file, camera, frames_per_second, metres_per_unit)) {}
+                     int frames_per_second, float metres_per_unit, const std::string& from)
+    : impl_(std::make_unique<Impl>(file, camera, frames_per_second, metres_per_unit, from)) {}
 
 OniWriter::~OniWriter() {
   impl_->close();
 }
 
-void OniWriter::write(const DepthFrame& frame) {
-  impl_->check(frame);
+void OniWriter::write(const DepthFrame& frame, const std::string& from) {
+  impl_->check(frame, from);
   impl_->encodable = frame;
   make_encodable(impl_->encodable.depth);
   try {
@@ -256,10 +265,11 @@ std::size_t record(const std::string& source, const std::filesystem::path& file,
   }
   constexpr int kNominalRate = 30;  // frames per second; the stamps say when they really came
   const double last_stamp = frame.stamp + end.seconds;
-  OniWriter writer(file, frame.camera, kNominalRate, frame.metres_per_unit);
+  OniWriter writer(file, frame.camera, kNominalRate, frame.metres_per_unit,
+                   recording->file_of_frame());
   std::size_t count = 0;
   do {
-    writer.write(frame);
+    writer.write(frame, recording->file_of_frame());
     ++count;
   } while (!end.stop() && recording->next(frame) && frame.stamp < last_stamp);
   writer.finish();

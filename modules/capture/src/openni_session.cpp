@@ -30,21 +30,19 @@ bool is_plausible(float angle) {
   return angle >= kMinimumFieldOfView && angle <= kMaximumFieldOfView;
 }
 
-/// Throws DeviceError if what was recorded is more than fits there, or is not all there.
-void require_part_of_image(const openni::VideoFrameRef& frame, int left, int top,
-                           const PinholeCamera& camera) {
+/// Whether what was recorded fits there, and is all there.
+bool is_part_of_image(const openni::VideoFrameRef& frame, int left, int top,
+                      const PinholeCamera& camera) {
   const openni::VideoMode& mode = frame.getVideoMode();
   const int width = frame.getWidth();
   const int height = frame.getHeight();
   const int row_bytes = width * static_cast<int>(sizeof(std::uint16_t));
   const bool is_whole = width == camera.width && height == camera.height;
-  if (mode.getResolutionX() != camera.width || mode.getResolutionY() != camera.height ||
-      !(is_whole || frame.getCroppingEnabled()) || left < 0 || top < 0 || width < 1 || height < 1 ||
-      left > camera.width - width || top > camera.height - height ||
-      frame.getStrideInBytes() < row_bytes ||
-      frame.getDataSize() < frame.getStrideInBytes() * (height - 1) + row_bytes) {
-    throw DeviceError("OpenNI2 delivered a frame of another size than its stream");
-  }
+  return mode.getResolutionX() == camera.width && mode.getResolutionY() == camera.height &&
+         (is_whole || frame.getCroppingEnabled()) && left >= 0 && top >= 0 && width >= 1 &&
+         height >= 1 && left <= camera.width - width && top <= camera.height - height &&
+         frame.getStrideInBytes() >= row_bytes &&
+         frame.getDataSize() >= frame.getStrideInBytes() * (height - 1) + row_bytes;
 }
 
 /// Users of OpenNI2's own archives have set this variable; builds use it, OpenNI2 does not read it.
@@ -102,13 +100,17 @@ PinholeCamera camera_of(const FieldOfView& angles, int width, int height) {
           0.5 * (height - 1)};
 }
 
-void copy_frame(const openni::VideoFrameRef& from, bool mirrored, DepthFrame& to) {
+void copy_frame(const openni::VideoFrameRef& from, bool mirrored, const std::string& where,
+                DepthFrame& to) {
   const PinholeCamera& camera = to.camera;
   const int width = from.getWidth();
   const bool is_cropped = from.getCroppingEnabled();
   const int left = is_cropped ? from.getCropOriginX() : 0;
   const int top = is_cropped ? from.getCropOriginY() : 0;
-  require_part_of_image(from, left, top, camera);
+  if (!is_part_of_image(from, left, top, camera)) {
+    throw DeviceError(where + ": OpenNI2 delivered frame " + std::to_string(from.getFrameIndex()) +
+                      " in another size than that of its stream");
+  }
   to.depth.assign(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height),
                   0);
   const auto* row = static_cast<const std::uint8_t*>(from.getData());

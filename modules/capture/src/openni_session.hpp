@@ -43,8 +43,10 @@ float field_of_view(int pixels, double focal);
 
 /// Copies depth, unit and stamp, flipping columns if mirrored; leaves camera and index alone. What
 /// a cropped frame leaves out of the camera's image has no measurement. Throws DeviceError if the
-/// frame is not a whole depth image of the camera's size, or a part of one.
-void copy_frame(const openni::VideoFrameRef& from, bool mirrored, DepthFrame& to);
+/// frame is not a whole depth image of the camera's size, or a part of one; it begins with where,
+/// the name of the device or recording.
+void copy_frame(const openni::VideoFrameRef& from, bool mirrored, const std::string& where,
+                DepthFrame& to);
 
 /// Waits at most milliseconds for a frame: a plain readFrame() waits for ever if a device stalls.
 /// Waits below 500 ms on a recording would poke its player twice and lose a frame.

@@ -133,6 +133,10 @@ bool PcdFolderSource::is_unit_stated() const {
   return impl_->is_unit_given;
 }
 
+std::string PcdFolderSource::file_of_frame() const {
+  return impl_->position == 0 ? std::string() : impl_->clouds.files[impl_->position - 1].string();
+}
+
 std::string PcdFolderSource::description() const {
   return "organized clouds in " + impl_->folder.string();
 }

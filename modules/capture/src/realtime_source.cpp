@@ -31,6 +31,13 @@ bool RealtimeSource::wait_until(Clock::time_point time) const {
   return true;
 }
 
+/// And reads the one after it.
+void RealtimeSource::take_pending(DepthFrame& frame) {
+  file_ = recording_->file_of_frame();
+  std::swap(frame, pending_);
+  has_pending_ = recording_->next(pending_);
+}
+
 bool RealtimeSource::next(DepthFrame& frame) {
   if (!started_) {
     started_ = true;
@@ -41,11 +48,9 @@ bool RealtimeSource::next(DepthFrame& frame) {
   if (!has_pending_ || !wait_until(due(pending_))) {
     return false;
   }
-  std::swap(frame, pending_);
-  has_pending_ = recording_->next(pending_);
+  take_pending(frame);
   while (has_pending_ && due(pending_) <= Clock::now()) {
-    std::swap(frame, pending_);
-    has_pending_ = recording_->next(pending_);
+    take_pending(frame);
     ++dropped_;
   }
   return true;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <memory>
+#include <string>
 
 #include "lockbox/capture/frame_source.hpp"
 
@@ -20,6 +21,7 @@ class RealtimeSource : public FrameSource {
   std::optional<std::size_t> frame_count() const override { return recording_->frame_count(); }
   bool is_realtime() const override { return true; }
   bool is_unit_stated() const override { return recording_->is_unit_stated(); }
+  std::string file_of_frame() const override { return file_; }
   SourceFaults faults() const override;
   std::string description() const override { return recording_->description() + ", in real time"; }
 
@@ -28,10 +30,12 @@ class RealtimeSource : public FrameSource {
 
   Clock::time_point due(const DepthFrame& frame) const;
   bool wait_until(Clock::time_point time) const;
+  void take_pending(DepthFrame& frame);
 
   std::unique_ptr<FrameSource> recording_;
   std::function<bool()> stop_;
   DepthFrame pending_;  ///< read, not yet delivered
+  std::string file_;    ///< of the frame delivered last
   bool started_ = false;
   bool has_pending_ = false;
   std::size_t dropped_ = 0;

@@ -19,9 +19,9 @@ namespace {
 constexpr char kInThisLibrary = 0;  // its address is in this library
 
 struct Pipe {
-  Pipe() {
+  explicit Pipe(const std::string& recording) {
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-      throw DeviceError(std::string("the recorder cannot be started: ") + std::strerror(errno));
+      throw DeviceError(recording + ": its recorder cannot be started: " + std::strerror(errno));
     }
   }
   std::array<int, 2> ends{};
@@ -31,13 +31,14 @@ struct Pipe {
 
 RecorderProcess::RecorderProcess(const std::string& uri, const std::string& mode,
                                  const std::filesystem::path& file, const RecordingLock& lock,
-                                 std::optional<int> socket) {
+                                 std::optional<int> socket)
+    : recording_(file.string()) {
   std::string program = find_component("lockbox-oni-recorder", &kInThisLibrary).string();
   std::string uri_argument = uri;
   std::string mode_argument = mode;
   std::string file_argument = std::filesystem::absolute(file).string();
-  const Pipe control;
-  const Pipe errors;
+  const Pipe control(recording_);
+  const Pipe errors(recording_);
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_adddup2(&actions, control.ends[0], STDIN_FILENO);
@@ -58,7 +59,8 @@ RecorderProcess::RecorderProcess(const std::string& uri, const std::string& mode
   if (failure != 0) {
     ::close(control_);
     ::close(errors_);
-    throw DeviceError(program + " cannot be started: " + std::strerror(failure));
+    throw DeviceError(recording_ + ": its recorder, " + program +
+                      ", cannot be started: " + std::strerror(failure));
   }
 }
 
@@ -92,7 +94,7 @@ void RecorderProcess::finish() {
   const ssize_t size = ::read(errors_, text.data(), text.size());
   std::string reason(text.data(), static_cast<std::size_t>(size > 0 ? size : 0));
   reason.erase(reason.find_last_not_of(" \n") + 1);
-  throw DeviceError(reason.empty() ? "the recorder of OpenNI2 crashed" : reason);
+  throw DeviceError(reason.empty() ? recording_ + ": the recorder of OpenNI2 crashed" : reason);
 }
 
 }  // namespace lockbox

@@ -37,6 +37,7 @@ class RecorderProcess {
  private:
   void wait();
 
+  std::string recording_;  ///< its file, for messages
   pid_t process_ = -1;
   int control_ = -1;  ///< closing it asks the process to stop
   int errors_ = -1;   ///< what it says when it fails

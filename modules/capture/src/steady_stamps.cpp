@@ -45,7 +45,9 @@ void SteadyStamps::learn_period(double stamp) {
 
 void SteadyStamps::advance(DepthFrame& frame) {
   if (warn_ && advanced_ == 0) {
-    warn_("frame " + std::to_string(frame.index) + ": its timestamp " + number_text(frame.stamp) +
+    const std::string file = source_->file_of_frame();
+    warn_((file.empty() ? "" : file + ": ") + "frame " + std::to_string(frame.index) +
+          ": its timestamp " + number_text(frame.stamp) +
           " is not later than that of the frame before; it is advanced, as will others like it");
   }
   ++advanced_;

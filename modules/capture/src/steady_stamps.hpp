@@ -24,6 +24,7 @@ class SteadyStamps : public FrameSource {
   std::optional<std::size_t> frame_count() const override { return source_->frame_count(); }
   bool is_realtime() const override { return source_->is_realtime(); }
   bool is_unit_stated() const override { return source_->is_unit_stated(); }
+  std::string file_of_frame() const override { return source_->file_of_frame(); }
   SourceFaults faults() const override;
   std::string description() const override { return source_->description(); }
 

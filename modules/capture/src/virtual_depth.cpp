@@ -23,18 +23,19 @@ constexpr auto kHeldByFolders =
     "; a depth folder can (docs/file-formats.md): write into one, or leave these frames where they "
     "are, every command takes them from there, too";
 
+constexpr char kCamera[] = "virtual depth camera";  // where what was asked for is impossible
 constexpr auto kClosed = "the virtual depth camera was closed by its user";
 
-std::uint32_t unit_of(float metres_per_unit) {
+std::uint32_t unit_of(float metres_per_unit, const std::string& where) {
   if (metres_per_unit == 0.001F) {
     return 1000;
   }
   if (metres_per_unit == 0.0001F) {
     return 100;
   }
-  throw InputError("depth unit", "an .oni file holds units of 1 mm and 0.1 mm, not of " +
-                                     number_text(std::round(1e9 * metres_per_unit) / 1e6) + " mm" +
-                                     kHeldByFolders);
+  throw InputError(where, "an .oni file holds depths in units of 1 mm and 0.1 mm, not of " +
+                              number_text(std::round(1e9 * metres_per_unit) / 1e6) + " mm" +
+                              kHeldByFolders);
 }
 
 /// Pixels by which a principal point may be beside the middle, and is taken for it: of clouds whose
@@ -47,15 +48,15 @@ std::string pixel_text(double coordinate) {
   return readable_number(coordinate, kDigits);
 }
 
-VirtualDepthHeader header_of(const VirtualMode& mode) {
+VirtualDepthHeader header_of(const VirtualMode& mode, const std::string& where) {
   const PinholeCamera& camera = mode.camera;
   if (std::abs(camera.cx - 0.5 * (camera.width - 1)) > kBesideTheMiddle ||
       std::abs(camera.cy - 0.5 * (camera.height - 1)) > kBesideTheMiddle) {
-    throw InputError("camera", "its principal point (" + pixel_text(camera.cx) + ", " +
-                                   pixel_text(camera.cy) +
-                                   ") is not the middle of the image, and an .oni file cannot tell "
-                                   "of another one" +
-                                   kHeldByFolders);
+    throw InputError(where, "the camera's principal point (" + pixel_text(camera.cx) + ", " +
+                                pixel_text(camera.cy) +
+                                ") is not the middle of the image, and an .oni file cannot tell "
+                                "of another one" +
+                                kHeldByFolders);
   }
   VirtualDepthHeader header;
   header.width = static_cast<std::uint32_t>(camera.width);
@@ -63,13 +64,13 @@ VirtualDepthHeader header_of(const VirtualMode& mode) {
   header.frames_per_second = static_cast<std::uint32_t>(mode.frames_per_second);
   header.horizontal_field_of_view = field_of_view(camera.width, camera.fx);
   header.vertical_field_of_view = field_of_view(camera.height, camera.fy);
-  header.unit = unit_of(mode.metres_per_unit);
+  header.unit = unit_of(mode.metres_per_unit, where);
   return header;
 }
 
 /// The header, and what says the other modes.
 std::vector<char> beginning_of(const std::vector<VirtualMode>& modes) {
-  VirtualDepthHeader header = header_of(modes.front());
+  VirtualDepthHeader header = header_of(modes.front(), kCamera);
   header.version = 2;
   const auto more = static_cast<std::uint32_t>(modes.size() - 1);
   std::vector<char> bytes;
@@ -80,10 +81,10 @@ std::vector<char> beginning_of(const std::vector<VirtualMode>& modes) {
   add(header);
   add(more);
   for (std::size_t i = 1; i < modes.size(); ++i) {
-    const VirtualDepthHeader other = header_of(modes[i]);
+    const VirtualDepthHeader other = header_of(modes[i], kCamera);
     if (other.horizontal_field_of_view != header.horizontal_field_of_view ||
         other.vertical_field_of_view != header.vertical_field_of_view) {
-      throw InputError("camera", "its modes have different fields of view, and a device has one");
+      throw InputError(kCamera, "its modes have different fields of view, and a device has one");
     }
     add(VirtualDepthMode{other.width, other.height, other.frames_per_second, other.unit});
   }
@@ -93,11 +94,12 @@ std::vector<char> beginning_of(const std::vector<VirtualMode>& modes) {
 }  // namespace
 
 VirtualDepthSender::VirtualDepthSender(int socket, const PinholeCamera& camera,
-                                       int frames_per_second, float metres_per_unit, bool hold)
+                                       int frames_per_second, float metres_per_unit,
+                                       const std::string& recorded)
     : socket_(socket), modes_{{camera, frames_per_second, metres_per_unit}}, mode_(0) {
   try {
-    VirtualDepthHeader header = header_of(modes_.front());
-    header.hold = hold ? 1 : 0;
+    VirtualDepthHeader header = header_of(modes_.front(), recorded.empty() ? kCamera : recorded);
+    header.hold = recorded.empty() ? 0 : 1;
     send_bytes(&header, sizeof(header));
   } catch (...) {
     ::close(socket_);

@@ -91,9 +91,8 @@ void Executor::for_each(std::initializer_list<Loop> loops) const {
   const HandOver to_bodies;
   const HandOver to_caller;
   const auto observed_body = [&](const Loop& loop, std::size_t i) {
-    if (impl_->is_to_stop()) return;
     to_bodies.receive();
-    loop.body(i);
+    if (!impl_->is_to_stop()) loop.body(i);
     to_caller.give();
   };
   to_bodies.give();

@@ -75,9 +75,8 @@ std::string state_line(const KinematicTree& tree, std::uint64_t frame,
   Json covariance = nullptr;
   if (is_told) {
     covariance = Json::array();
-    for (const double value : covariance_in_camera(result).reshaped()) {  // symmetric
-      covariance.push_back(number(value));
-    }
+    const Eigen::Matrix<double, 6, 6> told = covariance_in_camera(result);
+    for (const double value : told.reshaped()) covariance.push_back(number(value));  // symmetric
   }
   const Json line = {
       {"header", {{"stamp", number(result.stamp)}, {"frame_id", kFrameId}}},

@@ -24,6 +24,7 @@ class DepthFolderSource : public FrameSource {
   std::optional<std::size_t> frame_count() const override;
   /// What was mended or left out so far.
   SourceFaults faults() const override;
+  std::string file_of_frame() const override;
   bool is_unit_stated() const override;
   std::string description() const override;  ///< says the depth scale in force
 

@@ -44,6 +44,10 @@ class FrameSource {
   /// What was mended or left out in the frames delivered so far.
   virtual SourceFaults faults() const { return {}; }
 
+  /// For messages: the file that the frame delivered last is from, its own or that of the whole
+  /// recording. Empty for a device.
+  virtual std::string file_of_frame() const { return {}; }
+
   /// For people: what the source is, and which settings are in force.
   virtual std::string description() const = 0;
 };

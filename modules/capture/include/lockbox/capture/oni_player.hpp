@@ -21,6 +21,7 @@ class OniPlayer : public FrameSource {
 
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override;
+  std::string file_of_frame() const override;
   /// The file, and the size and rate of its images.
   std::string description() const override;
 

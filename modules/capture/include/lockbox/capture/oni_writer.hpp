@@ -29,17 +29,18 @@ class OniWriter {
   /// Throws std::filesystem::filesystem_error if there is no folder for temporary files, which
   /// finish() needs. Throws InputError if the file cannot be written, or is not a regular one, if
   /// another recorder is at it, in this process or another, or if OpenNI2 cannot describe the
-  /// camera (the principal point must be the middle of the image, the unit 1 mm or 0.1 mm).
+  /// camera (the principal point must be the middle of the image, the unit 1 mm or 0.1 mm). From:
+  /// the file of the first frame, for messages.
   OniWriter(const std::filesystem::path& file, const PinholeCamera& camera, int frames_per_second,
-            float metres_per_unit = 0.001F);
+            float metres_per_unit = 0.001F, const std::string& from = {});
 
   /// Without finish(), the file is completed but not verified.
   ~OniWriter();
 
   /// Stamps must increase, camera and unit stay what they were; else this throws InputError, and
   /// the recording holds the frames before. Throws DeviceError if the disk is full: the recording
-  /// is then complete, but for the latest frames.
-  void write(const DepthFrame& frame);
+  /// is then complete, but for the latest frames. From: the file of the frame, for messages.
+  void write(const DepthFrame& frame, const std::string& from = {});
 
   /// Completes the file, replays it, and compares every frame with what was written. Throws
   /// DeviceError if they differ, InputError if no frame was written.

@@ -27,6 +27,7 @@ class PcdFolderSource : public FrameSource {
   std::optional<std::size_t> frame_count() const override;
   /// What was mended or left out so far.
   SourceFaults faults() const override;
+  std::string file_of_frame() const override;
   bool is_unit_stated() const override;
   /// The folder, and the scale in force.
   std::string description() const override;

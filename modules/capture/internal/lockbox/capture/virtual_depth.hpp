@@ -25,10 +25,11 @@ struct VirtualMode {
 class VirtualDepthSender {
  public:
   /// Takes over a connected stream socket. Throws InputError if OpenNI2 cannot describe the camera:
-  /// the principal point must be the middle of the image, the unit 1 mm or 0.1 mm. With hold, the
-  /// device delivers nothing until its user sets kVirtualDepthLimit.
+  /// the principal point must be the middle of the image, the unit 1 mm or 0.1 mm. With recorded,
+  /// the name of what the frames are for or from, for messages, the device delivers nothing until
+  /// its user sets kVirtualDepthLimit.
   VirtualDepthSender(int socket, const PinholeCamera& camera, int frames_per_second,
-                     float metres_per_unit, bool hold = false);
+                     float metres_per_unit, const std::string& recorded = {});
 
   /// The same for a camera of which the user chooses one of these modes (one at least), all of the
   /// same field of view.
