@@ -162,6 +162,16 @@ def test_apparent_size_tells_a_model_that_is_too_small(frames, truth):
         assert pickle.loads(pickle.dumps(result)).apparent_size.across == size.across
 
 
+def test_noise_is_found_out_where_the_sensor_is_unknown(model, frames, truth):
+    start = start_of(truth[0])
+    residuals = {}
+    for sensor in ("auto", "d4xx"):
+        tracker = lockbox.Tracker(model, initial_state=start, sensor=sensor)
+        residuals[sensor] = [tracker.track(frame).residual_rms for frame in frames[:4]][-1]
+    assert residuals["auto"] != residuals["d4xx"]
+    assert 0.1 < residuals["auto"] < 1.5
+
+
 def test_nothing_known_is_nan(model, frames):
     tracker = lockbox.Tracker(model, frames[0].intrinsics)
     result = tracker.track(np.zeros((120, 160), np.uint16))
