@@ -178,8 +178,8 @@ def test_sensors_of_the_comparison_run(docs, tool, tmp_path):
 def test_table_of_cameras_that_come_near_is_made(docs, tool, tmp_path):
     (command,) = (command for command in commands(docs / "sensors.md") if "approach.py" in command)
     program = command.split()[0]
-    printed = run(f"/usr/bin/python3 -B {ROOT / program} {tool} out ideal --frames 6", tmp_path, None)
-    assert re.fullmatch(r"\| `ideal` \| \d\.\d\d; \d\.\d\d; .* % \|\n", printed)
+    printed = run(f"/usr/bin/python3 -B {ROOT / program} {tool} out ideal --frames 20", tmp_path, None)
+    assert re.fullmatch(r"\| `ideal` \| .*; .*; .* % \| .*; .*; .* % \|\n", printed)
 
 
 def test_scripts_that_are_named_are_there():
