@@ -5,7 +5,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "lockbox/sensor/noise_estimate.hpp"
+#include "lockbox/sensor/noise_record.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -20,7 +20,7 @@ std::optional<SensorNoise> noise_of_first_frames(FrameSource& source) {
     if (const auto noise = estimate_noise(frame)) return noise;
   }
   std::cerr << "lockbox: warning: the first frames show too little to tell the sensor's noise "
-               "(--sensor auto); it is taken for a primesense\n";
+               "(--sensor auto); it is taken for a primesense until others do\n";
   return std::nullopt;
 }
 

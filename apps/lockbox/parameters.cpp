@@ -120,6 +120,7 @@ void visit_parameters(TrackerOptions& options, const Visit& visit) {
   visit("most_turning_sigma", options.most_turning_sigma);
   visit("convincing_belief", options.convincing_belief);
   visit("frames_between_beliefs", options.frames_between_beliefs, Range::positive);
+  visit("frames_between_noises", options.frames_between_noises);
   visit("most_alternatives", options.most_alternatives);
   visit("least_of_sought_body", options.least_of_sought_body);
   visit("least_margin_of_hidden", options.least_margin_of_hidden);

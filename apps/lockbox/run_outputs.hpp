@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "lockbox/capture/oni_writer.hpp"
 #include "lockbox/publishing/publisher.hpp"
@@ -25,6 +26,9 @@ class RunOutputs {
 
   /// source: that has delivered this frame last.
   void add(const DepthFrame& frame, const TrackingResult& result, const FrameSource& source);
+
+  /// Those in force, which may have changed since the beginning.
+  void set_parameters(NamedValues parameters) { description_.parameters = std::move(parameters); }
 
   /// end: why the run has ended.
   void finish(const std::string& end);

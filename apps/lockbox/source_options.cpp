@@ -14,7 +14,7 @@ namespace lockbox::app {
 
 void SourceArguments::add_to(CLI::App& options) {
   add_source(options)->required();
-  add_sensor(options, "; auto: noise as the first frame shows it");
+  add_sensor(options, "; auto: noise as the images show it");
   options.add_flag("--realtime", realtime_,
                    "Play recordings at recorded speed, dropping frames like a live device");
   options

@@ -79,7 +79,7 @@ class TrackCommand : public Command {
     auto source = open();
     TrackerOptions tracker_options = make_tracker_options(model.tree);
     if (source_.is_sensor_unknown()) {
-      assume_noise(*source, tracker_options);
+      find_noise_out(*source, tracker_options);
       if (source->frame_count()) source = open();
     }
     tracker_options.background_search = source->is_realtime();
@@ -156,14 +156,11 @@ class TrackCommand : public Command {
     return model_.load();
   }
 
-  void assume_noise(FrameSource& source, TrackerOptions& options) const {
+  void find_noise_out(FrameSource& source, TrackerOptions& options) const {
+    follow_noise(options);
     const auto noise = noise_of_first_frames(source);
     if (!noise) return;
-    SensorProfile sensor;
-    sensor.noise = *noise;
-    sensor.min_range = options.cloud.min_depth;
-    sensor.max_range = options.cloud.max_depth;
-    assume_sensor(sensor, options);
+    assume_noise(*noise, options.registration);
     if (!settings_.quiet) std::cerr << "sensor: noise " << noise_text(*noise) << '\n';
   }
 

@@ -11,6 +11,7 @@
 #include "command_line/progress.hpp"
 #include "counted.hpp"
 #include "lockbox/core/error.hpp"
+#include "parameters.hpp"
 #include "published_output.hpp"
 #include "run_outputs.hpp"
 #include "search_report.hpp"
@@ -142,6 +143,7 @@ ExitStatus track_source(FrameSource& source, Tracker& tracker, const Articulated
     outputs.abandon(std::string("error: ") + error.what());
     throw;
   }
+  outputs.set_parameters(parameters_in_force(tracker.options()));
   outputs.finish(end);
   const RunTotals& totals = outputs.totals();
   if (totals.frames() == 0 && !interruption.requested()) {

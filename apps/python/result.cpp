@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "result.hpp"
 
+#include <cmath>
+
 #include "lockbox/tracking/reported.hpp"
 
 namespace lockbox::python {
@@ -16,7 +18,8 @@ Eigen::MatrixXd in_order_of_file(const KinematicTree& tree, const Eigen::MatrixX
 py::tuple pickled_result(const Result& result) {
   return py::make_tuple(result.time, result.status, result.belief, result.state, result.sigma,
                         result.covariance, result.reason, result.residual_rms, result.explained,
-                        result.contradicted, result.alternatives, result.seconds);
+                        result.contradicted, result.alternatives, result.apparent_size,
+                        result.seconds);
 }
 
 Result unpickled_result(const py::tuple& parts) {
@@ -31,7 +34,8 @@ Result unpickled_result(const py::tuple& parts) {
           parts[8].cast<double>(),
           parts[9].cast<double>(),
           parts[10].cast<std::vector<Alternative>>(),
-          parts[11].cast<double>()};
+          parts[11].cast<std::optional<ApparentSize>>(),
+          parts[12].cast<double>()};
 }
 
 void bind_alternative(py::module_& module) {
@@ -51,6 +55,42 @@ void bind_alternative(py::module_& module) {
           }))
       .def("__repr__", [](const Alternative& self) {
         return "<lockbox.Alternative " + self.kind + ": " + std::to_string(self.probability) + ">";
+      });
+}
+
+void bind_apparent_size(py::module_& module) {
+  py::class_<ApparentSize>(module, "ApparentSize",
+                           "How large the object looks, as a multiple of its model, over the last "
+                           "measurements.")
+      .def_property_readonly(
+          "across", [](const ApparentSize& self) { return self.value[0]; },
+          "Across the optical axis, at the distance that is measured.")
+      .def_property_readonly(
+          "along", [](const ApparentSize& self) { return self.value[1]; },
+          "Along the optical axis: its relief.")
+      .def_property_readonly(
+          "across_sigma", [](const ApparentSize& self) { return std::sqrt(self.covariance(0, 0)); },
+          "Standard deviation of `across`.")
+      .def_property_readonly(
+          "along_sigma", [](const ApparentSize& self) { return std::sqrt(self.covariance(1, 1)); },
+          "Standard deviation of `along`.")
+      .def_property_readonly(
+          "is_implausible", &ApparentSize::is_implausible,
+          "Whether `across` is off, beyond doubt, by more than 3 %. Such an object is `uncertain` "
+          "at best.")
+      .def_property_readonly("may_be_scale", &ApparentSize::may_be_scale,
+                             "Whether the scale of the model, or of the depths, may be why it is "
+                             "off; no image tells these two apart.")
+      .def_property_readonly("may_be_focal_length", &ApparentSize::may_be_focal_length,
+                             "Whether the focal length may be why it is off.")
+      .def(py::pickle(
+          [](const ApparentSize& self) { return py::make_tuple(self.value, self.covariance); },
+          [](const py::tuple& parts) {
+            return ApparentSize{parts[0].cast<Eigen::Vector2d>(), parts[1].cast<Eigen::Matrix2d>()};
+          }))
+      .def("__repr__", [](const ApparentSize& self) {
+        return "<lockbox.ApparentSize " + std::to_string(self.value[0]) + " across, " +
+               std::to_string(self.value[1]) + " along>";
       });
 }
 
@@ -79,12 +119,14 @@ Result to_result(const KinematicTree& tree, const TrackingResult& result) {
     copy.alternatives.push_back(
         {to_string(other.kind), to_state(tree, other.configuration), other.probability});
   }
+  if (result.size.covariance.allFinite()) copy.apparent_size = result.size;
   copy.seconds = 1e-3 * result.latency_ms;
   return copy;
 }
 
 void bind_result(py::module_& module) {
   bind_alternative(module);
+  bind_apparent_size(module);
   py::class_<Result>(module, "Result", "What a frame told.")
       .def_readonly("time", &Result::time, "Time of the frame, seconds.")
       .def_readonly(
@@ -125,6 +167,9 @@ void bind_result(py::module_& module) {
       .def_readonly("alternatives", &Result::alternatives,
                     "What a search could not tell from what is reported: Alternatives, the most "
                     "probable first.")
+      .def_readonly("apparent_size", &Result::apparent_size,
+                    "How large the object looks beside its model, as an ApparentSize; None until "
+                    "it was measured.")
       .def_readonly("seconds", &Result::seconds, "How long the frame took, seconds.")
       .def(py::pickle(&pickled_result, &unpickled_result))
       .def("__repr__", [](const Result& self) {

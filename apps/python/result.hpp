@@ -30,13 +30,14 @@ struct Result {
   double explained;
   double contradicted;
   std::vector<Alternative> alternatives;
+  std::optional<ApparentSize> apparent_size;  ///< none until it was measured
   double seconds;
 };
 
 /// Poses and joints are NaN while nothing is known.
 Result to_result(const KinematicTree& tree, const TrackingResult& result);
 
-/// Declares Result and Alternative.
+/// Declares Result, Alternative and ApparentSize.
 void bind_result(pybind11::module_& module);
 
 }  // namespace lockbox::python

@@ -119,7 +119,11 @@ std::unique_ptr<PythonTracker> make_tracker(
   if (threads < 0) throw InputError("threads", "is neither 0 nor positive");
   if (intrinsics) require_camera(*intrinsics);
   TrackerOptions options;
-  assume_sensor(find_sensor_profile(sensor), options);
+  if (sensor == "auto") {
+    follow_noise(options);
+  } else {
+    assume_sensor(find_sensor_profile(sensor), options);
+  }
   options.registration.max_iterations = iterations;
   options.registration.point_budget = point_budget;
   options.registration.fixed_base = fixed_base;
@@ -144,7 +148,8 @@ void bind_tracker(py::module_& module) {
           py::arg("background_search") = false, py::arg("threads") = 0,
           "intrinsics: the 3x3 camera matrix (pixels) of arrays that track() is given; frames of a "
           "source bring their own. initial_state: the start; None: found, no guess needed. sensor: "
-          "name or file of a profile. depth_scale: units per metre of uint16 arrays. iterations: "
+          "name or file of a profile; auto: noise as the images show it. depth_scale: units per "
+          "metre of uint16 arrays. iterations: "
           "linearisations a frame. point_budget: points used a frame, at most about; 0: all. "
           "fixed_base: the base does not move. locked_joints: names of joints that are held. "
           "background_search: frames do not wait for searches, as for live sources. threads: 0 for "

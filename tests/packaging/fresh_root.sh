@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # fresh_root.sh PACKAGE.deb... installs the packages into a fresh Debian 12, and uses them there as a new
 # user does: first alone, then through every tutorial, with what these need beside lockbox (a compiler, a
-# virtual display; the camera is the virtual one). Needs root, mmdebstrap, and Debian's servers.
+# virtual display, ROS; the camera is the virtual one). Needs root, mmdebstrap, and Debian's servers.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
-beside=(cmake g++ pkg-config python3-pytest python3-matplotlib xvfb xauth libgl1-mesa-dri ffmpeg gnuplot-nox)
+beside=(cmake g++ pkg-config python3-pytest python3-matplotlib xvfb xauth libgl1-mesa-dri ffmpeg gnuplot-nox
+  python3-rospy python3-rosmaster python3-sensor-msgs python3-geometry-msgs)
 
 documents=$(mktemp --suffix .tar)
 trap 'rm -f "$documents"' EXIT

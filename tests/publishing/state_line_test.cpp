@@ -109,6 +109,23 @@ TEST(StateLine, IsNullWhereNothingIsKnown) {
   }
 }
 
+TEST(StateLine, HasTheApparentSizeOnceItWasMeasured) {
+  auto result = tracked();
+  EXPECT_EQ(json::parse(state_line(cabinet(), 0, result)).at("apparent_size"), nullptr);
+  result.size.value = {1.0625, 1.03125};
+  result.size.covariance = Eigen::Vector2d(0.25 * 0.25, 0.5 * 0.5).asDiagonal();
+  json size = {{"across", 1.0625},
+               {"across_sigma", 0.25},
+               {"along", 1.03125},
+               {"along_sigma", 0.5},
+               {"is_implausible", false}};
+  EXPECT_EQ(json::parse(state_line(cabinet(), 0, result))["apparent_size"], size);
+  result.size.covariance(0, 0) = 0.0;
+  size["across_sigma"] = 0.0;
+  size["is_implausible"] = true;
+  EXPECT_EQ(json::parse(state_line(cabinet(), 0, result))["apparent_size"], size);
+}
+
 TEST(StateLine, OfARigidObjectHasEmptyLists) {
   KinematicTree tree;
   tree.bodies.resize(1);

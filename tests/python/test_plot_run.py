@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""apps/examples/plot_run.py"""
+"""apps/examples/plot_run.py, as it is installed"""
 
+import os
 import pathlib
 import subprocess
 import sys
 
-SCRIPT = pathlib.Path(__file__).parents[2] / "apps" / "examples" / "plot_run.py"
+SCRIPT = pathlib.Path(os.environ["LOCKBOX_PACKAGE"]).parents[2] / "share/lockbox/examples/plot_run.py"
 
 STATES = """timestamp,tx,ty,tz,qx,qy,qz,qw,door,status,door.sigma
 0,nan,nan,nan,nan,nan,nan,nan,nan,initializing,nan

@@ -149,6 +149,29 @@ def test_without_a_start_it_is_found_and_reset_begins_anew(model, frames, truth)
     assert first.status in ("tracking", "uncertain", "initializing")
 
 
+def test_apparent_size_tells_a_model_that_is_too_small(frames, truth):
+    for scale in (1.0, 0.93):
+        model = lockbox.load_model("rigid_block", mesh_scale=scale)
+        tracker = lockbox.Tracker(model, initial_state=start_of(truth[0]))
+        for frame in frames[:12]:
+            result = tracker.track(frame)
+        size = result.apparent_size
+        assert size.across == pytest.approx(1 / scale, abs=0.02)
+        assert 0 < size.across_sigma < 0.05 and size.along_sigma > 0
+        assert size.is_implausible == (scale != 1.0)
+        assert pickle.loads(pickle.dumps(result)).apparent_size.across == size.across
+
+
+def test_noise_is_found_out_where_the_sensor_is_unknown(model, frames, truth):
+    start = start_of(truth[0])
+    residuals = {}
+    for sensor in ("auto", "d4xx"):
+        tracker = lockbox.Tracker(model, initial_state=start, sensor=sensor)
+        residuals[sensor] = [tracker.track(frame).residual_rms for frame in frames[:4]][-1]
+    assert residuals["auto"] != residuals["d4xx"]
+    assert 0.1 < residuals["auto"] < 1.5
+
+
 def test_nothing_known_is_nan(model, frames):
     tracker = lockbox.Tracker(model, frames[0].intrinsics)
     result = tracker.track(np.zeros((120, 160), np.uint16))

@@ -10,8 +10,13 @@ import time
 MODES = [(640, 480, 30, 1000), (320, 240, 60, 1000)]  # width, height, frames a second, unit
 
 
-def serve(server):
-    """A wall, 1.5 m away, for one user after the other."""
+def flat_wall(width, height):
+    """1.5 m away, in millimetres."""
+    return struct.pack("<H", 1500) * (width * height)
+
+
+def serve(server, image):
+    """The image, for one user after the other."""
     while True:
         try:
             connection = server.accept()[0]
@@ -26,9 +31,9 @@ def serve(server):
             if len(chosen) < 4:
                 continue  # looked at only
             width, height, rate, unit = MODES[struct.unpack("<I", chosen)[0]]
-            wall = struct.pack("<H", 1500) * (width * height)
+            pixels = image(width, height)
             for number in range(10**6):
-                connection.sendall(struct.pack("<Q", number * 1000000 // rate) + wall)
+                connection.sendall(struct.pack("<Q", number * 1000000 // rate) + pixels)
                 time.sleep(1 / rate)
         except OSError:
             pass  # its user has enough
@@ -37,12 +42,12 @@ def serve(server):
 
 
 @contextlib.contextmanager
-def virtual_camera(path):
-    """While it lasts, the camera is at this path."""
+def virtual_camera(path, image=flat_wall):
+    """While it lasts, the camera is at this path. image(width, height): what its next user sees."""
     server = socket.socket(socket.AF_UNIX)
     server.bind(str(path))
     server.listen()
-    thread = threading.Thread(target=serve, args=(server,), daemon=True)
+    thread = threading.Thread(target=serve, args=(server, image), daemon=True)
     thread.start()
     yield path
     server.shutdown(socket.SHUT_RDWR)

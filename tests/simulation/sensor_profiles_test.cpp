@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lockbox/sensor/noise_estimate.hpp"
+#include "lockbox/sensor/noise_record.hpp"
 #include "lockbox/sensor/sensor_profile.hpp"
 #include "lockbox/simulation/sensor_simulator.hpp"
 
@@ -139,8 +139,8 @@ TEST_P(SimulatedProfile, NoiseIsEstimatedFromAnImage) {
     EXPECT_LT(ratio, most) << z;
   }
   if (is_rounding) return;
-  EXPECT_GT(noise->correlation_area(), profile_.noise.correlation_area() / 2.5);
-  EXPECT_LT(noise->correlation_area(), profile_.noise.correlation_area() * 2.5);
+  EXPECT_GT(noise->correlation_area(), profile_.noise.correlation_area() / 3.0);
+  EXPECT_LT(noise->correlation_area(), profile_.noise.correlation_area() * 3.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, SimulatedProfile, ::testing::ValuesIn(shipped_sensor_names()),

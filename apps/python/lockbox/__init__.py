@@ -9,6 +9,7 @@ import numpy as _numpy  # noqa: F401  # whose absence is said here, not at the f
 
 from lockbox._lockbox import (
     Alternative,
+    ApparentSize,
     DeviceError,
     Frame,
     InputError,
@@ -26,6 +27,7 @@ from lockbox._lockbox import (
 
 __all__ = [
     "Alternative",
+    "ApparentSize",
     "DeviceError",
     "Frame",
     "InputError",

@@ -59,6 +59,17 @@ Json alternatives_of(const KinematicTree& tree, const std::vector<Alternative>& 
   return all;
 }
 
+/// Null until it was measured.
+Json size_of(const ApparentSize& size) {
+  if (!size.covariance.allFinite()) return nullptr;
+  const Eigen::Vector2d sigma = size.covariance.diagonal().cwiseSqrt();
+  return {{"across", number(size.value[0])},
+          {"across_sigma", number(sigma[0])},
+          {"along", number(size.value[1])},
+          {"along_sigma", number(sigma[1])},
+          {"is_implausible", size.is_implausible()}};
+}
+
 }  // namespace
 
 std::string state_line(const KinematicTree& tree, std::uint64_t frame,
@@ -87,7 +98,8 @@ std::string state_line(const KinematicTree& tree, std::uint64_t frame,
       {"position", positions_of(tree, configuration)},
       {"sigma", sigmas},
       {"pose", {{"pose", pose_of(configuration.T_camera_base)}, {"covariance", covariance}}},
-      {"alternatives", alternatives_of(tree, result.alternatives)}};
+      {"alternatives", alternatives_of(tree, result.alternatives)},
+      {"apparent_size", size_of(result.size)}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

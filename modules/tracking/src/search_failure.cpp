@@ -9,7 +9,7 @@
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/symmetry.hpp"
-#include "lockbox/sensor/noise_estimate.hpp"
+#include "lockbox/sensor/noise_record.hpp"
 #include "lockbox/tracking/classification.hpp"
 
 namespace lockbox {

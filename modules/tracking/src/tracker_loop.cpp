@@ -27,7 +27,8 @@ Tracker::Loop::Loop(const ArticulatedModel& model, const TrackerOptions& options
       image_belief_(model.tree, cloud_, options_, executor_),
       report_(model.tree, options_, image_belief_),
       predictor_(model.tree),
-      joint_sight_(model.tree) {
+      joint_sight_(model.tree),
+      noise_(options.frames_between_noises) {
   options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
   if (options_.background_search) acquisition_.prepare();  // no frame waits for it then
 }
@@ -49,6 +50,7 @@ const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
   cloud_.assign(frame, options_.cloud, executor_);
   report_.begin(frame.stamp, cloud_watch.elapsed());
   const Stopwatch step_watch;
+  follow_noise(frame);
   if (judgement_.is_known()) {
     follow(frame);
   } else {
@@ -57,6 +59,14 @@ const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
   if (judgement_.status == TrackingStatus::tracking) search_.stop();
   report_.end(judgement_, size_record_.mean(), search_.searches(), step_watch.elapsed());
   return report_.result();
+}
+
+/// The stages of an alignment are made for a noise. Searches go by the noise of their beginning.
+void Tracker::Loop::follow_noise(const DepthFrame& frame) {
+  const auto noise = noise_.changed_by(frame, options_.registration.noise);
+  if (!noise) return;
+  assume_noise(*noise, options_.registration);
+  registration_ = ArticulatedRegistration(model_, options_.registration, executor_);
 }
 
 /// `tracking` and `uncertain`: the object is where it is predicted, or else has leapt; then it is

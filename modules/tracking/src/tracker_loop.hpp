@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "followed_noise.hpp"
 #include "frame_alignment.hpp"
 #include "image_belief.hpp"
 #include "judgement.hpp"
@@ -40,6 +41,7 @@ class Tracker::Loop {
     bool is_found_anew = false;
   };
 
+  void follow_noise(const DepthFrame& frame);
   void follow(const DepthFrame& frame);
   void search(const DepthFrame& frame);
   SoughtJoints with_hidden_joints_sought(const Configuration& prediction);
@@ -68,6 +70,7 @@ class Tracker::Loop {
   JointSight joint_sight_;
   RepeatedImage repeated_image_;
   SizeRecord size_record_;
+  FollowedNoise noise_;
   Judgement judgement_;  ///< of what was last reported
   /// The estimate was tracked, or given, and nothing has contradicted it since. Then it is followed
   /// even where the image does not determine it, and not sought elsewhere.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/tracking/tracker_options.hpp"
 
-#include "lockbox/sensor/sensor_profile.hpp"
-
 #include <algorithm>
 
 #include "lockbox/sensor/sensor_profile.hpp"
@@ -12,11 +10,18 @@ namespace lockbox {
 void assume_sensor(const SensorProfile& sensor, TrackerOptions& options) {
   options.cloud.min_depth = sensor.min_range;
   options.cloud.max_depth = sensor.max_range;
-  RegistrationOptions& registration = options.registration;
-  registration.noise = sensor.noise;
+  assume_noise(sensor.noise, options.registration);
+}
+
+void follow_noise(TrackerOptions& options) {
+  options.frames_between_noises = 30;
+}
+
+void assume_noise(const SensorNoise& noise, RegistrationOptions& registration) {
+  registration.noise = noise;
   // Points are chosen and averaged, which leaves of the errors that are alike the same share for
   // any sensor. Of the one that the default stands for, that was found.
-  const double alike = sensor.noise.correlation_area() / SensorNoise{}.correlation_area();
+  const double alike = noise.correlation_area() / SensorNoise{}.correlation_area();
   registration.noise_correlation = std::max(1.0, RegistrationOptions{}.noise_correlation * alike);
 }
 

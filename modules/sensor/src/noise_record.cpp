@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lockbox/sensor/noise_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "lockbox/core/square.hpp"
+#include "noise_fit.hpp"
+
+namespace lockbox {
+namespace {
+
+using Bin = NoiseRecord::Bin;
+
+constexpr int kRowsApart = 3;         // at least: neighbouring rows err alike
+constexpr int kRows = 80;             // as many tell enough
+constexpr double kNearest = 0.2;      // metres, of the first of the bins
+constexpr double kBinGrowth = 1.25;   // of the depth from bin to bin, to 7 m
+constexpr std::size_t kEnough = 300;  // differences, for an image to tell of a bin
+/// What counts of the images before, beside one more. Doubled (all), a change of the scene is never
+/// followed; halved, every image is taken by itself.
+constexpr double kKept = 0.5;
+
+std::optional<std::size_t> bin_of(double z) {
+  if (z < kNearest) return std::nullopt;
+  const auto bin = static_cast<std::size_t>(std::log(z / kNearest) / std::log(kBinGrowth));
+  return bin < NoiseRecord::kBins ? std::optional(bin) : std::nullopt;
+}
+
+double quantile(std::vector<double>& sizes, double share) {
+  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size()));
+  std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
+  return sizes[static_cast<std::size_t>(rank)];
+}
+
+/// Of what is normal but for outliers: what lies beyond 2.5 deviations does not count, again and
+/// again. Values are discrete where a sensor rounds: their median would be, too.
+double core_deviation(std::vector<double>& sizes) {
+  constexpr int kRounds = 12;
+  constexpr double kCut = 2.5;
+  constexpr double kWithin = 0.9112;  // variance of a normal distribution cut off there
+  double deviation = quantile(sizes, 0.5) / 0.6745;  // of a normal distribution
+  if (deviation == 0.0) deviation = quantile(sizes, 0.9) / 1.6449;
+  for (int round = 0; round < kRounds; ++round) {
+    double squares = 0.0;
+    double count = 0.0;
+    for (const double size : sizes) {
+      if (size > kCut * deviation) continue;
+      squares += size * size;
+      count += 1.0;
+    }
+    if (count == 0.0) break;
+    deviation = std::sqrt(squares / count / kWithin);
+  }
+  return deviation;
+}
+
+/// Of the second differences of one image.
+struct Seen {
+  std::vector<double> sizes;
+  double depths = 0.0;  ///< their sum
+};
+using SeenAtLags = std::array<std::array<Seen, NoiseRecord::kBins>, NoiseRecord::kLags.size()>;
+
+/// A row of the image.
+struct Row {
+  std::vector<double> inverse;                   ///< 1/z; 0 where nothing was measured
+  std::vector<std::optional<std::size_t>> bins;  ///< of the depths
+};
+
+void read_row(const DepthFrame& frame, int v, Row& row) {
+  const auto width = static_cast<std::size_t>(frame.camera.width);
+  row.inverse.assign(width, 0.0);
+  row.bins.assign(width, std::nullopt);
+  for (std::size_t u = 0; u < width; ++u) {
+    const double z = frame.metres(static_cast<int>(u), v);
+    if (z > 0.0) row.inverse[u] = 1.0 / z;
+    row.bins[u] = bin_of(z);
+  }
+}
+
+void add_differences(const Row& row, std::size_t lag, std::array<Seen, NoiseRecord::kBins>& seen) {
+  for (std::size_t u = lag; u + lag < row.inverse.size(); ++u) {
+    const double left = row.inverse[u - lag];
+    const double right = row.inverse[u + lag];
+    if (!row.bins[u] || left == 0.0 || right == 0.0) continue;
+    const double z = 1.0 / row.inverse[u];
+    Seen& bin = seen[*row.bins[u]];
+    bin.sizes.push_back(z * z * std::abs(left - 2.0 * row.inverse[u] + right));
+    bin.depths += z;
+  }
+}
+
+SeenAtLags differences(const DepthFrame& frame) {
+  SeenAtLags seen;
+  Row row;
+  const int step = std::max(kRowsApart, frame.camera.height / kRows);
+  for (int v = 0; v < frame.camera.height; v += step) {
+    read_row(frame, v, row);
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      add_differences(row, static_cast<std::size_t>(NoiseRecord::kLags[k]), seen[k]);
+    }
+  }
+  return seen;
+}
+
+Bin bin_from(Seen& seen) {
+  const auto count = static_cast<double>(seen.sizes.size());
+  return {count, seen.depths / count, square(core_deviation(seen.sizes))};
+}
+
+void add(const Bin& more, Bin& bin) {
+  const double count = bin.count + more.count;
+  bin.depth += (more.depth - bin.depth) * more.count / count;
+  bin.variance += (more.variance - bin.variance) * more.count / count;
+  bin.count = count;
+}
+
+}  // namespace
+
+void NoiseRecord::look_at(const DepthFrame& frame) {
+  rounding_ = static_cast<double>(frame.metres_per_unit);
+  SeenAtLags seen = differences(frame);
+  for (std::size_t k = 0; k < kLags.size(); ++k) {
+    for (std::size_t b = 0; b < kBins; ++b) {
+      bins_[k][b].count *= kKept;
+      if (seen[k][b].sizes.size() >= kEnough) add(bin_from(seen[k][b]), bins_[k][b]);
+    }
+  }
+}
+
+std::optional<SensorNoise> NoiseRecord::noise() const {
+  constexpr std::size_t kShortLags = 2;  // at which errors are too much alike to tell their size
+  SensorNoise noise;
+  // Of small things few faces are as wide as two of the longest lags.
+  for (std::size_t k = kLags.size(); k-- > kShortLags;) {
+    if (!fit_growth(bins_[k], rounding_, noise)) continue;
+    fit_correlation(std::span(bins_).first(k + 1), noise);
+    return noise;
+  }
+  return std::nullopt;
+}
+
+std::optional<SensorNoise> estimate_noise(const DepthFrame& frame) {
+  NoiseRecord record;
+  record.look_at(frame);
+  return record.noise();
+}
+
+}  // namespace lockbox

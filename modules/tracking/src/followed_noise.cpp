@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "followed_noise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lockbox {
+namespace {
+
+/// Factors. What differs less changes nothing: to assume another noise costs an alignment its
+/// memory. Doubled, residuals leave what is right (0.8 to 1.25) before it is noticed.
+constexpr double kSameSigma = 1.1;
+constexpr double kSameArea = 1.5;
+constexpr std::array kDepths{0.5, 1.0, 2.0, 4.0};  // metres, at which it is compared
+
+bool differs(double a, double b, double factor) {
+  return std::abs(std::log(a / b)) > std::log(factor);
+}
+
+bool is_other(const SensorNoise& noise, const SensorNoise& assumed) {
+  const auto has_other_sigma = [&](double z) {
+    return differs(noise.sigma_z(z), assumed.sigma_z(z), kSameSigma);
+  };
+  return std::any_of(kDepths.begin(), kDepths.end(), has_other_sigma) ||
+         differs(noise.correlation_area(), assumed.correlation_area(), kSameArea);
+}
+
+}  // namespace
+
+std::optional<SensorNoise> FollowedNoise::changed_by(const DepthFrame& frame,
+                                                     const SensorNoise& assumed) {
+  if (pause_ == 0 || frames_to_next_-- > 0) return std::nullopt;
+  frames_to_next_ = pause_ - 1;
+  record_.look_at(frame);
+  const auto noise = record_.noise();
+  return noise && is_other(*noise, assumed) ? noise : std::nullopt;
+}
+
+}  // namespace lockbox
