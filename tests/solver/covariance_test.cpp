@@ -152,6 +152,14 @@ TEST_F(CovarianceTest, WhereOnlyContoursAreOffTheDistanceIsKnown) {
   EXPECT_LT(misfit[2], 0.1 * kNoise);
 }
 
+TEST_F(CovarianceTest, WhereContoursAreOffAMeasurementByThemIsToo) {
+  estimate(solve({.own = 0.5, .contour = 3.0}));
+  covariance_.set_independent(2, 1e-8);
+  covariance_.add_floors(motion_scales_);
+  EXPECT_LT(covariance_.sigma_of_noise()[2], 0.001);
+  EXPECT_GT(covariance_.sigma()[2], kNoise);
+}
+
 TEST_F(CovarianceTest, WhatOneWallDoesNotTellIsUnknownByAUnit) {
   estimate(solve({}, 1));  // all normals along z
   covariance_.add_floors(motion_scales_);

@@ -31,8 +31,8 @@ class CovarianceEstimator {
                 double noise_correlation, const std::vector<BodyJacobian>& jacobians,
                 const StepScale& scale, const std::vector<bool>& held);
 
-  /// Replaces what the data says about a joint's unknown by a measurement that tells nothing about
-  /// the others.
+  /// Replaces what the data says about a joint's unknown by a measurement of contours that tells
+  /// nothing about the others. They are off as all contours are.
   void set_independent(Eigen::Index unknown, double variance);
 
   /// Whether an unknown is known to a tenth of a unit by now.
@@ -97,6 +97,7 @@ class CovarianceEstimator {
   double dispersion(double pixels) const;
   void measure_misfits(double noise_correlation, std::size_t bodies);
   void carry_misfits(const std::vector<BodyJacobian>& jacobians);
+  double misled(Eigen::Index unknown, double motion_scale) const;
   void invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& inverse);
   void invert_information(const NormalEquations& data, const StepScale& scale,
                           const std::vector<bool>& held);
@@ -126,6 +127,7 @@ class CovarianceEstimator {
   std::vector<Dispersion> dispersions_;  ///< of all tiles, then by pixels
   std::vector<Excess> excess_;           ///< by body, and of all
   std::vector<Misfit> misfits_;          ///< by body
+  std::vector<bool> is_independent_;     ///< by unknown: see set_independent
   Eigen::VectorXd misled_;               ///< by unknown
   Eigen::VectorXd told_;                 ///< information, the same
   std::vector<Matrix6> body_covariances_;
