@@ -11,7 +11,20 @@ from document import code_blocks
 PREFIX = pathlib.Path(os.environ["LOCKBOX_PACKAGE"]).parents[2]
 
 
-def test_the_program_is_built_and_follows_a_recording(docs, recording, tmp_path):
+LARGE_CAMERA = """image_width: 320
+image_height: 240
+camera_matrix: {rows: 3, cols: 3, data: [284, 0, 159.5, 0, 284, 119.5, 0, 0, 1]}
+distortion_model: plumb_bob
+distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}
+"""
+
+
+def test_the_program_is_built_and_follows_a_recording(docs, tool, tmp_path):
+    (tmp_path / "camera.yaml").write_text(LARGE_CAMERA)
+    recording = tmp_path / "block"
+    subprocess.run([tool, "simulate", "--model", "rigid_block", "--trajectory", "auto", "--frames", "30",
+                    "--camera-info", tmp_path / "camera.yaml", "--output", recording, "--quiet"],
+                   check=True)
     document = docs / "how-to" / "embed.md"
     program, frame = code_blocks(document, "cpp")
     (tmp_path / "main.cpp").write_text(program)

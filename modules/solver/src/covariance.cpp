@@ -23,8 +23,7 @@ constexpr int kEnoughTiles = 8;  // to tell how much they vary
 /// what it takes up of that, beside what it leaves for residuals to show. Of an object 1 % too
 /// large that is 2 to 3, of axes 3 mm off 1 to 2 (lockbox and cabinet, `lockbox experiment
 /// mismatch`, seed 53; shown on seed 91 and a third model). Doubled, joints of small motion scales
-/// are no longer known. Of contours it takes up nothing that they do not leave, too, for opposite
-/// ones are off to opposite sides.
+/// are no longer known.
 constexpr double kTakenUp = 1.5;
 
 constexpr double kObservableShare = 0.1;  // of a unit: where the solver, too, draws the line
@@ -181,7 +180,7 @@ void CovarianceEstimator::carry_misfits(const std::vector<BodyJacobian>& jacobia
     const BodyJacobian& jacobian = jacobians[body];
     const Eigen::Matrix3d hessian = tile.hessian.topLeftCorner<3, 3>();
     const double along = tile.ray.dot(hessian * tile.ray);
-    const double off = square(kTakenUp * misfits_[body].along) * along +
+    const double off = square(misfits_[body].along) * along +
                        square(misfits_[body].across) * (hessian.trace() - along);
     for (Index i = 0; i < n; ++i) {
       const auto move = jacobian.col(i);
@@ -286,7 +285,7 @@ void CovarianceEstimator::add_floors(const Eigen::VectorXd& motion_scales) {
     if (!(unit_[i] > 0.0)) continue;
     covariance_(i, i) += std::pow(systematic_floor(i, motion_scales[i]), 2);
     sigma_of_noise_[i] = std::sqrt(covariance_(i, i));
-    covariance_(i, i) += std::pow(misled(i, motion_scales[i]), 2);
+    covariance_(i, i) += std::pow(kTakenUp * misled(i, motion_scales[i]), 2);
     sigma_[i] = std::sqrt(covariance_(i, i));
     observable_[static_cast<std::size_t>(i)] = sigma_of_noise_[i] < kObservableShare * unit_[i];
   }
