@@ -6,7 +6,9 @@
 namespace lockbox {
 namespace {
 
-constexpr double kNearEnough = 0.001;         // metres: a step that is as good as exact
+/// Metres: a step that is as good as exact, a part of the noise of a single depth. Doubled, joints
+/// that start 12 mm off come to rest up to 4 mm off (AlignmentTest.FromAPrediction...).
+constexpr double kNearEnough = 0.001;
 constexpr double kNearEnoughForFine = 0.004;  // the same, where the last iteration follows
 constexpr int kMostFineIterations = 2;        // times the iterations, if more than a step is left
 constexpr int kMaxDampings = 5;

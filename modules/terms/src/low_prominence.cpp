@@ -15,7 +15,10 @@ namespace lockbox {
 namespace {
 
 constexpr double kPixelsAround = 4.0;
-constexpr double kPixelsExpected = 2.0;  // from where it was before: it is followed
+/// From where it was before, a joint is followed that far without a look at what is around.
+/// Doubled, a slider that has moved by 24 mm is taken to be in a dip of the noise half way
+/// (FarSlider).
+constexpr double kPixelsExpected = 2.0;
 constexpr double kPixelsDragged = 16.0;  // by points, at most
 constexpr double kScanPixels = 0.75;     // from one position to the next over the whole range
 constexpr int kMostSteps = 127;
