@@ -14,7 +14,7 @@ namespace lockbox::app {
 
 void SourceArguments::add_to(CLI::App& options) {
   add_source(options)->required();
-  add_sensor(options, "; auto: noise as the images show it");
+  add_sensor(options);
   options.add_flag("--realtime", realtime_,
                    "Play recordings at recorded speed, dropping frames like a live device");
   options
@@ -25,7 +25,7 @@ void SourceArguments::add_to(CLI::App& options) {
 
 void SourceArguments::add_optional_to(CLI::App& options) {
   add_source(options);
-  add_sensor(options, "");
+  add_sensor(options);
 }
 
 void SourceArguments::add_peaceful_to(CLI::App& options) {
@@ -60,19 +60,17 @@ CLI::Option* SourceArguments::add_source(CLI::App& options) {
   return source;
 }
 
-void SourceArguments::add_sensor(CLI::App& options, const std::string& more_choices) {
+void SourceArguments::add_sensor(CLI::App& options) {
   options
       .add_option("--sensor", sensor_,
                   "Profile of the sensor (YAML), or the name of a shipped one: " + sensor_names() +
-                      more_choices + "; default: noise as of primesense, depths from 0.2 to 5 m")
+                      "; auto: noise as the images show it, depths from 0.2 to 5 m")
       ->check(suggested(shipped_sensor_names()))
-      ->type_name("NAME|FILE")
-      ->default_str("primesense");
+      ->type_name("NAME|FILE|auto");
 }
 
 std::optional<SensorProfile> SourceArguments::sensor() const {
-  return sensor_.empty() || is_sensor_unknown() ? std::nullopt
-                                                : std::optional(find_sensor_profile(sensor_));
+  return sensor_ == "auto" ? std::nullopt : std::optional(find_sensor_profile(sensor_));
 }
 
 void SourceArguments::require_existing() const {

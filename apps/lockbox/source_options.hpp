@@ -29,10 +29,7 @@ class SourceArguments {
   /// sensor's profile is.
   void require_existing() const;
 
-  /// Whether the sensor's noise is to be found out from its images.
-  bool is_sensor_unknown() const { return sensor_ == "auto"; }
-
-  /// What the user says of the sensor; none if nothing, or that it is unknown. Throws InputError.
+  /// What the user says of the sensor; none where its images tell. Throws InputError.
   std::optional<SensorProfile> sensor() const;
 
   /// Warnings go to standard error. Depths are corrected as the sensor's profile says.
@@ -41,11 +38,11 @@ class SourceArguments {
 
  private:
   CLI::Option* add_source(CLI::App& options);
-  void add_sensor(CLI::App& options, const std::string& more_choices);
+  void add_sensor(CLI::App& options);
 
   std::string source_;
   std::string camera_info_;
-  std::string sensor_;
+  std::string sensor_ = "auto";
   std::optional<double> depth_scale_;
   std::string mode_;
   bool realtime_ = false;

@@ -11,7 +11,6 @@
 #include "command_line/output_paths.hpp"
 #include "command_line/progress.hpp"
 #include "commands.hpp"
-#include "estimated_sensor.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/states_file.hpp"
 #include "lockbox/publishing/publish_target.hpp"
@@ -78,10 +77,6 @@ class TrackCommand : public Command {
     const ArticulatedModel model = load();
     auto source = open();
     TrackerOptions tracker_options = make_tracker_options(model.tree);
-    if (source_.is_sensor_unknown()) {
-      find_noise_out(*source, tracker_options);
-      if (source->frame_count()) source = open();
-    }
     tracker_options.background_search = source->is_realtime();
     if (is_short(*source)) tracker_options.search_limit = std::numeric_limits<double>::infinity();
     tracker_options.try_other_readings = !settings_.quiet;
@@ -154,14 +149,6 @@ class TrackCommand : public Command {
   ArticulatedModel load() const {
     const Activity activity("loading the model", settings_.quiet);
     return model_.load();
-  }
-
-  void find_noise_out(FrameSource& source, TrackerOptions& options) const {
-    follow_noise(options);
-    const auto noise = noise_of_first_frames(source);
-    if (!noise) return;
-    assume_noise(*noise, options.registration);
-    if (!settings_.quiet) std::cerr << "sensor: noise " << noise_text(*noise) << '\n';
   }
 
   std::unique_ptr<FrameSource> open() const {

@@ -15,6 +15,7 @@
 #include "published_output.hpp"
 #include "run_outputs.hpp"
 #include "search_report.hpp"
+#include "sensor_report.hpp"
 #include "size_report.hpp"
 
 namespace lockbox::app {
@@ -40,6 +41,7 @@ std::string signal_text() {
 std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& settings,
                       RunOutputs& outputs, PublishedOutput& published, SearchReport& report) {
   Progress progress("track", expected_frames(source, settings), settings.quiet);
+  SensorReport sensor_report(tracker, settings.quiet);
   SizeReport size_report(settings.quiet);
   DepthFrame frame;
   auto status = TrackingStatus::initializing;
@@ -52,6 +54,7 @@ std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& 
     status = result.status;
     outputs.add(frame, result, source);
     report.look_at(tracker, frame, outputs.totals());
+    sensor_report.look_at(tracker);
     size_report.look_at(result);
     progress.update(outputs.totals().frames(), to_string(status));
     if (published.is_in_vain()) break;

@@ -119,11 +119,7 @@ std::unique_ptr<PythonTracker> make_tracker(
   if (threads < 0) throw InputError("threads", "is neither 0 nor positive");
   if (intrinsics) require_camera(*intrinsics);
   TrackerOptions options;
-  if (sensor == "auto") {
-    follow_noise(options);
-  } else {
-    assume_sensor(find_sensor_profile(sensor), options);
-  }
+  if (sensor != "auto") assume_sensor(find_sensor_profile(sensor), options);
   options.registration.max_iterations = iterations;
   options.registration.point_budget = point_budget;
   options.registration.fixed_base = fixed_base;
@@ -141,7 +137,7 @@ void bind_tracker(py::module_& module) {
   py::class_<PythonTracker>(module, "Tracker", "Follows an object from frame to frame.")
       .def(
           py::init(&make_tracker), py::arg("model"), py::arg("intrinsics") = py::none(),
-          py::kw_only(), py::arg("initial_state") = py::none(), py::arg("sensor") = "primesense",
+          py::kw_only(), py::arg("initial_state") = py::none(), py::arg("sensor") = "auto",
           py::arg("depth_scale") = 1000.0, py::arg("iterations") = 3,
           py::arg("point_budget") = RegistrationOptions().point_budget,
           py::arg("fixed_base") = false, py::arg("locked_joints") = std::vector<std::string>(),

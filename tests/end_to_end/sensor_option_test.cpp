@@ -47,11 +47,17 @@ TEST_F(SensorOption, NoiseIsThatOfTheProfileAndSaidInTheRun) {
                     HasSubstr("noise_correlation_pixels: 6"), HasSubstr("max_depth: 4.5")));
 }
 
-TEST_F(SensorOption, PrimesenseIsWhatIsAssumedUnasked) {
+TEST_F(SensorOption, ImagesAreAskedWhereNobodyNamesASensor) {
   ASSERT_EQ(run_tool(following("unasked")).status, 0);
-  ASSERT_EQ(run_tool(following("asked", {"--sensor", "primesense"})).status, 0);
+  ASSERT_EQ(run_tool(following("asked", {"--sensor", "auto"})).status, 0);
   EXPECT_EQ(rows_without_latency(path("asked/states.csv")),
             rows_without_latency(path("unasked/states.csv")));
+}
+
+TEST_F(SensorOption, NoiseThatIsGivenIsNotLookedFor) {
+  const auto run = run_tool(following("given", {"--set", "noise_depth_quadratic=0.004"}));
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_DOUBLE_EQ(quadratic_noise("given"), 0.004);
 }
 
 TEST_F(SensorOption, AutoFindsTheNoiseOutAndTracksEveryFrame) {

@@ -84,5 +84,22 @@ TEST(NoiseRecord, KnowsThatRoundingErrs) {
   EXPECT_NEAR(sigma_at(record, 1.0), 0.001 / std::sqrt(12.0), 2e-5);
 }
 
+TEST(NoiseRecord, KnowsThatFewDepthsErr) {
+  // Disparities in eighths of a pixel, at 75 mm and 575.8 pixels: 2.9 mm apart at a metre.
+  const double step = 0.125 / (575.8 * 0.075);
+  const auto rounded = [&](double z) { return 1.0 / (step * std::round(1.0 / (z * step))); };
+  DepthFrame frame = wall(1.0, 0.0);
+  for (int v = 0; v < 240; ++v) {
+    for (int u = 0; u < 320; ++u) {  // a ramp, so flat that most neighbours have one depth
+      const double z = rounded(2.0 + 0.0005 * u);
+      frame.depth[static_cast<std::size_t>(v) * 320 + static_cast<std::size_t>(u)] =
+          static_cast<std::uint16_t>(std::lround(1e4 * z));
+    }
+  }
+  NoiseRecord record;
+  record.look_at(frame);
+  EXPECT_NEAR(sigma_at(record, 2.0), 4.0 * step / std::sqrt(12.0), 0.001);
+}
+
 }  // namespace
 }  // namespace lockbox

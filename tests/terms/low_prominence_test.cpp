@@ -127,6 +127,21 @@ TEST_F(FarSlider, IsToldWhereItStandsOutByAnError) {
   }
 }
 
+/// It has moved too fast to be in the window: dips of the noise there are no match.
+TEST_F(FarSlider, IsSeldomFollowedToWhereItHasLeft) {
+  LowProminence low_prominence(model_, {}, Executor(2));
+  int followed = 0;
+  int kept = 0;
+  for (std::uint64_t number = 0; number < 12; ++number) {
+    const TiledCloud cloud = seen(number);
+    const Configuration left = off_by(number % 2 == 0 ? 0.08 : -0.08);
+    followed += low_prominence.find_near(cloud, left, variable_, left.q[variable_]) ? 1 : 0;
+    kept += low_prominence.find_near(cloud, truth_, variable_, truth_.q[variable_]) ? 1 : 0;
+  }
+  EXPECT_LE(followed, 3);
+  EXPECT_GE(kept, 10);
+}
+
 /// Its windows and the errors that go together over them leave nothing of 12 mm.
 TEST_F(FarSlider, IsNotToldByAStereoCameraWhereItIsWrong) {
   LowProminence low_prominence(model_, {}, Executor(2));

@@ -22,8 +22,8 @@ class ForeignObjects : public DrawnObjectsExperiment {
     options.add_option("--frames", frames_, "Of each piece, which stands still")->check(positive());
     options.add_flag(
         "--tell-sensor", tells_sensor_,
-        "Tell the tracker the sensor's profile (track --sensor); else it takes all for "
-        "a PrimeSense");
+        "Tell the tracker the sensor's profile (track --sensor); else it finds the noise out from "
+        "the images");
   }
 
  private:

@@ -143,7 +143,7 @@ class Tracker:
         intrinsics: Optional[ArrayLike] = None,
         *,
         initial_state: Optional[State] = None,
-        sensor: str = "primesense",
+        sensor: str = "auto",
         depth_scale: float = 1000.0,
         iterations: int = 3,
         point_budget: int = 20000,

@@ -16,7 +16,6 @@ namespace lockbox {
 namespace {
 
 using Bin = NoiseRecord::Bin;
-constexpr double kVariances = 6.0;  // 1 + 4 + 1
 // What is plausible, metres and 1/metre: an image without planes must not make gates of metres.
 constexpr double kLeastFloor = 1e-4;
 constexpr double kMostFloor = 0.01;
@@ -46,7 +45,7 @@ Sums sums_over(const NoiseRecord::Bins& bins, const std::optional<SensorNoise>& 
   Sums sums;
   for (const Bin& bin : bins) {
     if (bin.count <= 0.0) continue;
-    const double sigma = std::max(kLeastFloor, std::sqrt(bin.variance / kVariances));
+    const double sigma = std::max(kLeastFloor, std::sqrt(bin.variance / kDifferenceVariance));
     double weight = 1.0 / (square(sigma) * (square(kShape) + kAlike / bin.count));
     if (noise && sigma > kShaped * noise->sigma_z(bin.depth)) weight *= kOfShapes;
     const Eigen::Vector2d row(1.0, square(bin.depth));
@@ -103,7 +102,7 @@ double expected_ratio(double own_share, double length, int lag) {
   const auto rho = [length](int distance) { return std::exp(-0.5 * square(distance / length)); };
   const double shared = 1.0 - square(own_share);
   return std::sqrt(
-      std::max(0.0, 1.0 - shared * (8.0 * rho(lag) - 2.0 * rho(2 * lag)) / kVariances));
+      std::max(0.0, 1.0 - shared * (8.0 * rho(lag) - 2.0 * rho(2 * lag)) / kDifferenceVariance));
 }
 
 /// The same as it was seen, beside a lag at which errors are not alike. The median over what was

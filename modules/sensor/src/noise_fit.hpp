@@ -9,6 +9,9 @@
 
 namespace lockbox {
 
+/// Of a second difference of errors that are not alike, beside that of an error: 1 + 4 + 1.
+inline constexpr double kDifferenceVariance = 6.0;
+
 /// How the noise grows with depth: floor + quadratic z^2 through the deviations of the bins, of a
 /// lag at which errors are not alike. rounding: the unit of the depths, metres. False where that is
 /// more than sensors err, which is the shape of what is seen, and where there is nothing.

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "depth_bins.hpp"
+#include "depth_steps.hpp"
 #include "lockbox/core/square.hpp"
 #include "noise_fit.hpp"
 
@@ -14,20 +16,13 @@ namespace {
 
 using Bin = NoiseRecord::Bin;
 
-constexpr int kRowsApart = 3;         // at least: neighbouring rows err alike
-constexpr int kRows = 80;             // as many tell enough
-constexpr double kNearest = 0.2;      // metres, of the first of the bins
-constexpr double kBinGrowth = 1.25;   // of the depth from bin to bin, to 7 m
-constexpr std::size_t kEnough = 300;  // differences, for an image to tell of a bin
+constexpr int kRowsApart = 3;          // at least: neighbouring rows err alike
+constexpr int kRows = 80;              // as many tell enough
+constexpr std::size_t kShortLags = 2;  // at which errors are too much alike to tell their size
+constexpr std::size_t kEnough = 300;   // differences, for an image to tell of a bin
 /// What counts of the images before, beside one more. Doubled (all), a change of the scene is never
 /// followed; halved, every image is taken by itself.
 constexpr double kKept = 0.5;
-
-std::optional<std::size_t> bin_of(double z) {
-  if (z < kNearest) return std::nullopt;
-  const auto bin = static_cast<std::size_t>(std::log(z / kNearest) / std::log(kBinGrowth));
-  return bin < NoiseRecord::kBins ? std::optional(bin) : std::nullopt;
-}
 
 double quantile(std::vector<double>& sizes, double share) {
   const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size()));
@@ -77,7 +72,7 @@ void read_row(const DepthFrame& frame, int v, Row& row) {
   for (std::size_t u = 0; u < width; ++u) {
     const double z = frame.metres(static_cast<int>(u), v);
     if (z > 0.0) row.inverse[u] = 1.0 / z;
-    row.bins[u] = bin_of(z);
+    row.bins[u] = depth_bin(z);
   }
 }
 
@@ -106,9 +101,16 @@ SeenAtLags differences(const DepthFrame& frame) {
   return seen;
 }
 
-Bin bin_from(Seen& seen) {
+/// least: what a difference of depths with such steps scatters by at least.
+Bin bin_from(Seen& seen, double least) {
   const auto count = static_cast<double>(seen.sizes.size());
-  return {count, seen.depths / count, square(core_deviation(seen.sizes))};
+  return {count, seen.depths / count, square(std::max(least, core_deviation(seen.sizes)))};
+}
+
+/// Of second differences of what is rounded to steps of that length. Where the steps are wide most
+/// of a wall is one depth, and most of its differences are none.
+double deviation_by_steps(double step) {
+  return step * std::sqrt(kDifferenceVariance / 12.0);
 }
 
 void add(const Bin& more, Bin& bin) {
@@ -123,16 +125,19 @@ void add(const Bin& more, Bin& bin) {
 void NoiseRecord::look_at(const DepthFrame& frame) {
   rounding_ = static_cast<double>(frame.metres_per_unit);
   SeenAtLags seen = differences(frame);
+  const auto steps = depth_steps(frame);
   for (std::size_t k = 0; k < kLags.size(); ++k) {
     for (std::size_t b = 0; b < kBins; ++b) {
       bins_[k][b].count *= kKept;
-      if (seen[k][b].sizes.size() >= kEnough) add(bin_from(seen[k][b]), bins_[k][b]);
+      if (seen[k][b].sizes.size() < kEnough) continue;
+      // Neighbours are rounded alike.
+      const double least = k < kShortLags ? 0.0 : deviation_by_steps(steps[b]);
+      add(bin_from(seen[k][b], least), bins_[k][b]);
     }
   }
 }
 
 std::optional<SensorNoise> NoiseRecord::noise() const {
-  constexpr std::size_t kShortLags = 2;  // at which errors are too much alike to tell their size
   SensorNoise noise;
   // Of small things few faces are as wide as two of the longest lags.
   for (std::size_t k = kLags.size(); k-- > kShortLags;) {

@@ -15,6 +15,10 @@ namespace lockbox {
 namespace {
 
 constexpr double kPixelsAround = 4.0;
+/// Standard deviations of a depth. What stands out less is followed to a dip of the noise as well,
+/// where it has left too fast: its whole range is asked each time. Doubled, so are those of a
+/// PrimeSense at 1.2 m, which takes half a frame's time for each.
+constexpr double kFaint = 2.0;
 /// From where it was before, a joint is followed that far without a look at what is around.
 /// Doubled, a slider that has moved by 24 mm is taken to be in a dip of the noise half way
 /// (FarSlider).
@@ -25,13 +29,11 @@ constexpr int kMostSteps = 127;
 constexpr double kLeastGain = 9.0;  // of chi^2
 /// Metres that surfaces move to what is another position: half more than what counts as right.
 constexpr double kElsewhere = 0.015;
-/// Positions, for their scatter to be one.
-constexpr std::size_t kFewestElsewhere = 8;
-constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
-/// Standard deviations of what is elsewhere, below the least of it. Of a slider 12 mm high, seen by
-/// a PrimeSense at 1.6 to 2.2 m, right positions have 0.7 to 5.3, 2 in the median; by a D4xx, which
-/// shows it nowhere, wrong ones up to 1.1. Doubled, it is not told from 1.6 m on.
-constexpr double kClearly = 1.3;
+/// Of the rise of chi^2 that is expected to where a part is not. It is 1 where it is there, with a
+/// standard deviation of 0.2 for a slider of 12 mm by a PrimeSense at 2 m (0.61 was the least of
+/// 40), and 0 in the mean where it is elsewhere, though the best of many dips has 0.3. Doubled, no
+/// part is there.
+constexpr double kIsThere = 0.6;
 
 /// Within the limits, each once.
 void put_between(const VariableLimits& limits, std::vector<double>& positions) {
@@ -102,7 +104,13 @@ std::optional<JointMatch> LowProminence::find_near(const TiledCloud& cloud,
     const double around = std::abs(at - way) < kPixelsExpected ? 1.0 : elsewhere;
     const bool ends_before = at - around < first && positions_.front() > limits.lower;
     const bool ends_beyond = at + around > last && positions_.back() < limits.upper;
-    if (!ends_before && !ends_beyond) return match_at(least);
+    if (!ends_before && !ends_beyond) {
+      const JointMatch match = match_at(least);
+      const bool is_faint = prominence(variable, configuration) < kFaint;
+      if (is_faint && !is_there(cloud, configuration, variable, match.position))
+        return std::nullopt;
+      return match;
+    }
     if (ends_before) first = std::floor(at - around);
     if (ends_beyond) last = std::ceil(at + around);
   }
@@ -139,23 +147,28 @@ JointMatch LowProminence::match_at(std::size_t least) const {
           scatter_around(least) + excess(costs_[least], region_.pixels()) / bend};
 }
 
-/// A sensor's noise goes together over its window, and models are not exact: chi^2 falls and rises
-/// along the range by more than it says.
-bool LowProminence::stands_out(std::size_t least, double elsewhere, bool is_turn) {
-  elsewhere_.clear();
+/// Compared with positions all over the range, as far apart as positions have to be that are
+/// others.
+bool LowProminence::is_there(const TiledCloud& cloud, const Configuration& configuration,
+                             int variable, double position) {
+  const VariableRange range = variable_range(model_.tree, variable, position);
+  const double elsewhere = kElsewhere / motion_scales_[variable];
+  const int steps = std::clamp(static_cast<int>(range.extent() / elsewhere) + 1, 1, kMostSteps);
+  positions_ = positions_in(range, steps);
+  positions_.push_back(position);
+  costs_ = region_.compare(cloud, configuration, variable, positions_);
+  if (costs_.empty()) return false;
+  double rise = 0.0;
+  double expected = 0.0;
   for (std::size_t k = 0; k < positions_.size(); ++k) {
-    const double way = positions_[k] - positions_[least];
-    const double apart = is_turn ? std::remainder(way, 2.0 * std::numbers::pi) : way;
-    if (std::abs(apart) > elsewhere) elsewhere_.push_back(costs_[k]);
+    const double way = positions_[k] - position;
+    const double apart = range.is_turn ? std::remainder(way, 2.0 * std::numbers::pi) : way;
+    if (std::abs(apart) <= elsewhere) continue;
+    if (costs_[k] < costs_.back()) return false;
+    rise += costs_[k] - costs_.back();
+    expected += region_.expected_rises()[k];
   }
-  if (elsewhere_.size() < kFewestElsewhere) return true;
-  const double next = *std::min_element(elsewhere_.begin(), elsewhere_.end());
-  const auto middle = elsewhere_.begin() + static_cast<std::ptrdiff_t>(elsewhere_.size() / 2);
-  std::nth_element(elsewhere_.begin(), middle, elsewhere_.end());
-  const double median = *middle;
-  for (double& cost : elsewhere_) cost = std::abs(cost - median);
-  std::nth_element(elsewhere_.begin(), middle, elsewhere_.end());
-  return next - costs_[least] > kClearly * kMedianToDeviation * *middle;
+  return rise >= kIsThere * expected;
 }
 
 RangeMatch LowProminence::find_anywhere(const TiledCloud& cloud, const Configuration& configuration,
@@ -170,12 +183,16 @@ RangeMatch LowProminence::find_anywhere(const TiledCloud& cloud, const Configura
   costs_ = region_.compare(cloud, configuration, variable, positions_);
   if (costs_.empty()) return {};
   const std::size_t least = best(costs_);
-  const bool is_told = stands_out(least, kElsewhere / motion_scales_[variable], range.is_turn);
   const double gain = costs_[here] - costs_[least];
-  if (gain < kLeastGain * excess(costs_[least], region_.pixels())) return {std::nullopt, is_told};
-  positions_.pop_back();
-  costs_ = costs_.first(positions_.size());
-  return {match_at(best(costs_)), is_told};
+  RangeMatch result;
+  if (gain >= kLeastGain * excess(costs_[least], region_.pixels())) {
+    positions_.pop_back();
+    costs_ = costs_.first(positions_.size());
+    result.better = match_at(best(costs_));
+  }
+  result.is_told =
+      is_there(cloud, configuration, variable, result.better ? result.better->position : start);
+  return result;
 }
 
 }  // namespace lockbox

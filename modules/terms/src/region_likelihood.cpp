@@ -74,6 +74,7 @@ std::span<const double> RegionLikelihood::compare(const TiledCloud& cloud,
   const auto patches = static_cast<std::size_t>(frame_.width / kPatch * (frame_.height / kPatch));
   pixels_of_patch_.assign(patches, 0);
   sums_of_patch_.assign(patches * positions_.size(), 0.0);
+  rises_of_patch_.assign(patches * positions_.size(), 0.0);
   executor_.for_each(patches, [&](std::size_t patch) { compare_patch(patch); });
   sum_up();
   return compared_ > 0 ? std::span<const double>(chi_squared_) : std::span<const double>();
@@ -248,6 +249,7 @@ void RegionLikelihood::compare_patch(std::size_t patch) {
   }
   noise.whiten();
   const std::span<double> sums(&sums_of_patch_[patch * positions_.size()], positions_.size());
+  const std::span<double> rises(&rises_of_patch_[patch * positions_.size()], positions_.size());
   const auto limit = static_cast<float>(gate_);
   for (std::size_t i = 0; i < noise.count(); ++i) {
     const std::span<const float> residuals = noise.values(i);
@@ -257,6 +259,7 @@ void RegionLikelihood::compare_patch(std::size_t patch) {
     if (!explains) continue;
     for (std::size_t k = 0; k < positions_.size(); ++k) {
       sums[k] += square(static_cast<double>(residuals[k]));
+      rises[k] += square(static_cast<double>(residuals[k] - residuals[positions_.size() - 1]));
     }
   }
   pixels_of_patch_[patch] = static_cast<int>(noise.count());
@@ -266,8 +269,10 @@ void RegionLikelihood::compare_patch(std::size_t patch) {
 void RegionLikelihood::sum_up() {
   compared_ = std::accumulate(pixels_of_patch_.begin(), pixels_of_patch_.end(), 0);
   chi_squared_.assign(positions_.size(), 0.0);
+  rises_.assign(positions_.size(), 0.0);
   for (std::size_t i = 0; i < sums_of_patch_.size(); ++i) {
     chi_squared_[i % positions_.size()] += sums_of_patch_[i];
+    rises_[i % positions_.size()] += rises_of_patch_[i];
   }
 }
 

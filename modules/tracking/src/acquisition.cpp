@@ -252,6 +252,12 @@ SoughtJoints Acquisition::find_joints(const Configuration& start,
   return initializer().find_joints(cloud_, start, variables);
 }
 
+void Acquisition::assume(const RegistrationOptions& registration) {
+  options_.registration = registration;
+  initializer_.reset();
+  if (options_.background_search) prepare();  // as at the start
+}
+
 Initializer& Acquisition::initializer() {
   if (!initializer_) {
     InitializerOptions options{options_.registration};

@@ -12,6 +12,9 @@ namespace {
 /// memory. Doubled, residuals leave what is right (0.8 to 1.25) before it is noticed.
 constexpr double kSameSigma = 1.1;
 constexpr double kSameArea = 1.5;
+/// Frames, a third of a second: those of a source that starts may be empty. Doubled, each frame of
+/// a camera that shows nothing takes longer for twice the time.
+constexpr int kLooksAtStart = 10;
 constexpr std::array kDepths{0.5, 1.0, 2.0, 4.0};  // metres, at which it is compared
 
 bool differs(double a, double b, double factor) {
@@ -31,9 +34,9 @@ bool is_other(const SensorNoise& noise, const SensorNoise& assumed) {
 std::optional<SensorNoise> FollowedNoise::changed_by(const DepthFrame& frame,
                                                      const SensorNoise& assumed) {
   if (pause_ == 0 || frames_to_next_-- > 0) return std::nullopt;
-  frames_to_next_ = pause_ - 1;
   record_.look_at(frame);
   const auto noise = record_.noise();
+  frames_to_next_ = noise || ++looks_ >= kLooksAtStart ? pause_ - 1 : 0;
   return noise && is_other(*noise, assumed) ? noise : std::nullopt;
 }
 

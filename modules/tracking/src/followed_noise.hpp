@@ -9,7 +9,8 @@
 
 namespace lockbox {
 
-/// The noise of a sensor whose distance, or what it looks at, changes during a run.
+/// The noise of a sensor of which nothing is known, or whose distance, or what it looks at, changes
+/// during a run.
 class FollowedNoise {
  public:
   /// pause: frames from one that is looked at to the next; 0: none is.
@@ -21,6 +22,7 @@ class FollowedNoise {
  private:
   int pause_;
   int frames_to_next_ = 0;
+  int looks_ = 0;
   NoiseRecord record_;
 };
 

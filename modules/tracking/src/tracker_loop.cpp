@@ -28,7 +28,7 @@ Tracker::Loop::Loop(const ArticulatedModel& model, const TrackerOptions& options
       report_(model.tree, options_, image_belief_),
       predictor_(model.tree),
       joint_sight_(model.tree),
-      noise_(options.frames_between_noises) {
+      noise_(options.registration.noise == SensorNoise{} ? options.frames_between_noises : 0) {
   options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
   if (options_.background_search) acquisition_.prepare();  // no frame waits for it then
 }
@@ -61,11 +61,13 @@ const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
   return report_.result();
 }
 
-/// The stages of an alignment are made for a noise. Searches go by the noise of their beginning.
+/// Alignments and searches are made for a noise. Those in the background go by that of the first.
 void Tracker::Loop::follow_noise(const DepthFrame& frame) {
   const auto noise = noise_.changed_by(frame, options_.registration.noise);
   if (!noise) return;
   assume_noise(*noise, options_.registration);
+  if (!options_.background_search || !is_noise_known_) acquisition_.assume(options_.registration);
+  is_noise_known_ = true;
   registration_ = ArticulatedRegistration(model_, options_.registration, executor_);
 }
 

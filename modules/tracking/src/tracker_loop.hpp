@@ -71,7 +71,8 @@ class Tracker::Loop {
   RepeatedImage repeated_image_;
   SizeRecord size_record_;
   FollowedNoise noise_;
-  Judgement judgement_;  ///< of what was last reported
+  bool is_noise_known_ = false;  ///< by the images
+  Judgement judgement_;          ///< of what was last reported
   /// The estimate was tracked, or given, and nothing has contradicted it since. Then it is followed
   /// even where the image does not determine it, and not sought elsewhere.
   bool is_kept_ = false;

@@ -43,7 +43,7 @@ struct ForeignResult {
 struct ForeignSettings {
   PinholeCamera camera;
   std::optional<std::string> sensor;  ///< none: the one that the block draws
-  bool tells_sensor = false;  ///< the tracker is told the sensor's profile; else a PrimeSense's
+  bool tells_sensor = false;  ///< the tracker is told the sensor's profile; else images tell
   std::uint64_t seed = 1;     ///< of the sensor's noise and of the deviation
   bool deviates = false;      ///< by a third of every moderate deviation (deviation_presets.hpp)
   int frames = 1;             ///< of the object, which stands still

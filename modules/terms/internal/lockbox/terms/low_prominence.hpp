@@ -25,7 +25,7 @@ struct JointMatch {
 struct RangeMatch {
   /// Nothing where no position is better than that of the configuration by more than noise is.
   std::optional<JointMatch> better;
-  /// Whether the best position is better than all that are elsewhere by more than these scatter.
+  /// Whether positions that are elsewhere are worse by as much as they are where the part is there.
   bool is_told = true;
 };
 
@@ -42,7 +42,8 @@ class LowProminence {
   double pixel_step(const PinholeCamera& camera, const Configuration& configuration, int variable);
 
   /// Sought a few pixels around the configuration and on the way to where it was before points
-  /// pulled it. Nothing where the image does not tell.
+  /// pulled it. Nothing where the image does not tell; nor where what hardly stands out is not
+  /// there.
   std::optional<JointMatch> find_near(const TiledCloud& cloud, const Configuration& configuration,
                                       int variable, double before);
 
@@ -50,8 +51,9 @@ class LowProminence {
                            int variable);
 
  private:
+  bool is_there(const TiledCloud& cloud, const Configuration& configuration, int variable,
+                double position);
   double distance(int variable, const Configuration& configuration);
-  bool stands_out(std::size_t least, double elsewhere, bool is_turn);
   double scatter_around(std::size_t least) const;
   JointMatch match_at(std::size_t least) const;
 
@@ -63,7 +65,6 @@ class LowProminence {
   std::vector<Eigen::Isometry3d> poses_;
   std::vector<double> positions_;
   std::span<const double> costs_;  ///< chi^2 by position
-  std::vector<double> elsewhere_;  ///< costs of positions that are no neighbours
 };
 
 }  // namespace lockbox

@@ -37,6 +37,9 @@ class RegionLikelihood {
   std::span<const double> compare(const TiledCloud& cloud, const Configuration& configuration,
                                   int variable, std::span<const double> positions);
 
+  /// By how much chi^2 rises in the mean from the last position to each, where the last is right.
+  std::span<const double> expected_rises() const { return rises_; }
+
   /// Pixels that were compared: those around which some position changes anything.
   int pixels() const { return compared_; }
 
@@ -93,7 +96,9 @@ class RegionLikelihood {
   std::vector<std::uint8_t> has_ground_;  ///< by pixel: whether it shows what rests, or would
   std::vector<int> pixels_of_patch_;      ///< that were compared
   std::vector<double> sums_of_patch_;     ///< of their squares: by patch, then by position
+  std::vector<double> rises_of_patch_;    ///< likewise, of the last position's less theirs
   std::vector<double> chi_squared_;       ///< by position
+  std::vector<double> rises_;             ///< by position
 };
 
 }  // namespace lockbox

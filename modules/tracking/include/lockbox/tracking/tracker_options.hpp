@@ -128,12 +128,12 @@ struct TrackerOptions {
   /// become of the object while its status stays the same. Unit: frames. Source: asked seldom
   /// enough that one frame in twenty is not slower; two seconds.
   int frames_between_beliefs = 60;
-  /// The sensor's noise is estimated from every so many frames, and the estimate goes by it. To
-  /// look at an image takes as long as a frame. Doubled, a camera that doubles its distance in a
-  /// second is taken for a wrong one half the way. 0: the noise is what is given. Unit: frames.
-  /// Source:
-  /// `--sensor auto`, which makes it 30.
-  int frames_between_noises = 0;
+  /// The sensor's noise is estimated from the first frames, then from every so many, and the
+  /// estimate goes by it. To look at an image takes as long as a frame. Doubled, a camera that
+  /// doubles its distance in a second is taken for a wrong one half the way. 0, or where
+  /// registration.noise is another than the default: the noise is what is given. Unit: frames.
+  /// Source: a second.
+  int frames_between_noises = 30;
   /// Alternatives that are reported. Unit: answers. Source: the column `alternatives` of states.csv
   /// (docs/file-formats.md).
   std::size_t most_alternatives = 3;
@@ -149,12 +149,9 @@ struct TrackerOptions {
   double lost_agreement = 0.60;
 };
 
-/// The noise, its correlation and the range of depths are the sensor's from now on.
+/// The noise, its correlation and the range of depths are the sensor's from now on, whatever images
+/// show.
 void assume_sensor(const SensorProfile& sensor, TrackerOptions& options);
-
-/// The noise is found out from the images, and followed: frames_between_noises becomes 30, a
-/// second.
-void follow_noise(TrackerOptions& options);
 
 /// The noise and its correlation are these from now on.
 void assume_noise(const SensorNoise& noise, RegistrationOptions& registration);

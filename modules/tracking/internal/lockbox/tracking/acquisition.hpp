@@ -51,6 +51,9 @@ class Acquisition {
   /// Makes what the first search would take its time for.
   void prepare() { initializer(); }
 
+  /// What alignments and searches assume from now on.
+  void assume(const RegistrationOptions& registration);
+
   /// How often find() has looked anywhere.
   int searches() const { return searches_; }
 

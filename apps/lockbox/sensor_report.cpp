@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "estimated_sensor.hpp"
+#include "sensor_report.hpp"
 
 #include <iomanip>
 #include <iostream>
 #include <sstream>
-
-#include "lockbox/sensor/noise_record.hpp"
+#include <string>
 
 namespace lockbox::app {
 namespace {
-
-constexpr int kFrames = 10;  // a third of a second; those of a source that starts may be empty
-
-}  // namespace
-
-std::optional<SensorNoise> noise_of_first_frames(FrameSource& source) {
-  DepthFrame frame;
-  for (int i = 0; i < kFrames && source.next(frame); ++i) {
-    if (const auto noise = estimate_noise(frame)) return noise;
-  }
-  std::cerr << "lockbox: warning: the first frames show too little to tell the sensor's noise "
-               "(--sensor auto); it is taken for a primesense until others do\n";
-  return std::nullopt;
-}
 
 std::string noise_text(const SensorNoise& noise) {
   constexpr double kMillimetres = 1000.0;
@@ -33,6 +18,17 @@ std::string noise_text(const SensorNoise& noise) {
        << " % by itself, and the rest alike over " << std::setprecision(1)
        << noise.correlation_pixels << " pixels";
   return text.str();
+}
+
+}  // namespace
+
+SensorReport::SensorReport(const Tracker& tracker, bool quiet)
+    : assumed_(tracker.options().registration.noise), is_said_(quiet) {}
+
+void SensorReport::look_at(const Tracker& tracker) {
+  if (is_said_ || tracker.options().registration.noise == assumed_) return;
+  std::cerr << "sensor: noise " << noise_text(tracker.options().registration.noise) << '\n';
+  is_said_ = true;
 }
 
 }  // namespace lockbox::app
