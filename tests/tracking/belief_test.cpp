@@ -154,6 +154,33 @@ TEST_F(MarkedBox, IsReportedBeforeItIsSureAndTrustedOnceTheViewTells) {
   EXPECT_TRUE(found.configuration.T_camera_base.isApprox(turned.T_camera_base, 0.02));
 }
 
+/// Something stands before its mark, and before where that may be as well. When it is gone, what
+/// the search could not tell apart is compared: nothing is sought again.
+TEST_F(MarkedBox, IsToldFromItsTurnedSelfWithoutAnotherSearch) {
+  Configuration truth = ambiguous();
+  truth.T_camera_base =
+      truth.T_camera_base * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitY());
+  Scene covered = wall();
+  for (const double side : {-1.0, 1.0}) {
+    const Eigen::Vector3d mark =
+        truth.T_camera_base * Eigen::Vector3d(side * 0.08, side * 0.05, -0.06);
+    covered.planes.push_back(
+        {SceneFrame::world, 0.8 * mark, -Eigen::Vector3d::UnitZ(), {0.07, 0.06}});
+  }
+  Tracker tracker(model, with_short_searches());
+  TrackingResult found = tracker.process(at_time(seen_frame(model, truth, covered, 1), 1));
+  ASSERT_EQ(found.status, TrackingStatus::uncertain);
+  ASSERT_FALSE(found.alternatives.empty());
+  for (int i = 2; i < 5; ++i) {
+    found = tracker.process(
+        at_time(seen_frame(model, truth, wall(), static_cast<std::uint64_t>(i)), i));
+  }
+  EXPECT_EQ(found.status, TrackingStatus::tracking);
+  EXPECT_TRUE(found.alternatives.empty());
+  EXPECT_EQ(found.searches, 1);
+  EXPECT_TRUE(found.configuration.T_camera_base.isApprox(truth.T_camera_base, 0.02));
+}
+
 TEST_F(MarkedBox, IsForgottenNotLostWhereItWasNeverSure) {
   Tracker tracker(model, with_short_searches());
   DepthFrame frame = seen_frame(model, ambiguous(), wall(), 1);

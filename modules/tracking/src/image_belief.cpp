@@ -6,8 +6,16 @@
 namespace lockbox {
 
 double ImageBelief::of(const Configuration& configuration) {
+  return belief(evidence({&configuration, 1}).front(), {});
+}
+
+std::vector<double> ImageBelief::evidence(std::span<const Configuration> configurations) {
   verifier_.look_at(cloud_, options_.registration.noise.sigma_inverse_depth(), executor_);
-  return belief(verifier_.evidence(configuration).total(), {});
+  std::vector<double> nats;
+  for (const Configuration& configuration : configurations) {
+    nats.push_back(verifier_.evidence(configuration).total());
+  }
+  return nats;
 }
 
 }  // namespace lockbox

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/configuration.hpp"
@@ -19,6 +22,9 @@ class ImageBelief {
 
   /// The probability, in [0, 1].
   double of(const Configuration& configuration);
+
+  /// For each, nats (lockbox/verification/evidence.hpp).
+  std::vector<double> evidence(std::span<const Configuration> configurations);
 
  private:
   Verifier verifier_;

@@ -25,6 +25,7 @@ Tracker::Loop::Loop(const ArticulatedModel& model, const TrackerOptions& options
       acquisition_(model, options, executor_, registration_, cloud_),
       search_(model, options_, registration_, acquisition_, cloud_),
       image_belief_(model.tree, cloud_, options_, executor_),
+      rivals_(options_, registration_, cloud_, image_belief_),
       report_(model.tree, options_, image_belief_),
       predictor_(model.tree),
       joint_sight_(model.tree),
@@ -120,6 +121,7 @@ void Tracker::Loop::search(const DepthFrame& frame) {
     report_.write_nothing();
     return;
   }
+  rivals_.begin(search_.alternatives(), found->belief);
   report(*found);
   measure_size(*found);
   const bool is_believed = judgement_.status == TrackingStatus::tracking;
@@ -193,16 +195,22 @@ Tracker::Loop::Followed Tracker::Loop::with_leap_followed(const DepthFrame& fram
   return best;
 }
 
-/// Where a search could not tell two places apart, following one of them does not, either: only
-/// another search may.
+/// Where a search could not tell two places apart, following one of them does not, either: the next
+/// frames are asked for these, then another search.
 Tracker::Loop::Followed Tracker::Loop::with_rival_sought(const DepthFrame& frame,
                                                          const Followed& followed) {
   Followed best = followed;
+  if (followed.is_found_anew) rivals_.begin(search_.alternatives(), followed.answer.belief);
+  if (!followed.is_found_anew && !rivals_.has_ended()) {
+    if (const auto told = rivals_.compare(best.answer)) return {told->answer, told->is_rival};
+  }
   if (!(best.answer.rival_distance > 0.0)) doubt_base(judgement_.rival_distance, best.answer);
+  if (!rivals_.has_ended()) return best;
   const auto found = search_.seek(frame, SearchScope::anywhere, is_kept_);
   if (found && (classify(*found, options_) == TrackingStatus::tracking ||
                 found->belief > report_.result().belief)) {
     best = {*found, true};
+    rivals_.begin(search_.alternatives(), found->belief);
   }
   return best;
 }

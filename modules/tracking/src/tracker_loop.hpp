@@ -17,6 +17,7 @@
 #include "lockbox/tracking/size_record.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "object_search.hpp"
+#include "rival_comparison.hpp"
 #include "state_report.hpp"
 
 namespace lockbox {
@@ -65,6 +66,7 @@ class Tracker::Loop {
   Acquisition acquisition_;
   ObjectSearch search_;
   ImageBelief image_belief_;
+  RivalComparison rivals_;
   StateReport report_;
   MotionPredictor predictor_;
   JointSight joint_sight_;

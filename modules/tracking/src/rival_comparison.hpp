@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "image_belief.hpp"
+#include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/tracking/answer.hpp"
+#include "lockbox/tracking/tracker.hpp"
+
+namespace lockbox {
+
+/// What a search could not tell apart in its frame is followed through the next ones, all of it,
+/// and compared in each: an alignment and a look at the image for each rival, where another search
+/// takes a hundred times as long. All that is given must outlive it.
+class RivalComparison {
+ public:
+  RivalComparison(const TrackerOptions& options, ArticulatedRegistration& registration,
+                  const TiledCloud& cloud, ImageBelief& image_belief)
+      : options_(options),
+        registration_(registration),
+        cloud_(cloud),
+        image_belief_(image_belief) {}
+
+  /// What the frames tell.
+  struct Outcome {
+    Answer answer;  ///< the one in whose favour they speak, with its belief
+    bool is_rival;  ///< not what was followed
+  };
+
+  /// rivals: of an answer that a search has found with that belief. Where they are not all that may
+  /// be right beside it, nothing comes of comparing them.
+  void begin(const std::vector<Alternative>& rivals, double belief);
+
+  /// Nothing is left to be compared, or the frames before have not told.
+  bool has_ended() const;
+
+  /// In the next frame, which the cloud shows. followed: the answer in it, as an alignment has
+  /// found it. Nothing as long as the frames do not tell.
+  std::optional<Outcome> compare(const Answer& followed);
+
+ private:
+  struct Rival {
+    Answer answer;
+    double evidence = 0.0;  ///< nats, the sum over the frames
+  };
+
+  const TrackerOptions& options_;
+  ArticulatedRegistration& registration_;
+  const TiledCloud& cloud_;
+  ImageBelief& image_belief_;
+  std::vector<Rival> rivals_;
+  double evidence_ = 0.0;  ///< nats, of what is followed: the sum over the frames
+  int frames_ = 0;
+};
+
+}  // namespace lockbox
