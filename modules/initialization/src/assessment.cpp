@@ -53,7 +53,7 @@ void Assessment::add_answers(SearchImage& image, const std::vector<Hypothesis>& 
     Candidate candidate;
     candidate.configuration = hypothesis.configuration;
     exact_.resolve_overlap(image.cloud(), sought_.variables, {}, candidate.configuration);
-    exact_.settle(image, candidate.configuration);
+    exact_.refine(image, candidate.configuration);
     candidate.agreement = exact_.compare(image.cloud(), candidate.configuration).agreement;
     set_evidence(verifier_.evidence(candidate.configuration), candidate);
     answers.push_back(std::move(candidate));

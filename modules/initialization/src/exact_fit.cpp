@@ -49,7 +49,7 @@ RegistrationResult ExactFit::compare(const TiledCloud& cloud, const Configuratio
 }
 
 /// A drawing in pixels cannot tell: its score may be a quarter lower.
-void ExactFit::settle(SearchImage& image, Configuration& configuration) {
+void ExactFit::refine(SearchImage& image, Configuration& configuration) {
   const TiledCloud& object = image.object(configuration);
   const double before = compare(object, configuration).agreement.score();
   const RegistrationResult exact = align(object, configuration, kExactly);

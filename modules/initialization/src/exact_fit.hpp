@@ -24,7 +24,7 @@ class ExactFit {
   RegistrationResult compare(const TiledCloud& cloud, const Configuration& there);
 
   /// To where it comes to rest, unless less is explained then.
-  void settle(SearchImage& image, Configuration& configuration);
+  void refine(SearchImage& image, Configuration& configuration);
 
   /// Parts within others would push away what is seen when it is registered: of these variables,
   /// those about which the view says little yield. margins: of scan_joints() for these, or none.

@@ -38,7 +38,7 @@ void JointSearch::rescan(SearchImage& image, Candidate& answer) {
   scan_by_image(low_prominence_, image.cloud(), variables, answer.margins, options_.stop_request,
                 configuration);
   exact_.resolve_overlap(image.cloud(), variables, answer.margins, configuration);
-  exact_.settle(image, configuration);
+  exact_.refine(image, configuration);
 }
 
 SoughtJoints JointSearch::find(const TiledCloud& cloud, const Configuration& start,
