@@ -61,7 +61,11 @@ file of `--config`; that counts more than the sensor's profile. Those of a model
 constexpr char kEvidence[] = R"(
 ## Quantities that evidence depends on
 
-They are constants (`modules/verification/src/evidence_constants.hpp`, [verification](verification.md)).
+They are constants (`modules/verification/src/evidence_constants.hpp`, [verification](verification.md)). No option, `--set` or
+profile changes them. They say what rooms and built objects are like, whatever the camera and the model; what differs from camera
+to camera is in the sensor's profile. Belief is a probability with these values alone: with them it was
+[compared](experiments.md#is-belief-the-probability-that-it-says) with how often answers are right. Who changes one has to
+measure that anew. `run.yaml` names the version of lockbox, and so the values.
 
 )";
 

@@ -104,7 +104,7 @@ void print_summary(std::ostream& out, const RunTotals& totals, const RunSettings
   }
   if (totals.faults().dropped > 0) {
     out << counted(totals.faults().dropped, "frame")
-        << " dropped: they came while the one before was worked on\n";
+        << " dropped, having come while the one before was worked on\n";
   }
   if (totals.faults().outages > 0) {
     out << counted(totals.faults().outages, "outage") << " of the device, which came back\n";

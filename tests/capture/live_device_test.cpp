@@ -47,6 +47,20 @@ TEST(LiveDevice, ASlowConsumerGetsTheNewestFrame) {
   EXPECT_EQ(device.faults().dropped, second.index - first.index - 1);
 }
 
+TEST(LiveDevice, SeveralDevicesAreReadSideBySideEachByItsUri) {
+  const SyntheticCamera left(5ms);
+  const VirtualCamera right([](std::uint64_t n) { return synthetic_frame(n, tiny_camera()); }, 60);
+  const std::unique_ptr<FrameSource> sources[] = {open_source("openni2:" + left.uri()),
+                                                  open_source("openni2:" + right.uri())};
+  DepthFrame frame;
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(sources[0]->next(frame));
+    EXPECT_EQ(frame.depth, synthetic_frame(number_of(frame)).depth);
+    ASSERT_TRUE(sources[1]->next(frame));
+    EXPECT_EQ(frame.depth, synthetic_frame(number_of(frame), tiny_camera()).depth);
+  }
+}
+
 /// Exit status of a process that opens the camera without naming it.
 [[noreturn]] void open_unnamed(const SyntheticCamera& camera) {
   const std::string uri = camera.uri();

@@ -26,12 +26,26 @@ def opens_window(command):
     return "view" in words and not words & {"--screenshot", "--pictures", "--video"}
 
 
+def end_after_rows(process, states):
+    """Ctrl-C for a run that has written rows, however long it takes on a busy machine."""
+    for _ in range(2400):
+        if process.poll() is not None:
+            break
+        if states.exists() and len(states.read_text().splitlines()) > 3:
+            break
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+
+
 def run(command, folder, environment, lasts):
     """Its exit status. What lasts until it is ended is, by Ctrl-C: with 130."""
     process = subprocess.Popen(command.split(), cwd=folder, env=environment,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-    if lasts:
+    words = command.split()
+    if lasts and "track" in words:
+        end_after_rows(process, folder / words[words.index("--output") + 1] / "states.csv")
+    elif lasts:
         time.sleep(5)
         process.send_signal(signal.SIGINT)
     output, errors = process.communicate()

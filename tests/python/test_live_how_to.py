@@ -6,11 +6,10 @@ import pathlib
 import re
 import signal
 import subprocess
-import time
 
 import pytest
 
-from document import code_blocks
+from document import code_blocks, end_after_rows
 from virtual_camera import virtual_camera
 
 SOURCES = pathlib.Path(__file__).parents[2] / "modules" / "capture" / "src"
@@ -55,12 +54,7 @@ def run_until_ctrl_c(command, environment, folder, output):
         command.split(), env=environment, cwd=folder, stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE, text=True,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-    states = folder / output / "states.csv"
-    for _ in range(2400):
-        if states.exists() and len(states.read_text().splitlines()) > 3:
-            break
-        time.sleep(0.05)
-    run.send_signal(signal.SIGINT)
+    end_after_rows(run, folder / output / "states.csv")
     errors = run.communicate()[1]
     assert run.returncode == 130, errors
     return (folder / output / "run.yaml").read_text()

@@ -54,6 +54,14 @@ void TiledCloud::assign(const PinholeCamera& camera, std::span<const float> dept
   convert(read_row, options, executor);
 }
 
+void TiledCloud::assign_unorganized(std::span<const Eigen::Vector3f> points,
+                                    const PinholeCamera& camera) {
+  camera_ = camera;
+  depth_.clear();
+  mask_.clear();
+  blocks_.assign(points);
+}
+
 template <typename ReadRow>
 void TiledCloud::convert(const ReadRow& read_row, const CloudOptions& options,
                          const Executor& executor) {

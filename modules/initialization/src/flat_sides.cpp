@@ -10,8 +10,8 @@
 namespace lockbox {
 namespace {
 
-constexpr double kSameNormal = 0.9994;  // cosine of two degrees
-constexpr double kSameOffset = 0.004;   // metres
+constexpr double kSameSide = 0.9994;   // cosine of two degrees
+constexpr double kSameOffset = 0.004;  // metres
 /// Cosine of 25 degrees: of polygons with more than 14 corners, which stand for circles, the sides
 /// meet at less. Doubled, the sides of an octagon are none any more.
 constexpr double kGoesOn = 0.906;
@@ -41,7 +41,7 @@ Partition partition(const TriangleMesh& mesh) {
   for (const auto& [triangle, number] : triangles) {
     const FlatSide& flat = triangle;
     const auto same = std::find_if(sides.begin(), sides.end(), [&](const FlatSide& side) {
-      return side.normal.dot(flat.normal) > kSameNormal &&
+      return side.normal.dot(flat.normal) > kSameSide &&
              std::abs(side.offset - flat.offset) < kSameOffset;
     });
     result.of_triangle[number] = static_cast<std::size_t>(same - sides.begin());

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/initialization/initializer.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <limits>
-#include <utility>
 
-#include "joint_scan.hpp"
+#include "exact_fit.hpp"
+#include "joint_search.hpp"
 #include "lockbox/core/error.hpp"
-#include "search_workspace.hpp"
+#include "search_image.hpp"
+#include "search_rounds.hpp"
+#include "sought_model.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr int kColumns = 160;        // of the view that hypotheses are judged in
-constexpr int kFineColumns = 320;    // of the view that the best are compared in
-constexpr double kFinePixels = 4.0;  // of it, in one of the coarser view
 void check(const TiledCloud& cloud) {
   if (!cloud.has_image()) {
     throw InputError("cloud", "has no image, which the search for the object needs");
@@ -23,6 +20,25 @@ void check(const TiledCloud& cloud) {
 }
 
 }  // namespace
+
+/// What a search is made of; all of it is reused by the next one.
+struct Initializer::Workspace {
+  Workspace(const ArticulatedModel& model, const InitializerOptions& options,
+            const Executor& executor)
+      : sought(model, options.registration),
+        noise(options.registration.noise.sigma_inverse_depth()),
+        image(sought, noise, options.stop_request, executor),
+        exact(model, options, executor),
+        rounds(sought, options, exact, executor),
+        joints(sought, options, noise, exact, executor) {}
+
+  SoughtModel sought;
+  ViewNoise noise;
+  SearchImage image;
+  ExactFit exact;
+  SearchRounds rounds;
+  JointSearch joints;
+};
 
 Initializer::Initializer(const ArticulatedModel& model, const InitializerOptions& options,
                          const Executor& executor)
@@ -39,7 +55,7 @@ std::vector<Candidate> Initializer::find(const TiledCloud& cloud,
 
 std::vector<Candidate> Initializer::glance(const TiledCloud& cloud) {
   SearchProgress progress;
-  const int rounds = workspace_->is_flat ? 1 : std::numeric_limits<int>::max();
+  const int rounds = workspace_->sought.is_flat ? 1 : std::numeric_limits<int>::max();
   return find_part(cloud, std::nullopt, rounds, progress);
 }
 
@@ -48,46 +64,17 @@ std::vector<Candidate> Initializer::find_part(const TiledCloud& cloud,
                                               int most_rounds, SearchProgress& progress) {
   check(cloud);
   Workspace& w = *workspace_;
-  w.held = held.value_or(rest_configuration(w.model.tree));
-  const CoarseView view(cloud, kColumns, w.executor);
-  CloudOptions unfiltered;
-  unfiltered.flying_pixel_jump = 0.0;
-  w.coarse_cloud.assign(view.camera, view.depth, unfiltered, w.executor);
-  for (ViewScore& score : w.scores) score.set_view(view);
-
-  const CoarseView fine_view(cloud, kFineColumns, w.executor);
-  for (ViewScore& half : w.halves) half.set_view(fine_view);
-
-  w.verifier.look_at(cloud, w.depth_noise(), w.executor);
-  const PlanarScene scene = find_planes(view, w.view_noise());
-  w.surroundings.set_scene(scene);
-  std::vector<Candidate> candidates =
-      w.seek_in_rounds(cloud, scene, fine_view, most_rounds, progress);
-  if (!candidates.empty()) {
-    w.rescan_joints(cloud, fine_view, candidates.front());
-  }
-  return candidates;
+  const Configuration held_or_rest = held.value_or(rest_configuration(w.sought.model.tree));
+  w.image.look_at(cloud);
+  std::vector<Candidate> answers = w.rounds.seek(w.image, held_or_rest, most_rounds, progress);
+  if (!answers.empty()) w.joints.rescan(w.image, answers.front());
+  return answers;
 }
 
 SoughtJoints Initializer::find_joints(const TiledCloud& cloud, const Configuration& start,
                                       const std::vector<int>& variables) {
   check(cloud);
-  Workspace& w = *workspace_;
-  std::vector<int> sought;
-  std::copy_if(variables.begin(), variables.end(), std::back_inserter(sought),
-               [&](int v) { return !w.options.registration.is_locked(v); });
-  const CoarseView view(cloud, kColumns, w.executor);
-  constexpr bool kIsKnown = true;
-  w.scores.front().set_view(view, kIsKnown);
-  SoughtJoints found{start, {}};
-  scan_joints(w.model.tree, w.extent, w.scores.front(), sought, 0.01, kScan, found.configuration);
-  found.margins = scan_joints(w.model.tree, w.extent, w.scores.front(), sought, 0.006, kScan,
-                              found.configuration);
-  for (double& margin : found.margins) margin *= kFinePixels;
-  scan_by_image(w.low_prominence, cloud, sought, found.margins, w.options.stop_request,
-                found.configuration);
-  w.resolve_overlap(cloud, sought, found.margins, found.configuration);
-  return found;
+  return workspace_->joints.find(cloud, start, variables);
 }
 
 }  // namespace lockbox

@@ -22,7 +22,7 @@ constexpr std::size_t kLeastFit = 8;  // samples that make a plane: of a window'
 /// Of the spacing, in depth: what belongs to one surface. Doubled, a handle and what is behind it
 /// are taken for one slope.
 constexpr double kSurface = 1.5;
-constexpr double kSteepest = 0.17;  // cosine of 80 degrees: beyond, it is an edge that is seen
+constexpr double kSteepestSeen = 0.17;  // cosine of 80 degrees: beyond, it is an edge that is seen
 /// From which a model is looked at: no two are more than 40 degrees apart, and a surface that is
 /// steep in one is not in the next.
 constexpr int kDirections = 32;
@@ -61,7 +61,7 @@ class PlaneFit {
     const Eigen::Vector3d m = moments.selfadjointView<Eigen::Lower>().ldlt().solve(right);
     const Eigen::Vector3d ray = view_.camera.back_project(u, v, 1.0);
     const double inverse = m.dot(ray);
-    if (!m.allFinite() || !(inverse > kSteepest * m.norm() * ray.norm())) return std::nullopt;
+    if (!m.allFinite() || !(inverse > kSteepestSeen * m.norm() * ray.norm())) return std::nullopt;
     if (std::abs(1.0 / inverse - z) > gate) return std::nullopt;
     return OrientedPoint{(ray / inverse).cast<float>(), -m.normalized().cast<float>()};
   }

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-
-#include "search_workspace.hpp"
 
 namespace lockbox {
 namespace {
@@ -13,12 +10,9 @@ namespace {
 /// Of a body's diameter: from one of its points to the next. A handle or a leg is as thick.
 /// Doubled, such parts are lost; halved, it takes sixteen times as long.
 constexpr double kSpacing = 0.06;
-/// Places that are drawn: of 32 objects the right one of 29 was among the first 120. Doubled, it
-/// takes a tenth of a second longer.
-constexpr std::size_t kMostVotes = 300;
 /// Of the diameter that a plane reaches beyond its middle, if it is the model's: half, and as much
 /// as grows into what is beside it.
-constexpr double kWide = 0.7;
+constexpr double kWidePlane = 0.7;
 constexpr double kInPlane = 4.0;  // standard deviations of a sample: all of a plane, its ends too
 
 double reach_of(const CoarseView& view, const PlanarRegion& region) {
@@ -52,7 +46,7 @@ std::vector<float> without_wide_planes(const CoarseView& view, const PlanarScene
   const auto tolerance = static_cast<float>(kInPlane * scene.noise);
   const auto width = static_cast<std::size_t>(scene.view.camera.width);
   for (const PlanarRegion& region : scene.regions) {
-    if (reach_of(scene.view, region) < kWide * diameter) continue;
+    if (reach_of(scene.view, region) < kWidePlane * diameter) continue;
     for (const std::size_t sample : region.samples) {
       const int u0 = static_cast<int>(sample % width) * factor;
       const int v0 = static_cast<int>(sample / width) * factor;
@@ -68,26 +62,6 @@ std::vector<float> without_wide_planes(const CoarseView& view, const PlanarScene
     }
   }
   return depth;
-}
-
-std::vector<Hypothesis> Initializer::Workspace::match_points(const CoarseView& view,
-                                                             const PlanarScene& scene,
-                                                             const Breadth& breadth) {
-  if (!pairs) pairs = make_body_pairs(model.tree, executor);
-  const std::vector<float> depth = without_wide_planes(view, scene, 2.0 * extent.radius);
-  const double spacing = pairs->pairs.spacing();
-  const auto points = points_of_view({view.camera, depth, fine_view_noise()}, spacing);
-  const auto votes = pairs->pairs.vote(points, kMostVotes, executor, options.stop_request);
-  std::vector<Hypothesis> found;
-  for (const PoseVote& vote : votes) add_matched(pairs->body, vote.T_camera_body, found);
-  executor.for_each(found.size(), [&](std::size_t i) {
-    found[i].score = score_of(found[i], 0.02, 0.7, breadth.is_close);
-  });
-  found = best_apart(std::move(found), breadth.matched, extent);
-  // Bins are coarse: what they say is 15 degrees off, which one registration does not always mend.
-  // Joints that stand elsewhere would pull the base away in it.
-  if (variables.empty()) place(found, breadth);
-  return found;
 }
 
 }  // namespace lockbox

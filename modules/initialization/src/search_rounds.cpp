@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rounds of the search without a guess (docs/initialization.md): each looks closer than those
-// before, and is left out where these have convinced.
+#include "search_rounds.hpp"
+
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "lockbox/verification/belief.hpp"
-#include "search_workspace.hpp"
+#include "turned_answers.hpp"
 
 namespace lockbox {
 namespace {
@@ -24,6 +26,10 @@ constexpr Breadth kWide{32,
 /// Of points, which propose many places that look alike from afar, of things that are mostly small.
 constexpr Breadth kOfPoints{
     8, {0.03, 128, 0.5, 16}, {0.03, 64, 0.5, 12}, {0.05, 16, 0.5, 4}, std::nullopt, 8, true};
+
+/// Turns of an answer are compared all of them, however much alike they look.
+constexpr Selection kEachTurn{0.0, 128, 0.0, 1};
+constexpr Breadth kOfTurns{1, kEachTurn, kEachTurn, kEachTurn, std::nullopt, 4, false};
 
 /// Log odds by which an answer is more than the one before made a little more exact.
 constexpr double kAnother = 1.0;
@@ -55,6 +61,15 @@ constexpr double kClear = 0.25;
 /// objects are sought to the end.
 constexpr double kBeyondChance = 3.0;
 
+/// What evidence gains at most from a pose in the coarse view to the exact one. Unit: nats.
+/// Source: 187 was the most of 395 answers above 20 nats in 80 tuning scenes
+/// (docs/initialization.md). Doubled, more hypotheses are followed that come to nothing.
+constexpr double kGainedFromAfar = 200.0;
+/// The same from an answer that is registered closely. Source: of the same answers three gained
+/// more than 35 (39, 40 and 71), and stayed 272, 272 and 54 behind the best; one that led gained
+/// 56. Doubled, more answers are made exact that are none.
+constexpr double kGainedAtLast = 60.0;
+
 /// The likeliest first.
 std::vector<std::vector<Hypothesis>> in_batches(std::vector<Hypothesis> hypotheses) {
   std::vector<std::vector<Hypothesis>> batches(hypotheses.size() > kFirst ? 2 : 1);
@@ -76,57 +91,97 @@ bool is_clear(const Candidate& answer) {
 
 }  // namespace
 
-std::vector<Hypothesis> Initializer::Workspace::proposed(const Round& round,
-                                                         const PlanarScene& scene,
-                                                         const CoarseView& fine_view) {
+SearchRounds::SearchRounds(const SoughtModel& sought, const InitializerOptions& options,
+                           ExactFit& exact, const Executor& executor)
+    : sought_(sought),
+      most_candidates_(options.most_candidates),
+      executor_(executor),
+      exact_(exact),
+      proposer_(sought, options.stop_request, executor),
+      refinement_(sought, options, exact, executor),
+      assessment_(sought, exact) {}
+
+std::vector<Hypothesis> SearchRounds::proposed(SearchImage& image, const Configuration& held,
+                                               const Round& round) {
+  const Breadth& breadth = *round.breadth;
   switch (round.proposals) {
     case Proposals::sides:
-      return match(scene, *round.breadth);
+      return proposer_.by_sides(image, image.scene(), held, breadth);
     case Proposals::sides_closer:
-      return match(find_planes(fine_view, fine_view_noise()), *round.breadth);
+      return proposer_.by_sides(image, image.finer_scene(), held, breadth);
     case Proposals::points:
       break;
   }
-  return match_points(fine_view, scene, *round.breadth);
+  std::vector<Hypothesis> found = proposer_.by_points(image, held, breadth);
+  // Bins are coarse: what they say is 15 degrees off, which one registration does not always mend.
+  // Joints that stand elsewhere would pull the base away in it.
+  if (sought_.variables.empty()) refinement_.place(image, breadth, found);
+  return found;
+}
+
+std::vector<Hypothesis> SearchRounds::known(const std::vector<Configuration>& answers) const {
+  std::vector<Hypothesis> hypotheses;
+  hypotheses.reserve(answers.size());
+  for (const Configuration& answer : answers) {
+    hypotheses.push_back({answer, sought_.all_bodies, 1.0});
+  }
+  return hypotheses;
+}
+
+std::vector<Hypothesis> SearchRounds::followed(SearchImage& image,
+                                               std::vector<Hypothesis> hypotheses,
+                                               const Breadth& breadth, double to_beat) {
+  const std::size_t most = breadth.likeliest;
+  refinement_.place(image, breadth, hypotheses);
+  refinement_.pose(image, breadth, hypotheses);
+  assessment_.leave_out_hopeless(to_beat, kGainedFromAfar, most, hypotheses);
+  refinement_.fit(image, breadth, hypotheses);
+  assessment_.leave_out_hopeless(to_beat, kGainedFromAfar, most, hypotheses);
+  refinement_.fit_closely(image, breadth, hypotheses);
+  assessment_.leave_out_hopeless(to_beat, kGainedAtLast, most, hypotheses);
+  return hypotheses;
 }
 
 /// Back to front or upside down, it may look nearly the same, and be passed over; and so may the
 /// turns of what that finds, if it is an answer. turned: the evidence of the answer whose turns
 /// were sought last.
-void Initializer::Workspace::seek_turns_of_best(const TiledCloud& cloud, double& turned,
-                                                std::vector<Candidate>& answers) {
+void SearchRounds::seek_turns_of_best(SearchImage& image, const Configuration& held, double& turned,
+                                      std::vector<Candidate>& answers) {
   do {
     if (answers.empty() || log_odds(answers.front().evidence, turned) <= kAnother) return;
     turned = answers.front().evidence;
-    assess(cloud, seek_turned(cloud, answers.front()), kEachTurn, answers);
+    const Configuration best = answers.front().configuration;
+    const RegistrationResult seen = exact_.compare(image.cloud(), best);
+    std::vector<Hypothesis> others = turned_answers(sought_, held, best, seen.body_agreement);
+    others = followed(image, std::move(others), kOfTurns, turned);
+    assessment_.add_answers(image, others, kEachTurn, answers);
   } while (is_answer(answers));
 }
 
-std::vector<Candidate> Initializer::Workspace::seek_in_rounds(const TiledCloud& cloud,
-                                                              const PlanarScene& scene,
-                                                              const CoarseView& fine_view,
-                                                              int most_rounds,
-                                                              SearchProgress& progress) {
+std::vector<Candidate> SearchRounds::seek(SearchImage& image, const Configuration& held,
+                                          int most_rounds, SearchProgress& progress) {
+  assessment_.look_at(image, executor_);
   std::vector<Candidate> answers;
-  assess(cloud, known(progress.answers), kRanked, answers);
+  assessment_.add_answers(image, known(progress.answers), kRanked, answers);
   double turned = -std::numeric_limits<double>::infinity();
   const std::span<const Round> rounds =
-      is_flat ? std::span<const Round>(kFlatRounds) : kRoundRounds;
+      sought_.is_flat ? std::span<const Round>(kFlatRounds) : kRoundRounds;
   bool is_convinced = false;
   for (int i = 0; i < most_rounds && !is_convinced && progress.rounds < std::ssize(rounds); ++i) {
     const Round& round = rounds[static_cast<std::size_t>(progress.rounds++)];
-    std::vector<std::vector<Hypothesis>> batches = in_batches(proposed(round, scene, fine_view));
+    std::vector<std::vector<Hypothesis>> batches = in_batches(proposed(image, held, round));
     for (std::vector<Hypothesis>& batch : batches) {
       const bool is_last = &batch == &batches.back();
       const double to_beat = answers.empty() ? least_evidence() : answers.front().evidence;
-      assess(cloud, followed(cloud, std::move(batch), *round.breadth, to_beat), kRanked, answers);
-      if (is_last || is_answer(answers)) seek_turns_of_best(cloud, turned, answers);
+      const auto closer = followed(image, std::move(batch), *round.breadth, to_beat);
+      assessment_.add_answers(image, closer, kRanked, answers);
+      if (is_last || is_answer(answers)) seek_turns_of_best(image, held, turned, answers);
       is_convinced = !answers.empty() && is_clear(answers.front());
       if (is_convinced) break;
     }
     is_convinced |= !answers.empty() && answers.front().belief >= round.enough;
   }
-  answers.resize(std::min(answers.size(), options.most_candidates));
+  answers.resize(std::min(answers.size(), most_candidates_));
   progress.answers.clear();
   // What is merely possible is looked at closer in the next image.
   const bool is_over =

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What else the object may be that was taken for an answer (docs/verification.md, "Belief").
+#include "turned_answers.hpp"
+
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "lockbox/model/forward_kinematics.hpp"
-#include "search_workspace.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr Breadth kAll{1, kEachTurn, kEachTurn, kEachTurn, std::nullopt, 4, false};
 /// Bodies of which more is seen than of the base. Source: as many as a chest of drawers has fronts.
 /// Doubled, the turns of a wall of doors take twice as long.
 constexpr std::size_t kMostCarriers = 8;
@@ -42,40 +42,38 @@ std::vector<std::size_t> bodies_before_the_base(const std::vector<Agreement>& bo
   return before;
 }
 
-}  // namespace
-
-std::vector<Hypothesis> Initializer::Workspace::seek_turned(const TiledCloud& cloud,
-                                                            const Candidate& found) {
-  const Configuration& configuration = found.configuration;
-  std::vector<Hypothesis> hypotheses;
-  for (const Eigen::Isometry3d& turn : turns) {
-    hypotheses.push_back({held, all_bodies});
-    hypotheses.back().configuration.T_camera_base = configuration.T_camera_base * turn;
-  }
-  add_swung(cloud, configuration, hypotheses);
-  return followed(cloud, std::move(hypotheses), kAll, found.evidence);
-}
-
 /// What is seen of it may be a door for the most part, and stand where the door does with its hinge
 /// at any angle: all that tells is how little there is of a carcass.
-void Initializer::Workspace::add_swung(const TiledCloud& cloud, const Configuration& found,
-                                       std::vector<Hypothesis>& hypotheses) {
-  const std::vector<Agreement> bodies = align_finely(cloud, found, {0.0, 0}).body_agreement;
+std::vector<Hypothesis> swung(const SoughtModel& sought, const Configuration& held,
+                              const Configuration& answer, const std::vector<Agreement>& bodies) {
   std::vector<Eigen::Isometry3d> poses;
-  forward_kinematics(model.tree, found, poses);
-  std::vector<Hypothesis> swung;
+  forward_kinematics(sought.model.tree, answer, poses);
+  std::vector<Hypothesis> all;
   for (const std::size_t body : bodies_before_the_base(bodies)) {
-    add_matched(body, poses[body], swung);
+    for (Hypothesis& there : with_body_at(sought, held, body, poses[body])) {
+      const bool is_known = std::any_of(all.begin(), all.end(), [&](const Hypothesis& other) {
+        return is_same_base(there.configuration.T_camera_base, other.configuration.T_camera_base);
+      });
+      if (!is_known) all.push_back(std::move(there));
+    }
   }
-  const std::size_t first = hypotheses.size();
-  for (Hypothesis& hypothesis : swung) {
-    const bool is_known = std::any_of(hypotheses.begin() + static_cast<std::ptrdiff_t>(first),
-                                      hypotheses.end(), [&](const Hypothesis& other) {
-                                        return is_same_base(hypothesis.configuration.T_camera_base,
-                                                            other.configuration.T_camera_base);
-                                      });
-    if (!is_known) hypotheses.push_back(std::move(hypothesis));
+  return all;
+}
+
+}  // namespace
+
+std::vector<Hypothesis> turned_answers(const SoughtModel& sought, const Configuration& held,
+                                       const Configuration& answer,
+                                       const std::vector<Agreement>& bodies) {
+  std::vector<Hypothesis> hypotheses;
+  for (const Eigen::Isometry3d& turn : sought.turns) {
+    hypotheses.push_back({held, sought.all_bodies});
+    hypotheses.back().configuration.T_camera_base = answer.T_camera_base * turn;
   }
+  for (Hypothesis& other : swung(sought, held, answer, bodies)) {
+    hypotheses.push_back(std::move(other));
+  }
+  return hypotheses;
 }
 
 }  // namespace lockbox

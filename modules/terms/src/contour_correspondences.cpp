@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The free-space term at contours: both sides of them count.
+#include "contour_correspondences.hpp"
+
 #include <algorithm>
-#include <span>
 
 #include "image_tile.hpp"
-#include "lockbox/terms/free_space_term.hpp"
 
 namespace lockbox {
 namespace {
@@ -31,19 +30,20 @@ void append_correspondences(std::span<const ContourPoint> points,
 
 }  // namespace
 
-/// Towards where the camera saw them.
-void FreeSpaceTerm::aim_contours(const Scene& scene, const BodyPoses& T_camera_body,
-                                 double annealing_sigma, std::size_t band) {
-  ObservedContour& observed = observed_contours_[Executor::worker()];
-  for (std::span<const ContourPoint> rest(scene.contours.band(band)); !rest.empty();) {
-    const int body = rest.front().body;
-    const auto end = std::find_if(rest.begin(), rest.end(),
+void append_contour_correspondences(std::span<const ContourPoint> points,
+                                    const BodyPoses& T_camera_body, const TiledCloud& cloud,
+                                    const TermOptions& options, double annealing_sigma,
+                                    ObservedContour& observed,
+                                    std::vector<FreeSpaceCorrespondence>& correspondences) {
+  while (!points.empty()) {
+    const int body = points.front().body;
+    const auto end = std::find_if(points.begin(), points.end(),
                                   [body](const ContourPoint& p) { return p.body != body; });
-    const auto own = rest.first(static_cast<std::size_t>(end - rest.begin()));
-    rest = rest.subspan(own.size());
+    const auto own = points.first(static_cast<std::size_t>(end - points.begin()));
+    points = points.subspan(own.size());
     const Eigen::Isometry3d& T = T_camera_body[static_cast<std::size_t>(body)];
-    observed.look(own, T, scene.cloud, scene.options, annealing_sigma);
-    append_correspondences(own, T, scene.cloud.camera(), observed, contours_.chunk(band));
+    observed.look(own, T, cloud, options, annealing_sigma);
+    append_correspondences(own, T, cloud.camera(), observed, correspondences);
   }
 }
 

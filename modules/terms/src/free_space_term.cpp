@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "contour_correspondences.hpp"
 #include "correspondence_finder.hpp"
 #include "lockbox/sdf/rigid_motion.hpp"
 
@@ -27,9 +28,14 @@ void FreeSpaceTerm::select(const Scene& scene, const BodyPoses& T_camera_body,
   observed_contours_.resize(static_cast<std::size_t>(scene.executor.threads()) + 1);
   landings_.reserve(scene.executor);
   chunk_violations_.resize(std::max(chunk_violations_.size(), chunks));
-  scene.executor.for_each(
-      {{bands, [&](std::size_t i) { aim_contours(scene, T_camera_body, annealing_sigma, i); }},
-       {chunks, [&](std::size_t i) { find_violations(scene, T_camera_body, i); }}});
+  const auto aim_contours = [&](std::size_t band) {
+    append_contour_correspondences(scene.contours.band(band), T_camera_body, scene.cloud,
+                                   scene.options, annealing_sigma,
+                                   observed_contours_[Executor::worker()], contours_.chunk(band));
+  };
+  scene.executor.for_each({{bands, aim_contours}, {chunks, [&](std::size_t i) {
+                                                     find_violations(scene, T_camera_body, i);
+                                                   }}});
   count_violations(chunks);
   aim_violations(scene, T_camera_body, annealing_sigma);
 }

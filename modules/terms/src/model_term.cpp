@@ -6,9 +6,9 @@
 #include <numeric>
 #include <span>
 
-#include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/sdf/rigid_motion.hpp"
-#include "model_term_scratch.hpp"
+#include "model_tile.hpp"
+#include "model_tile_scratch.hpp"
 
 namespace lockbox {
 namespace {
@@ -38,7 +38,7 @@ void ModelTerm::begin(const Scene& scene, const BodyPoses& T_camera_body) {
     body.from_camera = to_rigid_motion(body.T_body_camera);
     body.box = OrientedBox(field ? field->bounds() : Eigen::AlignedBox3d(), T_camera_body[b]);
   }
-  chunks_ = chunk_count(scene.points.tiles().size(), kTilesPerChunk);
+  chunks_ = chunk_count(scene.points.tiles().size(), Chunk::kTiles);
   chunk_costs_.assign(chunks_, 0.0);
   scratch_.resize(static_cast<std::size_t>(scene.executor.threads()) + 1);
 }
@@ -46,7 +46,8 @@ void ModelTerm::begin(const Scene& scene, const BodyPoses& T_camera_body) {
 /// Makes room for whatever may be selected, so that nothing is allocated later.
 void ModelTerm::prepare(Linearization& linearization) const {
   linearization.resize(std::max(linearization.size(), chunks_));
-  const std::size_t most = kTilesPerChunk * std::min(Scratch::kMaxCandidates, bodies_.size());
+  const std::size_t most =
+      Chunk::kTiles * std::min(ModelTileScratch::kMaxCandidates, bodies_.size());
   for (Chunk& chunk : linearization) {
     chunk.bodies.reserve(most);
     chunk.body_numbers.reserve(most);
@@ -54,7 +55,7 @@ void ModelTerm::prepare(Linearization& linearization) const {
     chunk.tile_systems.reserve(most);
     chunk.sums.reserve(bodies_.size());
     if (!chunk.planes) {
-      chunk.planes = std::make_unique<float[]>(kTilesPerChunk * kPlaneNumbers * kTilePoints);
+      chunk.planes = std::make_unique<float[]>(Chunk::kTiles * Chunk::kPlaneNumbers * kTilePoints);
     }
   }
 }
@@ -62,10 +63,10 @@ void ModelTerm::prepare(Linearization& linearization) const {
 void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index,
                                   double annealing_sigma, Chunk& chunk) const {
   const PointTiles& points = scene.points;
-  const std::size_t first = chunk_index * kTilesPerChunk;
-  const std::size_t tiles = tiles_in_chunk(points, first, kTilesPerChunk);
+  const std::size_t first = chunk_index * Chunk::kTiles;
+  const std::size_t tiles = tiles_in_chunk(points, first, Chunk::kTiles);
   Eigen::AlignedBox3f bounds;
-  std::array<double, kTilesPerChunk> gates{};
+  std::array<double, Chunk::kTiles> gates{};
   for (std::size_t k = 0; k < tiles; ++k) {
     const Tile& tile = points.tiles()[first + k];
     if (tile.count > 0) {
@@ -85,7 +86,8 @@ void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index,
     chunk.first[k] = chunk.bodies.size();
     const Tile& tile = points.tiles()[first + k];
     for (const auto& [body, sum] : chunk.sums) {
-      if (tile.count > 0 && chunk.bodies.size() - chunk.first[k] < Scratch::kMaxCandidates &&
+      if (tile.count > 0 &&
+          chunk.bodies.size() - chunk.first[k] < ModelTileScratch::kMaxCandidates &&
           bodies_[static_cast<std::size_t>(body)].box.may_touch(tile.bounds, gates[k])) {
         chunk.bodies.push_back(body);
       }
@@ -103,25 +105,19 @@ double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index,
                                   double annealing_sigma, const Chunk* frozen,
                                   Linearization& linearization) {
   const PointTiles& points = scene.points;
-  Scratch scratch(scratch_[Executor::worker()]);
+  ModelTileScratch scratch(scratch_[Executor::worker()]);
   Chunk& chunk = linearization[chunk_index];
   select_candidates(scene, chunk_index, annealing_sigma, chunk);
   chunk.annealing_sigma = annealing_sigma;
   chunk.cost = 0.0;
   chunk.totals = {};
-  const std::size_t first_tile = chunk_index * kTilesPerChunk;
+  const std::size_t first_tile = chunk_index * Chunk::kTiles;
   double cost = 0.0;
-  for (std::size_t k = 0; k < tiles_in_chunk(points, first_tile, kTilesPerChunk); ++k) {
-    chunk.has_planes[k] = false;
-    for (std::size_t c = chunk.first[k]; c < chunk.first[k + 1]; ++c) {
-      kernels::FieldHits& hits = scratch.hits[c - chunk.first[k]];
-      hits.inverse_variance = chunk.inverse_variance.data() + c * kTilePoints;
-      look_up(scene, first_tile + k, k, c, hits, chunk);
-    }
-    if (frozen != nullptr) {
-      cost += frozen_cost(scene, first_tile + k, k, *frozen, &chunk, scratch);
-    }
-    linearize_tile(scene, first_tile + k, k, scratch, chunk);
+  for (std::size_t k = 0; k < tiles_in_chunk(points, first_tile, Chunk::kTiles); ++k) {
+    const ModelTile tile(scene, bodies_, first_tile + k, k);
+    tile.look_up(scratch, chunk);
+    if (frozen != nullptr) cost += tile.frozen_cost(*frozen, &chunk, scratch);
+    tile.linearize(scratch, chunk);
   }
   return cost;
 }
@@ -141,10 +137,11 @@ double ModelTerm::linearize(const Scene& scene, const BodyPoses& T_camera_body,
 double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body, const Loop& beside) {
   begin(scene, T_camera_body);
   const auto cost_of_one = [&](std::size_t chunk) {
-    Scratch scratch(scratch_[Executor::worker()]);
-    const std::size_t first = chunk * kTilesPerChunk;
-    for (std::size_t k = 0; k < tiles_in_chunk(scene.points, first, kTilesPerChunk); ++k) {
-      chunk_costs_[chunk] += frozen_cost(scene, first + k, k, last_[chunk], nullptr, scratch);
+    ModelTileScratch scratch(scratch_[Executor::worker()]);
+    const std::size_t first = chunk * Chunk::kTiles;
+    for (std::size_t k = 0; k < tiles_in_chunk(scene.points, first, Chunk::kTiles); ++k) {
+      const ModelTile tile(scene, bodies_, first + k, k);
+      chunk_costs_[chunk] += tile.frozen_cost(last_[chunk], nullptr, scratch);
     }
   };
   scene.executor.for_each({{chunks_, cost_of_one}, beside});

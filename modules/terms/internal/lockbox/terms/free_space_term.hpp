@@ -64,8 +64,6 @@ class FreeSpaceTerm {
   void find_violations(const Scene& scene, const BodyPoses& T_camera_body, std::size_t chunk);
   void count_violations(std::size_t chunks);
   void aim_violations(const Scene& scene, const BodyPoses& T_camera_body, double annealing_sigma);
-  void aim_contours(const Scene& scene, const BodyPoses& T_camera_body, double annealing_sigma,
-                    std::size_t band);
   void add_systems(const CorrespondenceSet& correspondences, const BodyPoses& T_camera_body,
                    double weight, std::vector<BodySystem>& systems, double& cost) const;
   kernels::CorrespondenceLoss correspondence_loss() const;

@@ -11,11 +11,11 @@
 namespace lockbox {
 
 /// Memory for one tile: arrays of all its candidates.
-struct ModelTerm::Scratch {
+struct ModelTileScratch {
   static constexpr std::size_t kMaxCandidates =
       16;  ///< bodies that may compete for a tile's points
 
-  explicit Scratch(std::vector<float>& memory) {
+  explicit ModelTileScratch(std::vector<float>& memory) {
     memory.resize(kMaxCandidates * kArraysPerCandidate * kTilePoints);
     float* next = memory.data();
     const auto take = [&next] {
@@ -35,8 +35,8 @@ struct ModelTerm::Scratch {
   std::array<float*, kMaxCandidates> frozen_distance;
 
   /// What the candidates of a chunk, from `first` on, have found of a tile.
-  kernels::Candidates candidates(const Scene& scene, const Chunk& chunk, std::size_t first,
-                                 std::size_t count, const Tile& tile) {
+  kernels::Candidates candidates(const ModelTerm::Scene& scene, const ModelTermChunk& chunk,
+                                 std::size_t first, std::size_t count, const Tile& tile) {
     for (std::size_t l = 0; l < count; ++l) {
       inverse_variance_[l] = chunk.inverse_variance.data() + (first + l) * kTilePoints;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tiles of a cloud without an image: the points are halved across the longest side of their box
+// Blocks of a cloud without an image: the points are halved across the longest side of their box
 // until a tile holds them, so that tiles are compact and, but for the last, full.
 #include <algorithm>
 
@@ -41,14 +41,6 @@ class SpatialOrder {
 };
 
 }  // namespace
-
-void TiledCloud::assign_unorganized(std::span<const Eigen::Vector3f> points,
-                                    const PinholeCamera& camera) {
-  camera_ = camera;
-  depth_.clear();
-  mask_.clear();
-  blocks_.assign(points);
-}
 
 void TiledCloud::Blocks::assign(std::span<const Eigen::Vector3f> points) {
   std::vector<std::uint32_t> order;

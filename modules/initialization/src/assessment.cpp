@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which hypotheses the image says most for, and which answer is the most convincing
-// (docs/initialization.md).
+#include "assessment.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <limits>
 #include <utility>
 
 #include "rivals.hpp"
-#include "search_workspace.hpp"
 
 namespace lockbox {
 namespace {
@@ -21,13 +20,19 @@ void set_evidence(const Evidence& evidence, Candidate& candidate) {
 
 }  // namespace
 
-/// What follows costs most, and cannot make an answer of what the image says too little for.
-void Initializer::Workspace::leave_out_hopeless(double to_beat, double gain, std::size_t most,
-                                                std::vector<Hypothesis>& hypotheses) {
+Assessment::Assessment(const SoughtModel& sought, ExactFit& exact)
+    : sought_(sought), exact_(exact), verifier_(sought.model.tree) {}
+
+void Assessment::look_at(const SearchImage& image, const Executor& executor) {
+  verifier_.look_at(image.cloud(), image.noise().pixel, executor);
+}
+
+void Assessment::leave_out_hopeless(double to_beat, double gain, std::size_t most,
+                                    std::vector<Hypothesis>& hypotheses) {
   std::vector<double> evidence;
   evidence.reserve(hypotheses.size());
   for (const Hypothesis& hypothesis : hypotheses) {
-    evidence.push_back(verifier.evidence(hypothesis.configuration).total());
+    evidence.push_back(verifier_.evidence(hypothesis.configuration).total());
     to_beat = std::max(to_beat, evidence.back());
   }
   std::vector<double> least = evidence;
@@ -41,23 +46,20 @@ void Initializer::Workspace::leave_out_hopeless(double to_beat, double gain, std
   });
 }
 
-void Initializer::Workspace::assess(const TiledCloud& cloud,
-                                    const std::vector<Hypothesis>& hypotheses,
-                                    const Selection& ranked, std::vector<Candidate>& answers) {
-  for (const Hypothesis& hypothesis : best_apart(hypotheses, ranked, extent)) {
+void Assessment::add_answers(SearchImage& image, const std::vector<Hypothesis>& hypotheses,
+                             const Selection& ranked, std::vector<Candidate>& answers) {
+  for (const Hypothesis& hypothesis : best_apart(hypotheses, ranked, sought_.extent)) {
     if (hypothesis.score <= 0.0) continue;
-    Configuration configuration = hypothesis.configuration;
-    resolve_overlap(cloud, variables, {}, configuration);
-    align_exactly(cloud, configuration);
-    const auto& result = align_finely(cloud, configuration, {0.0, 0});
     Candidate candidate;
-    candidate.configuration = configuration;
-    set_evidence(verifier.evidence(configuration), candidate);
-    candidate.agreement = result.agreement;
+    candidate.configuration = hypothesis.configuration;
+    exact_.resolve_overlap(image.cloud(), sought_.variables, {}, candidate.configuration);
+    exact_.refine(image, candidate.configuration);
+    candidate.agreement = exact_.compare(image.cloud(), candidate.configuration).agreement;
+    set_evidence(verifier_.evidence(candidate.configuration), candidate);
     answers.push_back(std::move(candidate));
   }
   sort_best_first(answers);
-  compare(extent, symmetries, answers);
+  compare(sought_.extent, sought_.symmetries, answers);
 }
 
 }  // namespace lockbox

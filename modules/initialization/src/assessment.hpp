@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the image says for hypotheses against the scene without the object: which are worth being
+// followed, and which answer is the most convincing (docs/initialization.md).
+#pragma once
+
+#include <vector>
+
+#include "exact_fit.hpp"
+#include "lockbox/verification/verifier.hpp"
+#include "search_image.hpp"
+
+namespace lockbox {
+
+/// Not thread-safe. What is sought, and the fit, must outlive it.
+class Assessment {
+ public:
+  Assessment(const SoughtModel& sought, ExactFit& exact);
+
+  /// The image that evidence is sought in from now on.
+  void look_at(const SearchImage& image, const Executor& executor);
+
+  /// What follows costs most, and cannot make an answer of what the image says too little for.
+  /// to_beat: the most evidence of any answer up to now; gain: the most that evidence grows by from
+  /// here on; nats.
+  void leave_out_hopeless(double to_beat, double gain, std::size_t most,
+                          std::vector<Hypothesis>& hypotheses);
+
+  /// Adds the hypotheses, made exact, to the answers, the most convincing first.
+  void add_answers(SearchImage& image, const std::vector<Hypothesis>& hypotheses,
+                   const Selection& ranked, std::vector<Candidate>& answers);
+
+ private:
+  const SoughtModel& sought_;
+  ExactFit& exact_;
+  Verifier verifier_;
+};
+
+}  // namespace lockbox

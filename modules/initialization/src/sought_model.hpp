@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "hypothesis.hpp"
+#include "lockbox/model/articulated_model.hpp"
+#include "lockbox/registration/registration_options.hpp"
+#include "model_extent.hpp"
+
+namespace lockbox {
+
+/// What is known of the object before any image. The model has to outlive it.
+struct SoughtModel {
+  SoughtModel(const ArticulatedModel& articulated_model, const RegistrationOptions& options);
+
+  const ArticulatedModel& model;
+  KinematicTree from_afar;  ///< the model in fewer triangles, for views of few pixels
+  bool is_flat;             ///< most of its surface
+  ModelExtent extent;
+  std::vector<Eigen::Isometry3d> symmetries;  ///< of the model
+  std::vector<Eigen::Isometry3d> turns;       ///< of its box, or its base, that are none of it
+  std::vector<int> variables;                 ///< of joints that are not locked
+  std::vector<std::uint8_t> all_bodies;       ///< 1 for each, as drawings take them
+};
+
+/// The configurations in which that body is there; of one that a free joint moves, several along
+/// its range. All else is as in `held`, and only base and body are said to be known.
+std::vector<Hypothesis> with_body_at(const SoughtModel& sought, const Configuration& held,
+                                     std::size_t body, const Eigen::Isometry3d& T_camera_body);
+
+}  // namespace lockbox
