@@ -22,6 +22,10 @@ constexpr double kMostFloor = 0.01;
 constexpr double kLeastQuadratic = 1e-5;
 constexpr double kMostQuadratic = 0.02;
 constexpr double kLongest = 10.0;  // pixels
+/// Of the variance, that the last lag has to show to tell the rest. Unit: a share. Source: at eight
+/// pixels it shows a third of what is alike over seven. Doubled, a D4xx's noise is a third too
+/// small.
+constexpr double kLeastShown = 0.15;
 /// What a bin's deviation may be off by: as a share, for what is seen is not all planes; and the
 /// differences whose share of it is 1, for neighbouring ones err alike.
 constexpr double kShape = 0.1;
@@ -84,8 +88,7 @@ bool fit_curve(const Sums& sums, double rounding, SensorNoise& noise) {
   return true;
 }
 
-}  // namespace
-
+/// Through the deviations of the bins.
 bool fit_growth(const NoiseRecord::Bins& bins, double rounding, SensorNoise& noise) {
   constexpr int kRounds = 3;
   if (!fit_curve(sums_over(bins, std::nullopt), rounding, noise)) return false;
@@ -95,17 +98,17 @@ bool fit_growth(const NoiseRecord::Bins& bins, double rounding, SensorNoise& noi
   return true;
 }
 
-namespace {
-
-/// Standard deviation of D_k over that of independent errors.
-double expected_ratio(double own_share, double length, int lag) {
+/// Variance of D_k over that of independent errors, without what bends.
+double expected_variance(double own_share, double length, int lag) {
   const auto rho = [length](int distance) { return std::exp(-0.5 * square(distance / length)); };
   const double shared = 1.0 - square(own_share);
-  return std::sqrt(
-      std::max(0.0, 1.0 - shared * (8.0 * rho(lag) - 2.0 * rho(2 * lag)) / kDifferenceVariance));
+  const auto of = [&](int k) {
+    return 1.0 - shared * (8.0 * rho(k) - 2.0 * rho(2 * k)) / kDifferenceVariance;
+  };
+  return std::max(0.0, (16.0 * of(lag) - of(2 * lag)) / 15.0);
 }
 
-/// The same as it was seen, beside a lag at which errors are not alike. The median over what was
+/// Standard deviation of D_k as it was seen, beside that of the last lag. The median over what was
 /// seen: at some depths there may be more edges than planes.
 double seen_ratio(const NoiseRecord::Bins& bins, const NoiseRecord::Bins& unlike) {
   std::vector<std::pair<double, double>> ratios;  // of variances, with their weights
@@ -124,9 +127,8 @@ double seen_ratio(const NoiseRecord::Bins& bins, const NoiseRecord::Bins& unlike
   return 1.0;
 }
 
-}  // namespace
-
-void fit_correlation(std::span<const NoiseRecord::Bins> bins, SensorNoise& noise) {
+/// How alike errors are. Returns the share of their variance that the last lag shows.
+double fit_correlation(std::span<const NoiseRecord::Bins> bins, SensorNoise& noise) {
   constexpr double kLengthStep = 0.25;  // pixels
   constexpr double kShareStep = 0.05;
   // Shapes pass for errors that are alike over many pixels: of what fits as well (ratios are off by
@@ -135,20 +137,37 @@ void fit_correlation(std::span<const NoiseRecord::Bins> bins, SensorNoise& noise
   std::array<double, NoiseRecord::kLags.size()> ratios{};
   for (std::size_t k = 0; k < bins.size(); ++k) ratios[k] = seen_ratio(bins[k], bins.back());
   double least = std::numeric_limits<double>::infinity();
+  double shown = 1.0;
+  const int last = NoiseRecord::kLags[bins.size() - 1];
   for (double length = kLengthStep; length <= kLongest; length += kLengthStep) {
     for (int i = 0; i <= 20; ++i) {
       const double own = kShareStep * i;
       double misfit = kOfLength * length;
+      const double of_last = expected_variance(own, length, last);
+      if (of_last < kLeastShown) continue;
       for (std::size_t k = 0; k < bins.size(); ++k) {
-        misfit += square(ratios[k] - expected_ratio(own, length, NoiseRecord::kLags[k]));
+        const double of_lag = expected_variance(own, length, NoiseRecord::kLags[k]);
+        misfit += square(ratios[k] - std::sqrt(of_lag / of_last));
       }
       if (misfit < least) {
         least = misfit;
         noise.own_share = own;
         noise.correlation_pixels = length;
+        shown = of_last;
       }
     }
   }
+  return shown;
+}
+
+}  // namespace
+
+bool fit_noise(std::span<const NoiseRecord::Bins> bins, double rounding, SensorNoise& noise) {
+  if (!fit_growth(bins.back(), rounding, noise)) return false;
+  const double larger = 1.0 / std::sqrt(fit_correlation(bins, noise));
+  noise.depth_floor *= larger;
+  noise.depth_quadratic *= larger;
+  return true;
 }
 
 }  // namespace lockbox

@@ -12,13 +12,10 @@ namespace lockbox {
 /// Of a second difference of errors that are not alike, beside that of an error: 1 + 4 + 1.
 inline constexpr double kDifferenceVariance = 6.0;
 
-/// How the noise grows with depth: floor + quadratic z^2 through the deviations of the bins, of a
-/// lag at which errors are not alike. rounding: the unit of the depths, metres. False where that is
+/// The noise along the ray and how alike it is, from the bins of the first lags, of which what
+/// bends was left out. It grows with depth as floor + quadratic z^2 through the deviations of the
+/// bins of the last of these lags. rounding: the unit of the depths, metres. False where that is
 /// more than sensors err, which is the shape of what is seen, and where there is nothing.
-bool fit_growth(const NoiseRecord::Bins& bins, double rounding, SensorNoise& noise);
-
-/// How alike errors are, from the bins of the first lags: beside those of the last of them, at
-/// which they are not alike.
-void fit_correlation(std::span<const NoiseRecord::Bins> bins, SensorNoise& noise);
+bool fit_noise(std::span<const NoiseRecord::Bins> bins, double rounding, SensorNoise& noise);
 
 }  // namespace lockbox

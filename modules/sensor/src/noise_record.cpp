@@ -113,6 +113,23 @@ double deviation_by_steps(double step) {
   return step * std::sqrt(kDifferenceVariance / 12.0);
 }
 
+/// twice: the same at twice the lag. Where that was not seen nothing is left out, and where hardly
+/// anything would be left, all of it is.
+NoiseRecord::Bins without_bends(const NoiseRecord::Bins& bins, const NoiseRecord::Bins& twice) {
+  constexpr double kLeastLeft = 0.1;
+  NoiseRecord::Bins straight = bins;
+  for (std::size_t b = 0; b < straight.size(); ++b) {
+    if (!(twice[b].count > 0.0)) continue;
+    const double left = (16.0 * bins[b].variance - twice[b].variance) / 15.0;
+    if (left < kLeastLeft * bins[b].variance) {
+      straight[b].count = 0.0;
+    } else {
+      straight[b].variance = left;
+    }
+  }
+  return straight;
+}
+
 void add(const Bin& more, Bin& bin) {
   const double count = bin.count + more.count;
   bin.depth += (more.depth - bin.depth) * more.count / count;
@@ -140,10 +157,10 @@ void NoiseRecord::look_at(const DepthFrame& frame) {
 std::optional<SensorNoise> NoiseRecord::noise() const {
   SensorNoise noise;
   // Of small things few faces are as wide as two of the longest lags.
-  for (std::size_t k = kLags.size(); k-- > kShortLags;) {
-    if (!fit_growth(bins_[k], rounding_, noise)) continue;
-    fit_correlation(std::span(bins_).first(k + 1), noise);
-    return noise;
+  for (std::size_t k = kLags.size() - 1; k-- > kShortLags;) {
+    std::array<Bins, kLags.size() - 1> straight;
+    for (std::size_t j = 0; j <= k; ++j) straight[j] = without_bends(bins_[j], bins_[j + 1]);
+    if (fit_noise(std::span(straight).first(k + 1), rounding_, noise)) return noise;
   }
   return std::nullopt;
 }

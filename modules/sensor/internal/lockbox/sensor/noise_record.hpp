@@ -7,8 +7,9 @@
 //
 // are noise on planes, which most of an image shows; the rest (edges, curved faces) are outliers.
 // Of errors that correlate by rho, var D_k = s^2 (6 - 8 rho(k) + 2 rho(2 k)): large k tell s, and
-// how it grows with k tells how alike neighbours err. Not seen is what is alike over more than a
-// dozen pixels, and what a whole face is off: that takes a profile.
+// how it grows with k tells how alike neighbours err. What bends adds to it, as k^4: that is left
+// out of (16 var D_k - var D_2k) / 15. Not seen is what is alike over more than a dozen pixels, and
+// what a whole face is off: that takes a profile.
 #pragma once
 
 #include <array>
