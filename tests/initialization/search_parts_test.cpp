@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parts of a search one by one: what proposes, what refines, and what is believed of it.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
+#include "../temporary_folder.hpp"
 #include "assessment.hpp"
 #include "exact_fit.hpp"
 #include "lockbox/core/lie.hpp"
@@ -13,6 +16,7 @@
 #include "search_image.hpp"
 #include "seen_model.hpp"
 #include "turned_answers.hpp"
+#include "twin_bodies.hpp"
 
 namespace lockbox {
 namespace {
@@ -145,6 +149,42 @@ TEST_F(SearchParts, OfAnOpenDoorTheBaseMayStandAtAnyAngle) {
     EXPECT_TRUE(poses[1].isApprox(Eigen::Isometry3d::Identity(), 1e-9));
     EXPECT_EQ(std::count(hypothesis.bodies.begin(), hypothesis.bodies.end(), 1), 2);
   }
+}
+
+/// Three drawers, of which the upper two are alike, as long as they are deep.
+constexpr auto kChest = R"(<robot name="chest"><link name="carcass">
+  <visual><origin xyz="0 0.25 0.3"/><geometry><box size="0.5 0.5 0.6"/></geometry></visual></link>
+  <link name="low"><visual><origin xyz="0 0 0.08"/><geometry><box size="0.5 0.4 0.15"/></geometry></visual></link>
+  <link name="middle"><visual><origin xyz="0 0 0.26"/><geometry><box size="0.5 0.4 0.2"/></geometry></visual></link>
+  <link name="high"><visual><origin xyz="0 0 0.48"/><geometry><box size="0.5 0.4 0.2"/></geometry></visual></link>
+  <joint name="a" type="prismatic"><parent link="carcass"/><child link="low"/><axis xyz="0 -1 0"/>
+    <limit lower="0" upper="0.3" effort="1" velocity="1"/></joint>
+  <joint name="b" type="prismatic"><parent link="carcass"/><child link="middle"/><axis xyz="0 -1 0"/>
+    <limit lower="0" upper="0.3" effort="1" velocity="1"/></joint>
+  <joint name="c" type="prismatic"><parent link="carcass"/><child link="high"/><axis xyz="0 -1 0"/>
+    <limit lower="0" upper="0.3" effort="1" velocity="1"/></joint>
+</robot>)";
+
+TEST(TwinBodies, ADrawerPassesForTheNextOneOfItsSizeWhereverItStands) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "chest.urdf") << kChest;
+  const ArticulatedModel model = load_model(folder.path() / "chest.urdf", with_cache());
+  const SoughtModel sought(model, RegistrationOptions{});
+  Configuration answer = facing(model, 1.5, 0.3, 0.1);
+  answer.q << 0.0, 0.1, 0.25;
+  const Configuration held = rest_configuration(model.tree);
+  const auto moved = moved_along_twins(sought, held, answer);
+  // The upper two stand for each other, open as far: the base goes up or down by a drawer.
+  std::vector<double> heights;
+  for (const Hypothesis& hypothesis : moved) {
+    const Eigen::Vector3d way =
+        answer.T_camera_base.inverse() * hypothesis.configuration.T_camera_base.translation();
+    EXPECT_LT(way.head<2>().norm(), 1e-9);
+    heights.push_back(way.z());
+    EXPECT_EQ(std::count(hypothesis.bodies.begin(), hypothesis.bodies.end(), 1), 2);
+  }
+  EXPECT_THAT(heights, testing::UnorderedElementsAre(testing::DoubleNear(0.22, 1e-9),
+                                                     testing::DoubleNear(-0.22, 1e-9)));
 }
 
 }  // namespace

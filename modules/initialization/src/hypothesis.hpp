@@ -28,6 +28,9 @@ struct Selection {
 /// overlap.
 double place_distance(const ModelExtent& extent, const Configuration& a, const Configuration& b);
 
+/// Whether one of them has that base, to a centimetre and a hundredth of a radian.
+bool has_base(const std::vector<Hypothesis>& hypotheses, const Eigen::Isometry3d& T_camera_base);
+
 /// The best hypotheses, best first, whose bases are apart: 40 mm or 0.15 radians.
 std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection,
                                    const ModelExtent& extent);

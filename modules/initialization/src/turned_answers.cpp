@@ -2,10 +2,12 @@
 #include "turned_answers.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
 #include "lockbox/model/forward_kinematics.hpp"
+#include "twin_bodies.hpp"
 
 namespace lockbox {
 namespace {
@@ -13,17 +15,6 @@ namespace {
 /// Bodies of which more is seen than of the base. Source: as many as a chest of drawers has fronts.
 /// Doubled, the turns of a wall of doors take twice as long.
 constexpr std::size_t kMostCarriers = 8;
-/// Bases that are nearer to each other are tried once: fronts in one plane say the same. Unit:
-/// metres, and radians. Source: half of what makes two answers. Doubled, a base that is 2 cm off is
-/// not tried.
-constexpr double kSameBase = 0.01;
-
-bool is_same_base(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  const Eigen::Isometry3d between = a.inverse() * b;
-  return between.translation().norm() < kSameBase &&
-         Eigen::AngleAxisd(between.linear()).angle() < kSameBase;
-}
-
 double explained_pixels(const Agreement& body) {
   return body.explained * body.pixels;
 }
@@ -51,10 +42,7 @@ std::vector<Hypothesis> swung(const SoughtModel& sought, const Configuration& he
   std::vector<Hypothesis> all;
   for (const std::size_t body : bodies_before_the_base(bodies)) {
     for (Hypothesis& there : with_body_at(sought, held, body, poses[body])) {
-      const bool is_known = std::any_of(all.begin(), all.end(), [&](const Hypothesis& other) {
-        return is_same_base(there.configuration.T_camera_base, other.configuration.T_camera_base);
-      });
-      if (!is_known) all.push_back(std::move(there));
+      if (!has_base(all, there.configuration.T_camera_base)) all.push_back(std::move(there));
     }
   }
   return all;
@@ -70,8 +58,9 @@ std::vector<Hypothesis> turned_answers(const SoughtModel& sought, const Configur
     hypotheses.push_back({held, sought.all_bodies});
     hypotheses.back().configuration.T_camera_base = answer.T_camera_base * turn;
   }
-  for (Hypothesis& other : swung(sought, held, answer, bodies)) {
-    hypotheses.push_back(std::move(other));
+  for (std::vector<Hypothesis> others :
+       {swung(sought, held, answer, bodies), moved_along_twins(sought, held, answer)}) {
+    std::move(others.begin(), others.end(), std::back_inserter(hypotheses));
   }
   return hypotheses;
 }

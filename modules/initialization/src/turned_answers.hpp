@@ -9,9 +9,9 @@
 
 namespace lockbox {
 
-/// The answer turned to where the model's box is the same, or its base, and swung about what is
-/// seen most of. held: in which joints stand that are still to be sought. bodies: how each body of
-/// the answer compares with the image.
+/// The answer turned to where the model's box is the same, or its base, swung about what is seen
+/// most of, and moved to where one of its parts passes for another one. held: in which joints stand
+/// that are still to be sought. bodies: how each body of the answer compares with the image.
 std::vector<Hypothesis> turned_answers(const SoughtModel& sought, const Configuration& held,
                                        const Configuration& answer,
                                        const std::vector<Agreement>& bodies);
