@@ -113,10 +113,10 @@ double deviation_by_steps(double step) {
   return step * std::sqrt(kDifferenceVariance / 12.0);
 }
 
-/// twice: the same at twice the lag. Where that was not seen nothing is left out, and where hardly
-/// anything would be left, all of it is.
+/// twice: the same at twice the lag. Where that was not seen nothing is left out; where most would
+/// be, it is steps rather than bends that are seen, and tells nothing.
 NoiseRecord::Bins without_bends(const NoiseRecord::Bins& bins, const NoiseRecord::Bins& twice) {
-  constexpr double kLeastLeft = 0.1;
+  constexpr double kLeastLeft = 0.5;
   NoiseRecord::Bins straight = bins;
   for (std::size_t b = 0; b < straight.size(); ++b) {
     if (!(twice[b].count > 0.0)) continue;
