@@ -9,6 +9,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/matching_stamps.hpp"
 #include "lockbox/evaluation/tum_trajectory.hpp"
+#include "simulation_states.hpp"
 #include "symmetry_note.hpp"
 
 namespace lockbox::app {
@@ -98,6 +99,7 @@ ComparedFiles read_compared_files(const std::string& estimate, const std::string
   ComparedFiles files;
   files.tree = base_only ? tree_without_joints() : tree_of(model, estimate, remarks);
   files.estimate = read_states(estimate, files.tree);
+  require_increasing_stamps(estimate, files.estimate.states);
   files.reference =
       base_only ? read_tum_trajectory(reference) : read_reference(reference, files.tree, remarks);
   for (const auto& remark : match_stamps(files.estimate, files.reference, reference)) {
@@ -107,6 +109,7 @@ ComparedFiles read_compared_files(const std::string& estimate, const std::string
     remarks.note(reference + " is a TUM trajectory: joints are not compared");
     files.reference = at_times_of(files.estimate, files.reference);
   }
+  require_increasing_stamps(reference, files.reference.states);
   if (model) files.equal = equal_poses(*model, remarks);
   return files;
 }

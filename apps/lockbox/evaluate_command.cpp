@@ -17,6 +17,7 @@
 #include "lockbox/evaluation/report.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "model_options.hpp"
+#include "named_refusal.hpp"
 #include "plausible_states.hpp"
 
 namespace lockbox::app {
@@ -83,14 +84,16 @@ class EvaluateCommand : public Command {
   ExitStatus run() override {
     require_comparable(estimate_, reference_);
     const std::optional<ArticulatedModel> model = known_model();
-    const auto [tree, estimate, reference, equal] =
+    const ComparedFiles files =
         read_compared_files(estimate_, reference_, model ? &*model : nullptr, {warn, note});
     std::optional<std::vector<FrameBound>> bounds;
-    if (!bounds_.empty()) bounds = read_bounds(bounds_, tree);
-    const Evaluation evaluation = evaluate(tree, estimate, reference, bounds, {}, equal);
-    print_evaluation(tree, evaluation);
-    warn_of_reference(implausibility(tree, reference.states), evaluation.statuses);
-    if (!output_.empty()) write_files(tree, evaluation);
+    if (!bounds_.empty()) bounds = read_bounds(bounds_, files.tree);
+    const Evaluation evaluation = refused_in(estimate_, [&] {
+      return evaluate(files.tree, files.estimate, files.reference, bounds, {}, files.equal);
+    });
+    print_evaluation(files.tree, evaluation);
+    warn_of_reference(implausibility(files.tree, files.reference.states), evaluation.statuses);
+    if (!output_.empty()) write_files(files.tree, evaluation);
     return ExitStatus::done;
   }
 

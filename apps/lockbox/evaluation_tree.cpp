@@ -11,6 +11,7 @@
 
 #include "lockbox/core/csv_fields.hpp"
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/text_file.hpp"
 
 namespace lockbox::app {
@@ -18,11 +19,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<fs::path> model_file_of_run(const fs::path& run) {
-  if (!fs::exists(run)) return std::nullopt;
+/// What the run beside the states file says of itself; nothing if it cannot be read, or is no YAML.
+YAML::Node description_beside(const fs::path& states_file) {
+  const fs::path run = states_file.parent_path() / "run.yaml";
+  if (!is_file(run)) return {};
   try {
-    const fs::path model = YAML::LoadFile(run.string())["model"].as<std::string>();
-    if (fs::exists(model)) return model;
+    return YAML::Load(read_text_file(run, kMostWrittenBytes));
+  } catch (const InputError&) {
+    return {};
+  } catch (const YAML::Exception&) {
+    return {};
+  }
+}
+
+std::optional<fs::path> model_file_of(const YAML::Node& run) {
+  try {
+    const fs::path model = run["model"].as<std::string>();
+    if (is_file(model)) return model;
   } catch (const YAML::Exception&) {
     // Somebody else's run.yaml: the columns of the states file have to do.
   }
@@ -30,9 +43,9 @@ std::optional<fs::path> model_file_of_run(const fs::path& run) {
 }
 
 /// Metres a unit of the model's meshes, if the run says so.
-double mesh_scale_of_run(const fs::path& run) {
+double mesh_scale_of(const YAML::Node& run) {
   try {
-    return YAML::LoadFile(run.string())["options"]["mesh-scale"].as<double>(1.0);
+    return run["options"]["mesh-scale"].as<double>(1.0);
   } catch (const YAML::Exception&) {
     return 1.0;
   }
@@ -60,11 +73,11 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
 
 std::optional<ArticulatedModel> model_of_run(const fs::path& states_file,
                                              const LoadOptions& options) {
-  const fs::path run = states_file.parent_path() / "run.yaml";
-  const auto model = model_file_of_run(run);
+  const YAML::Node run = description_beside(states_file);
+  const auto model = model_file_of(run);
   if (!model) return std::nullopt;
   LoadOptions as_then = options;
-  if (options.mesh_scale == 1.0) as_then.mesh_scale = mesh_scale_of_run(run);
+  if (options.mesh_scale == 1.0) as_then.mesh_scale = mesh_scale_of(run);
   return load_model(*model, as_then);
 }
 

@@ -21,7 +21,7 @@
 #include "lockbox/simulation/simulator.hpp"
 #include "locked_folder.hpp"
 #include "model_options.hpp"
-#include "plausible_states.hpp"
+#include "named_refusal.hpp"
 #include "run_origin.hpp"
 #include "simulation_record.hpp"
 #include "simulation_states.hpp"
@@ -97,8 +97,9 @@ class SimulateCommand : public Command {
     const auto record = deviation_file_.empty() ? std::filesystem::path() : folder / "run.yaml";
     require_free(is_recording ? output_ : output_ / "depth.txt", {truth, record});
     const KinematicTree tree = model_.load_tree();
-    const KinematicTree built =
-        deviating_model(tree, deviation_.object, deviation_.seed, Executor(threads_));
+    const KinematicTree built = refused_in(deviation_file_, [&] {
+      return deviating_model(tree, deviation_.object, deviation_.seed, Executor(threads_));
+    });
     const std::vector<State> run = trajectory(tree);
     const PlacedScene scene = placed_scene(tree, run);
     std::vector<State> states;
@@ -106,8 +107,10 @@ class SimulateCommand : public Command {
       states.push_back(std::move(frame.state));
       is_repeated_.push_back(frame.is_repeated);
     }
-    Simulator simulator(built, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_),
-                        deviation_.sensor);
+    Simulator simulator = refused_in(deviation_file_, [&] {
+      return Simulator(built, camera(), scene, sensor_model(sensor_), seed_, Executor(threads_),
+                       deviation_.sensor);
+    });
     const std::vector<State> rendered = states;
     VisibilityReport visibility({built, camera(), scene, Executor(threads_)});
     {
@@ -183,12 +186,7 @@ class SimulateCommand : public Command {
 
   std::vector<State> trajectory(const KinematicTree& tree) const {
     if (trajectory_ == "auto") return generated_trajectory();
-    std::vector<State> states = read_states(trajectory_, tree).states;
-    require_increasing_stamps(trajectory_, states);
-    require_plausible(trajectory_, tree, states);
-    const auto most = static_cast<std::size_t>(frames_);
-    if (frames_option_->count() > 0 && states.size() > most) states.resize(most);
-    return states;
+    return read_trajectory(trajectory_, tree, frames_option_->count() > 0 ? frames_ : kAllStates);
   }
 
   std::vector<State> generated_trajectory() const {

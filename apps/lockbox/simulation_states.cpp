@@ -6,11 +6,21 @@
 
 #include "lockbox/capture/oni_player.hpp"
 #include "lockbox/core/error.hpp"
+#include "plausible_states.hpp"
 
 namespace lockbox::app {
 namespace {
 
 constexpr int kUsualRate = 30;  // frames a second
+
+void require_complete(const std::string& file, const std::vector<State>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (states[i].known && states[i].configuration.q.allFinite()) continue;
+    throw InputError(file, "state " + std::to_string(i + 1) +
+                               " lacks the pose or a joint position; only complete states can be "
+                               "simulated");
+  }
+}
 
 }  // namespace
 
@@ -22,6 +32,15 @@ void require_increasing_stamps(const std::string& file, const std::vector<State>
                                  " (" + std::to_string(states[i].stamp) + ") does not");
     }
   }
+}
+
+std::vector<State> read_trajectory(const std::string& file, const KinematicTree& tree, int most) {
+  std::vector<State> states = read_states(file, tree).states;
+  require_increasing_stamps(file, states);
+  require_plausible(file, tree, states);
+  states.resize(std::min(states.size(), static_cast<std::size_t>(most)));
+  require_complete(file, states);
+  return states;
 }
 
 int frames_per_second(const std::vector<State>& states) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,12 @@ namespace lockbox::app {
 /// Throws InputError, naming the file, if there are none, or if one does not come after the one
 /// before it.
 void require_increasing_stamps(const std::string& file, const std::vector<State>& states);
+
+inline constexpr int kAllStates = std::numeric_limits<int>::max();
+
+/// The first so many states of the file, if there are as many. Throws InputError, naming the file,
+/// unless they increase, are plausible, and tell the pose and every joint.
+std::vector<State> read_trajectory(const std::string& file, const KinematicTree& tree, int most);
 
 /// The nominal rate of a recording of these states.
 int frames_per_second(const std::vector<State>& states);

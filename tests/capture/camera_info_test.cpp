@@ -98,6 +98,9 @@ TEST(CameraInfo, FocalLengthsInOtherUnitsAreRefusedWithTheFactor) {
               AllOf(HasSubstr(":3: "), HasSubstr("by the width, 640")));
   EXPECT_THAT(refusal("3.6, 0, 319.5, 0, 3.6, 239.5"), HasSubstr("millimetres"));
   EXPECT_THAT(refusal("36000, 0, 319.5, 0, 36000, 239.5"), HasSubstr("micrometres"));
+  EXPECT_THAT(refusal("1e12, 0, 319.5, 0, 525, 239.5"), HasSubstr("times as high as wide"));
+  EXPECT_THAT(refusal("525, 0, 319.5, 0, 5256, 239.5"), HasSubstr("times as wide as high"));
+  EXPECT_EQ(refusal("525, 0, 319.5, 0, 2100, 239.5"), "read") << "four rows may be one";
   EXPECT_EQ(refusal("525, 0, 319.5, 0, 525, 239.5"), "read");
 }
 

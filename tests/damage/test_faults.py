@@ -157,3 +157,38 @@ def test_a_text_that_nobody_wrote_is_not_parsed(option, block, tmp_path):
     result = lockbox(*_with("simulate", option, huge, block, tmp_path), limits="-v 4000000")
     assert result.returncode == 3, result.stderr
     assert "huge.yaml: larger than 4 MB" in result.stderr
+
+
+def _pipe(file):
+    os.mkfifo(file)
+
+
+def _endless(file):
+    file.symlink_to("/dev/zero")
+
+
+def _long_name(file):
+    file.write_text("model: " + 300 * "a")
+
+
+def _folder_as_model(file):
+    file.write_text(f"model: {file.parent}")
+
+
+@pytest.mark.parametrize("make", [_pipe, _endless, _long_name, _folder_as_model])
+def test_a_run_yaml_of_somebody_else_is_left_alone(make, block, tmp_path):
+    shutil.copy(block / "groundtruth.csv", tmp_path / "states.csv")
+    make(tmp_path / "run.yaml")
+    result = lockbox("evaluate", "--estimate", tmp_path / "states.csv", "--reference",
+                     block / "groundtruth.csv", limits="-v 4000000")
+    assert result.returncode == 0, result.stderr
+
+
+def test_a_camera_whose_pixels_cannot_be_is_refused(block, tmp_path):
+    camera = tmp_path / "camera.yaml"
+    camera.write_text((block / "camera_info.yaml").read_text().replace("[144,", "[1e12,"))
+    result = lockbox("simulate", "--model", "rigid_block", "--trajectory",
+                     block / "groundtruth.csv", "--frames", 1, "--scene", "room", "--sensor",
+                     "structured-light", "--camera-info", camera, "--output", tmp_path / "images")
+    assert result.returncode == 3, result.stderr
+    assert "camera.yaml" in result.stderr

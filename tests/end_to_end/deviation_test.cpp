@@ -55,5 +55,15 @@ TEST(Deviation, FilesThatAreWrongAreRefusedWithTheKey) {
   EXPECT_THAT(result.errors, HasSubstr("'skale'"));
 }
 
+TEST(Deviation, ThatTheModelDoesNotAllowIsRefusedWithTheFile) {
+  const TemporaryFolder folder;
+  for (const std::string object : {"missing_parts: [nothing]", "missing_handles: 90"}) {
+    write_text(folder / "wrong.yaml", "object: {" + object + "}\n");
+    const auto result = simulate(folder / "o", {"--deviation", folder / "wrong.yaml"});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(result.errors, HasSubstr("wrong.yaml: missing_"));
+  }
+}
+
 }  // namespace
 }  // namespace lockbox

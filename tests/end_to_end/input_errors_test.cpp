@@ -208,6 +208,30 @@ TEST(CommandLine, IsJudgedBeforeTheFilesOfEarlierRuns) {
   EXPECT_FALSE(std::filesystem::exists(folder / "order"));
 }
 
+/// Two files are compared, and either may be the one to mend.
+TEST(States, ThatCannotBeUsedAreNamed) {
+  const TemporaryFolder folder;
+  const std::string header = "timestamp,tx,ty,tz,qx,qy,qz,qw\n";
+  write_text(folder / "good.csv", header + "0,0,0,1,0,0,0,1\n1,0,0,1,0,0,0,1\n");
+  write_text(folder / "empty.csv", header);
+  write_text(folder / "back.csv", header + "1,0,0,1,0,0,0,1\n0,0,0,1,0,0,0,1\n");
+  write_text(folder / "unknown.csv", header + "0,nan,nan,nan,nan,nan,nan,nan\n");
+  const auto evaluated = [&folder](const char* estimate, const char* reference) {
+    return run_tool({"evaluate", "--model", "rigid_block", "--estimate", folder / estimate,
+                     "--reference", folder / reference})
+        .errors;
+  };
+  EXPECT_EQ(evaluated("good.csv", "good.csv"), "");
+  for (const auto* wrong : {"empty.csv", "back.csv"}) {
+    EXPECT_THAT(evaluated(wrong, "good.csv"), HasSubstr(wrong));
+    EXPECT_THAT(evaluated("good.csv", wrong), HasSubstr(wrong));
+  }
+  const auto simulated = run_tool({"simulate", "--model", "rigid_block", "--trajectory",
+                                   folder / "unknown.csv", "--output", folder / "images"});
+  EXPECT_EQ(simulated.status, 3);
+  EXPECT_THAT(simulated.errors, HasSubstr("unknown.csv: state 1"));
+}
+
 TEST(OutputFolder, ThatCannotBeIsNamed) {
   const TemporaryFolder folder;
   simulate_block(folder);

@@ -63,6 +63,13 @@ TEST(EqualPoses, OfACubeAreAllItsTwentyFour) {
   EXPECT_GT(apart(equal, turned_about(Eigen::Vector3d::UnitX(), 45.0)), 0.7);
 }
 
+/// Turns by 15 degrees pass, too, in a field of 2 mm. Whatever followed from them filled all turns.
+TEST(EqualPoses, OfADieInACoarseFieldDoNotLeadOnAndOn) {
+  const EqualPoses equal(rigid(aside(make_box({0.01, 0.01, 0.01}))));
+  EXPECT_TRUE(equal.any());
+  EXPECT_LT(apart(equal, turned_about(Eigen::Vector3d::UnitX(), 90.0)), 1e-3);
+}
+
 TEST(EqualPoses, AreNamedByAxesWithoutANegativeZero) {
   for (const Eigen::Vector3d& sizes :
        {Eigen::Vector3d(0.4, 0.04, 0.04), {0.04, 0.4, 0.04}, {0.04, 0.04, 0.4}}) {

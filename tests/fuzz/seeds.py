@@ -151,6 +151,7 @@ def seeds(files):
         "oni_payload": list(_payloads((files / "block.oni").read_bytes())),
         "sensor": _read(kinds.SHARE, "sensors/*.yaml"),
         "scene": _read(kinds.SHARE, "scenes/*.yaml"),
+        "deviation": _read(files, "deviation.yaml"),
         "tracker": images + [images[0] + images[1]],
         "search": images,
     }

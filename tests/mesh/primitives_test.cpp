@@ -39,6 +39,10 @@ TEST(Primitives, CylinderStaysWithinItsChordError) {
   }
 }
 
+TEST(Primitives, CylindersHaveNoMoreSidesThanTheLimitHoweverLargeTheyAre) {
+  EXPECT_EQ(make_cylinder(1e30, 0.1).triangles.size(), make_cylinder(1e3, 0.1).triangles.size());
+}
+
 TEST(Primitives, SphereStaysWithinItsChordError) {
   for (const double radius : {0.005, 0.05, 0.4}) {
     const TriangleMesh mesh = make_sphere(radius);

@@ -256,5 +256,13 @@ TEST_F(UrdfRefusals, NameTheMissingPackageAndEachSearchedFolderOnce) {
   EXPECT_EQ(count_of((folder_ / "packages/arms").string(), refused()), 1U);
 }
 
+TEST_F(UrdfRefusals, ReadNoManifestOfAPackageThatClaimsToBeHuge) {
+  std::filesystem::resize_file(folder_.write("package.xml", ""), std::uintmax_t{1} << 40);
+  EXPECT_THAT(refusal_of_robot(link("a",
+                                    "<visual><geometry><mesh filename=\"package://arms/a.obj\"/>"
+                                    "</geometry></visual>")),
+              HasSubstr("the package 'arms' is missing"));
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -130,6 +131,20 @@ TEST_F(FieldCache, ReplacesDamagedFiles) {
     expect_same(load(folder_.path()), built);
     EXPECT_EQ(content(file), good);
   }
+}
+
+/// To open a pipe would wait for who writes into it, and a file may claim to be of any size.
+TEST_F(FieldCache, ReplacesPipesAndWhatIsLargerThanTheCache) {
+  const SignedDistanceField built = load(folder_.path());
+  const fs::path file = files().at(0);
+  const std::uintmax_t bytes = fs::file_size(file);
+  fs::remove(file);
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  expect_same(load(folder_.path()), built);
+  EXPECT_EQ(fs::file_size(file), bytes);
+  fs::resize_file(file, std::uintmax_t{1} << 40);
+  expect_same(load(folder_.path()), built);
+  EXPECT_EQ(fs::file_size(file), bytes);
 }
 
 TEST_F(FieldCache, RefusesAFileUnderAnotherName) {

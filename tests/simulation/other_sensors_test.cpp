@@ -147,5 +147,15 @@ TEST(TimeOfFlight, LosesGrazingFaces) {
   EXPECT_NEAR(share_without_depth_at_incidence(82.0, "time-of-flight"), 0.46, 0.1);
 }
 
+TEST(FarReachingSensor, EndsWhereTheMillimetresOfAnImageDo) {
+  SensorModel sensor = sensor_model("ideal");
+  sensor.max_range = 100.0;
+  const auto at = [&sensor](double z) {
+    return measured(sensor, [z](double, double) { return z; }).metres(300, 200);
+  };
+  EXPECT_NEAR(at(65.53), 65.53, 1e-3);
+  EXPECT_EQ(at(70.0), 0.0F);
+}
+
 }  // namespace
 }  // namespace lockbox

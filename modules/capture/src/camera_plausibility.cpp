@@ -7,6 +7,7 @@
 #include "field_of_view.hpp"
 #include "image_limits.hpp"
 #include "lockbox/core/number_text.hpp"
+#include "lockbox/core/readable_text.hpp"
 
 namespace lockbox {
 namespace {
@@ -22,6 +23,17 @@ std::string pair_text(double first, double second) {
 
 double half_angle_tangent(double field_of_view) {
   return std::tan(field_of_view / 2.0);
+}
+
+/// By how much pixels may be wider than high, or higher than wide: sensors that put rows or columns
+/// together put four. Doubled, a number with a wrong digit before the point is left in.
+constexpr double kMostOblong = 10.0;
+
+std::optional<std::string> oblong(const PinholeCamera& camera) {
+  const double factor = camera.fy / camera.fx;
+  if (factor >= 1.0 / kMostOblong && factor <= kMostOblong) return std::nullopt;
+  return "pixels would be " + readable_number(std::max(factor, 1.0 / factor)) + " times as " +
+         (factor > 1.0 ? "wide as high" : "high as wide") + "; is one of the two damaged?";
 }
 
 bool is_share(double value) {
@@ -55,6 +67,7 @@ std::optional<std::string> impossible_focal_length(const PinholeCamera& camera) 
            "it looks like micrometres, and pixels are wanted: divide it by the size of a pixel in "
            "micrometres; or are width and height those of other images?";
   }
+  if (const auto shape = oblong(camera)) return what + *shape;
   return std::nullopt;
 }
 

@@ -76,9 +76,13 @@ bool contains(const std::vector<Eigen::Isometry3d>& motions, const Eigen::Isomet
   });
 }
 
-/// With what follows from two of them, one after the other.
-std::vector<Eigen::Isometry3d> closed(std::vector<Eigen::Isometry3d> motions) {
+/// With what follows from two of them, one after the other. Turns that a small thing passes only
+/// because its field is coarse lead on and on: then as they were found.
+std::vector<Eigen::Isometry3d> closed(const std::vector<Eigen::Isometry3d>& found) {
+  constexpr std::size_t kMost = 60;  // of what is not round, an icosahedron's
+  std::vector<Eigen::Isometry3d> motions = found;
   for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (motions.size() > kMost) return found;
     for (std::size_t j = 0; j <= i; ++j) {
       for (const Eigen::Isometry3d& motion : {motions[i] * motions[j], motions[j] * motions[i]}) {
         if (!contains(motions, motion)) motions.push_back(motion);

@@ -25,8 +25,9 @@ std::uint32_t sides_of_cylinder(double radius) {
   constexpr double kSagitta = 5e-5;
   const double half_angle = std::acos(1.0 - std::min(kSagitta / radius, 0.5));
   // A multiple of four puts vertices on the axes, so that the bounds are those of the cylinder.
-  const auto quarter = static_cast<std::uint32_t>(std::ceil(std::numbers::pi / half_angle / 4.0));
-  return 4 * std::clamp(quarter, 6U, 64U);
+  // Of a radius without measure the angle is 0, and this infinite.
+  const double quarter = std::ceil(std::numbers::pi / half_angle / 4.0);
+  return 4 * static_cast<std::uint32_t>(std::clamp(quarter, 6.0, 64.0));
 }
 
 /// One triangle becomes four; new vertices, one an edge, are pushed out to the sphere.

@@ -10,6 +10,8 @@
 #include <system_error>
 
 #include "lockbox/core/error.hpp"
+#include "lockbox/core/existing_path.hpp"
+#include "lockbox/core/text_file.hpp"
 
 namespace lockbox {
 namespace {
@@ -30,16 +32,13 @@ std::optional<std::string> without_prefix(const std::string& text, const std::st
   return text.substr(prefix.size());
 }
 
-bool is_file(const fs::path& path) {
-  std::error_code error;  // e.g. a folder that may not be entered: not there, as far as we know
-  return fs::is_regular_file(path, error);
-}
-
 /// Whether the folder's package.xml gives it that name: clones are often called otherwise.
 bool is_package_called(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / "package.xml";
+  std::error_code unreadable;
+  if (!is_file(file) || fs::file_size(file, unreadable) > kMostWrittenBytes) return false;
   tinyxml2::XMLDocument manifest;
-  if (!is_file(file) || manifest.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) return false;
+  if (manifest.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS) return false;
   const auto* const package = manifest.FirstChildElement("package");
   const auto* const given = package == nullptr ? nullptr : package->FirstChildElement("name");
   return given != nullptr && given->GetText() != nullptr && given->GetText() == name;

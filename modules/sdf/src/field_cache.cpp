@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "field_file.hpp"
+#include "lockbox/core/existing_path.hpp"
 #include "lockbox/mesh/content_hash.hpp"
 
 namespace lockbox {
@@ -41,12 +42,13 @@ std::filesystem::path file_for(const std::filesystem::path& folder, std::uint64_
 
 std::optional<SignedDistanceField::Storage> read(const std::filesystem::path& file,
                                                  std::uint64_t key) {
+  // To open a pipe would wait for who writes into it; what is larger was never kept.
+  if (!is_file(file)) return std::nullopt;
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error || size > kMostCachedBytes) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
-  if (error || !stream) {
-    return std::nullopt;
-  }
+  if (!stream) return std::nullopt;
   std::string bytes(size, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
   bytes.resize(static_cast<std::size_t>(stream.gcount()));

@@ -27,6 +27,7 @@ using simulation::StereoMatching;
 using simulation::Surface;
 
 constexpr float kUnit = 0.001F;             ///< metres a unit of the output
+constexpr double kFarthest = 65.535;        ///< metres that its 16 bits hold
 constexpr int kFineRefinement = 2;          ///< samples a pixel and axis, where it looks at several
 constexpr float kLeastCosine = 0.05F;       ///< of an incidence of 87 degrees: beyond, all is lost
 constexpr std::uint64_t kPixelPurpose = 2;  ///< tells this use of the seed from others
@@ -55,8 +56,13 @@ float mixed_depth(const Surface& surface, int sample_u, int sample_v) {
   return sum / weights;
 }
 
+/// Rounded; of any size.
+float whole(float x) {
+  return std::trunc(x + (x < 0.0F ? -0.5F : 0.5F));
+}
+
 int rounded(float x) {
-  return static_cast<int>(x + (x < 0.0F ? -0.5F : 0.5F));
+  return static_cast<int>(whole(x));
 }
 
 /// The sensor model in the numbers and types that a pixel needs.
@@ -78,7 +84,7 @@ class PixelModel {
         measured_share_at_edges_(static_cast<float>(1.0 - sensor.edge_dropout_rate)),
         squared_cosine_of_grazing_(static_cast<float>(std::pow(std::cos(sensor.grazing_angle), 2))),
         min_range_(static_cast<float>(sensor.min_range)),
-        max_range_(static_cast<float>(sensor.max_range)) {}
+        max_range_(static_cast<float>(std::min(sensor.max_range, kFarthest))) {}
 
   /// Probability that pixel (u, v) is measured when it looks through that sample.
   float measured_share(const Surface& surface, int u, int v, int sample_u, int sample_v) const {
@@ -104,7 +110,7 @@ class PixelModel {
     if (has_disparity_) {
       float disparity = unit_disparity_depth_ / z + disparity_noise_ * correlated;
       if (disparity_step_ > 0.0F) {
-        disparity = disparity_step_ * static_cast<float>(rounded(disparity / disparity_step_));
+        disparity = disparity_step_ * whole(disparity / disparity_step_);
       }
       z = disparity > 0.0F ? unit_disparity_depth_ / disparity : 0.0F;
     }
