@@ -130,6 +130,15 @@ NoiseRecord::Bins without_bends(const NoiseRecord::Bins& bins, const NoiseRecord
   return straight;
 }
 
+/// Errors are no more alike at a longer lag.
+void keep_growth(const NoiseRecord::Bins& shorter, NoiseRecord::Bins& longer) {
+  for (std::size_t b = 0; b < longer.size(); ++b) {
+    if (shorter[b].count > 0.0) {
+      longer[b].variance = std::max(longer[b].variance, shorter[b].variance);
+    }
+  }
+}
+
 void add(const Bin& more, Bin& bin) {
   const double count = bin.count + more.count;
   bin.depth += (more.depth - bin.depth) * more.count / count;
@@ -159,7 +168,10 @@ std::optional<SensorNoise> NoiseRecord::noise() const {
   // Of small things few faces are as wide as two of the longest lags.
   for (std::size_t k = kLags.size() - 1; k-- > kShortLags;) {
     std::array<Bins, kLags.size() - 1> straight;
-    for (std::size_t j = 0; j <= k; ++j) straight[j] = without_bends(bins_[j], bins_[j + 1]);
+    for (std::size_t j = 0; j <= k; ++j) {
+      straight[j] = without_bends(bins_[j], bins_[j + 1]);
+      if (j > 0) keep_growth(straight[j - 1], straight[j]);
+    }
     if (fit_noise(std::span(straight).first(k + 1), rounding_, noise)) return noise;
   }
   return std::nullopt;
