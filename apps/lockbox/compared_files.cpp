@@ -9,7 +9,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/evaluation/matching_stamps.hpp"
 #include "lockbox/evaluation/tum_trajectory.hpp"
-#include "simulation_states.hpp"
+#include "plausible_states.hpp"
 #include "symmetry_note.hpp"
 
 namespace lockbox::app {

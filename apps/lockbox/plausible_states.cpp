@@ -77,4 +77,14 @@ void require_plausible(const std::string& file, const KinematicTree& tree,
   if (!problem.empty()) throw InputError(file, problem);
 }
 
+void require_increasing_stamps(const std::string& file, const std::vector<State>& states) {
+  if (states.empty()) throw InputError(file, "holds no states");
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    if (states[i].stamp <= states[i - 1].stamp) {
+      throw InputError(file, "timestamps must increase, that of state " + std::to_string(i + 1) +
+                                 " (" + std::to_string(states[i].stamp) + ") does not");
+    }
+  }
+}
+
 }  // namespace lockbox::app

@@ -17,4 +17,8 @@ std::string implausibility(const KinematicTree& tree, const std::vector<State>& 
 void require_plausible(const std::string& file, const KinematicTree& tree,
                        const std::vector<State>& states);
 
+/// Throws InputError, naming the file, if there are none, or if one does not come after the one
+/// before it.
+void require_increasing_stamps(const std::string& file, const std::vector<State>& states);
+
 }  // namespace lockbox::app

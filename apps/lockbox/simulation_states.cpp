@@ -24,16 +24,6 @@ void require_complete(const std::string& file, const std::vector<State>& states)
 
 }  // namespace
 
-void require_increasing_stamps(const std::string& file, const std::vector<State>& states) {
-  if (states.empty()) throw InputError(file, "holds no states");
-  for (std::size_t i = 1; i < states.size(); ++i) {
-    if (states[i].stamp <= states[i - 1].stamp) {
-      throw InputError(file, "timestamps must increase, that of state " + std::to_string(i + 1) +
-                                 " (" + std::to_string(states[i].stamp) + ") does not");
-    }
-  }
-}
-
 std::vector<State> read_trajectory(const std::string& file, const KinematicTree& tree, int most) {
   std::vector<State> states = read_states(file, tree).states;
   require_increasing_stamps(file, states);

@@ -11,10 +11,6 @@
 
 namespace lockbox::app {
 
-/// Throws InputError, naming the file, if there are none, or if one does not come after the one
-/// before it.
-void require_increasing_stamps(const std::string& file, const std::vector<State>& states);
-
 inline constexpr int kAllStates = std::numeric_limits<int>::max();
 
 /// The first so many states of the file, if there are as many. Throws InputError, naming the file,

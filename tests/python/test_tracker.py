@@ -169,7 +169,7 @@ def test_noise_is_found_out_where_the_sensor_is_unknown(model, frames, truth):
         tracker = lockbox.Tracker(model, initial_state=start, sensor=sensor)
         residuals[sensor] = [tracker.track(frame).residual_rms for frame in frames[:4]][-1]
     assert residuals["auto"] != residuals["d4xx"]
-    assert 0.1 < residuals["auto"] < 1.5
+    assert 0.1 < residuals["auto"] < 2.5  # of faces so small images do not tell it
 
 
 def test_nothing_known_is_nan(model, frames):

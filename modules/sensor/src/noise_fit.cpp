@@ -20,8 +20,8 @@ using Bin = NoiseRecord::Bin;
 constexpr double kLeastFloor = 1e-4;
 constexpr double kMostFloor = 0.01;
 constexpr double kLeastQuadratic = 1e-5;
-constexpr double kMostQuadratic = 0.02;
-constexpr double kLongest = 10.0;  // pixels
+constexpr double kMostQuadratic = 0.01;  // a D4xx has 0.0055
+constexpr double kLongest = 10.0;        // pixels
 /// Of the variance, that the last lag has to show to tell the rest. Unit: a share. Source: at eight
 /// pixels it shows a third of what is alike over seven. Doubled, a D4xx's noise is a third too
 /// small.
@@ -167,7 +167,7 @@ bool fit_noise(std::span<const NoiseRecord::Bins> bins, double rounding, SensorN
   const double larger = 1.0 / std::sqrt(fit_correlation(bins, noise));
   noise.depth_floor *= larger;
   noise.depth_quadratic *= larger;
-  return true;
+  return noise.depth_quadratic <= kMostQuadratic;
 }
 
 }  // namespace lockbox
