@@ -4,7 +4,7 @@
 PrimeSense, with the sensor's profile, and with `--sensor auto`. For each the table tells how many frames are called
 `tracking`, and the medians of residual_rms, of the base's error (mm), and of the joints' error / sigma (root mean square).
 
-  tests/benchmarks/profiles.py TOOL OUTPUT [SENSOR]... [--model NAME]... [--start truth|auto]
+  tests/benchmarks/profiles.py TOOL OUTPUT [SENSOR]... [--model NAME]... [--start truth|auto] [--frames N]
 """
 
 import argparse
@@ -37,9 +37,8 @@ def joint_ratios(row, truth):
 
 
 def cell(tool, recording, model, told, start, folder):
-    command = [tool, "track", "-m", model, "-s", recording / "run.oni", "-q", "--overwrite", "-o", folder]
-    if told:
-        command += ["--sensor", told]
+    command = [tool, "track", "-m", model, "-s", recording / "run.oni", "-q", "--overwrite", "-o", folder,
+               "--sensor", told]
     if start == "truth":
         command += ["--initial-state", recording / "groundtruth.csv"]
     subprocess.run([str(word) for word in command], check=False)
@@ -62,16 +61,18 @@ def main():
     parser.add_argument("sensors", nargs="*", default=SENSORS)
     parser.add_argument("--model", action="append")
     parser.add_argument("--start", choices=("truth", "auto"), default="truth")
+    parser.add_argument("--frames", type=int, default=30)
     arguments = parser.parse_args()
     for model in arguments.model or ["lockbox", "cabinet"]:
         for sensor in arguments.sensors:
             recording = arguments.output / model / sensor
             recording.mkdir(parents=True, exist_ok=True)
-            subprocess.run([arguments.tool, "simulate", "-m", model, "-t", "auto", "--frames", "30", "--scene", "room",
+            subprocess.run([arguments.tool, "simulate", "-m", model, "-t", "auto", "--frames",
+                            str(arguments.frames), "--scene", "room",
                             "--seed", "3", "--sensor", sensor, "-q", "--overwrite", "-o", recording / "run.oni"],
                            check=True)
-            cells = [cell(arguments.tool, recording, model, told, arguments.start, recording / (told or "nothing"))
-                     for told in (None, sensor, "auto")]
+            cells = [cell(arguments.tool, recording, model, told, arguments.start, recording / told)
+                     for told in ("primesense", sensor, "auto")]
             print("| " + " | ".join([model, f"`{sensor}`", *cells]) + " |", flush=True)
 
 

@@ -162,17 +162,11 @@ def test_profile_of_ones_own_is_taken(docs, tool, recording, tmp_path):
     assert table
 
 
-def test_sensors_of_the_comparison_run(docs, tool, tmp_path):
-    """As the document says it: `simulate ...`, then `track ...`, small."""
-    text = (docs / "sensors.md").read_text()
-    simulate = re.search(r"`(simulate -t auto [^`]*)`", text)[1]
-    track = re.search(r"`(track --initial-state [^`]*)`", text)[1]
-    (tmp_path / "camera.yaml").write_text(CAMERA)
-    for sensor in ("white", "structured-light"):
-        made = simulate.replace("--sensor S", f"--sensor {sensor}").replace("--frames 30", "--frames 3")
-        run(f"{tool} {made} -m rigid_block {SMALL_CAMERA} -o {sensor}", tmp_path, None)
-        run(f"{tool} {track.replace('groundtruth', sensor + '/groundtruth')} -m rigid_block "
-            f"-s {sensor} --sensor {sensor} -o run_{sensor}", tmp_path, None)
+def test_table_of_what_a_profile_gains_is_made(docs, tool, tmp_path):
+    (command,) = (command for command in commands(docs / "sensors.md") if "profiles.py" in command)
+    program = command.split()[0]
+    printed = run(f"/usr/bin/python3 -B {ROOT / program} {tool} out white --model rigid_block --frames 3", tmp_path, None)
+    assert re.fullmatch(r"\| rigid_block \| `white` (\| 3; .*; .*; .* ){3}\|\n", printed)
 
 
 def test_table_of_cameras_that_come_near_is_made(docs, tool, tmp_path):

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "image_tile.hpp"
+#include "lockbox/solver/normal_equations.hpp"
 
 namespace lockbox {
 namespace {
