@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -39,17 +40,16 @@ double median_of(std::vector<Step>& steps) {
 }  // namespace
 
 std::array<double, NoiseRecord::kBins> depth_steps(const DepthFrame& frame) {
-  std::vector<std::uint16_t> depths = frame.depth;
-  std::sort(depths.begin(), depths.end());
+  std::vector<std::size_t> pixels_of(std::numeric_limits<std::uint16_t>::max() + 1U, 0);
+  for (const std::uint16_t depth : frame.depth) ++pixels_of[depth];
   std::array<std::vector<Step>, NoiseRecord::kBins> steps;
   std::optional<double> before;  // metres, of the depth that is given often
-  for (auto begin = depths.cbegin(); begin != depths.cend();) {
-    const auto end = std::upper_bound(begin, depths.cend(), *begin);
-    const auto pixels = static_cast<std::size_t>(end - begin);
-    const double z = static_cast<double>(*begin) * static_cast<double>(frame.metres_per_unit);
-    begin = end;
+  for (std::size_t depth = 1; depth < pixels_of.size(); ++depth) {
+    const std::size_t pixels = pixels_of[depth];
+    if (pixels < kFewestPixels) continue;
+    const double z = static_cast<double>(depth) * static_cast<double>(frame.metres_per_unit);
     const auto bin = depth_bin(z);
-    if (!bin || pixels < kFewestPixels) continue;
+    if (!bin) continue;
     if (before) steps[*bin].push_back({z - *before, pixels});
     before = z;
   }
