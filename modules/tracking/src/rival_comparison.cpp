@@ -26,11 +26,12 @@ bool RivalComparison::has_ended() const {
   return rivals_.empty() || frames_ >= kFrames;
 }
 
-void RivalComparison::begin(const std::vector<Alternative>& rivals, double belief) {
+void RivalComparison::begin(const Answer& answer, const std::vector<Alternative>& rivals) {
   rivals_.clear();
   frames_ = 0;
   evidence_ = 0.0;
-  double told = belief;
+  if (!(answer.rival_distance > 0.0)) return;  // the rivals are those of an earlier answer
+  double told = answer.belief;
   for (const Alternative& rival : rivals) told += rival.probability;
   if (told < options_.convincing_belief) return;
   for (const Alternative& rival : rivals) {

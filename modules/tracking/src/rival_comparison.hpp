@@ -29,9 +29,10 @@ class RivalComparison {
     bool is_rival;  ///< not what was followed
   };
 
-  /// rivals: of an answer that a search has found with that belief. Where they are not all that may
-  /// be right beside it, nothing comes of comparing them.
-  void begin(const std::vector<Alternative>& rivals, double belief);
+  /// With an answer that is followed from now on. rivals: what the search that has found it could
+  /// not tell from it, if it doubts it. Where they are not all that may be right beside it, nothing
+  /// comes of comparing them.
+  void begin(const Answer& answer, const std::vector<Alternative>& rivals);
 
   /// Nothing is left to be compared, or the frames before have not told.
   bool has_ended() const;

@@ -88,6 +88,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
   } else {
     followed = {alignment.until_rest(prediction, registered)};
   }
+  if (followed.is_found_anew) rivals_.begin(followed.answer, search_.alternatives());
   if (judgement_.rival_distance > 0.0) followed = with_rival_sought(frame, followed);
   auto& [found, is_found_anew] = followed;
   report(found);
@@ -121,7 +122,7 @@ void Tracker::Loop::search(const DepthFrame& frame) {
     report_.write_nothing();
     return;
   }
-  rivals_.begin(search_.alternatives(), found->belief);
+  rivals_.begin(*found, search_.alternatives());
   report(*found);
   measure_size(*found);
   const bool is_believed = judgement_.status == TrackingStatus::tracking;
@@ -200,7 +201,6 @@ Tracker::Loop::Followed Tracker::Loop::with_leap_followed(const DepthFrame& fram
 Tracker::Loop::Followed Tracker::Loop::with_rival_sought(const DepthFrame& frame,
                                                          const Followed& followed) {
   Followed best = followed;
-  if (followed.is_found_anew) rivals_.begin(search_.alternatives(), followed.answer.belief);
   if (!followed.is_found_anew && !rivals_.has_ended()) {
     if (const auto told = rivals_.compare(best.answer)) return {told->answer, told->is_rival};
   }
@@ -210,7 +210,7 @@ Tracker::Loop::Followed Tracker::Loop::with_rival_sought(const DepthFrame& frame
   if (found && (classify(*found, options_) == TrackingStatus::tracking ||
                 found->belief > report_.result().belief)) {
     best = {*found, true};
-    rivals_.begin(search_.alternatives(), found->belief);
+    rivals_.begin(*found, search_.alternatives());
   }
   return best;
 }
