@@ -4,7 +4,7 @@
 PrimeSense, with the sensor's profile, and with `--sensor auto`. For each the table tells how many frames are called
 `tracking`, and the medians of residual_rms, of the base's error (mm), and of the joints' error / sigma (root mean square).
 
-  tests/benchmarks/profiles.py TOOL OUTPUT [SENSOR]... [--model NAME]... [--start truth|auto] [--frames N]
+  tests/benchmarks/profiles.py TOOL OUTPUT [SENSOR]... [--model NAME]... [--frames N]
 """
 
 import argparse
@@ -36,11 +36,9 @@ def joint_ratios(row, truth):
             yield min(abs(error), abs(math.remainder(error, 2 * math.pi))) / sigma
 
 
-def cell(tool, recording, model, told, start, folder):
+def cell(tool, recording, model, told, folder):
     command = [tool, "track", "-m", model, "-s", recording / "run.oni", "-q", "--overwrite", "-o", folder,
-               "--sensor", told]
-    if start == "truth":
-        command += ["--initial-state", recording / "groundtruth.csv"]
+               "--sensor", told, "--initial-state", recording / "groundtruth.csv"]
     subprocess.run([str(word) for word in command], check=False)
     truths = read(recording / "groundtruth.csv")
     rows = read(folder / "states.csv")
@@ -60,7 +58,6 @@ def main():
     parser.add_argument("output", type=pathlib.Path)
     parser.add_argument("sensors", nargs="*", default=SENSORS)
     parser.add_argument("--model", action="append")
-    parser.add_argument("--start", choices=("truth", "auto"), default="truth")
     parser.add_argument("--frames", type=int, default=30)
     arguments = parser.parse_args()
     for model in arguments.model or ["lockbox", "cabinet"]:
@@ -71,7 +68,7 @@ def main():
                             str(arguments.frames), "--scene", "room",
                             "--seed", "3", "--sensor", sensor, "-q", "--overwrite", "-o", recording / "run.oni"],
                            check=True)
-            cells = [cell(arguments.tool, recording, model, told, arguments.start, recording / told)
+            cells = [cell(arguments.tool, recording, model, told, recording / told)
                      for told in ("primesense", sensor, "auto")]
             print("| " + " | ".join([model, f"`{sensor}`", *cells]) + " |", flush=True)
 

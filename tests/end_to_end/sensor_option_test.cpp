@@ -58,9 +58,12 @@ TEST_F(SensorOption, NoiseThatIsGivenIsNotLookedFor) {
   const auto run = run_tool(following("given", {"--set", "noise_depth_quadratic=0.004"}));
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_DOUBLE_EQ(quadratic_noise("given"), 0.004);
+  const auto alike = run_tool(following("alike", {"--set", "contour_correlation=3"}));
+  ASSERT_EQ(alike.status, 0) << alike.errors;
+  EXPECT_THAT(read_text(path("alike/run.yaml")), HasSubstr("contour_correlation: 3"));
 }
 
-TEST_F(SensorOption, AutoFindsTheNoiseOutAndTracksEveryFrame) {
+TEST_F(SensorOption, AutoTracksEveryFrameWhereImagesDoNotTell) {
   const auto run = run_tool(following("auto", {"--sensor", "auto"}));
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(read_lines(path("auto/states.csv")).size(), kFrames + 1);
@@ -70,7 +73,7 @@ TEST_F(SensorOption, AutoFindsTheNoiseOutAndTracksEveryFrame) {
 }
 
 /// Where faces are some dozens of pixels wide, though nothing else is seen.
-TEST_F(SensorOption, AutoDoesNotTakeTheShapeOfTheBlockForNoise) {
+TEST_F(SensorOption, AutoFindsTheNoiseOutAndDoesNotTakeTheShapeOfTheBlockForIt) {
   ASSERT_EQ(run_tool({"simulate", "--model", "rigid_block", "--trajectory", start_, "--frames", "3",
                       "--sensor", "stereo", "--output", path("fine")})
                 .status,

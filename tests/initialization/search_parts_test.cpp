@@ -60,6 +60,13 @@ TEST_F(SearchParts, TheFewerPixelsAViewHasTheLessNoiseIsLeft) {
   EXPECT_LT(noise_.fine, noise_.pixel);
 }
 
+TEST_F(SearchParts, AnExactSensorIsNoReasonToLookCloserThanObjectsAreLikeTheirModels) {
+  const ViewNoise exact(1e-4);
+  EXPECT_LT(exact.pixel, 0.1 * noise_.pixel);
+  EXPECT_GT(exact.coarse, 0.9 * noise_.coarse);
+  EXPECT_GT(exact.fine, 0.9 * noise_.fine);
+}
+
 TEST_F(SearchParts, TheWallIsLeftOutOfWhatMayBeTheObject) {
   const auto kept = [](const TiledCloud& cloud) {
     std::size_t count = 0;

@@ -2,8 +2,8 @@
 #include "followed_noise.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace lockbox {
 namespace {
@@ -15,17 +15,17 @@ constexpr double kSameArea = 1.5;
 /// Frames, a third of a second: those of a source that starts may be empty. Doubled, each frame of
 /// a camera that shows nothing takes longer for twice the time.
 constexpr int kLooksAtStart = 10;
-constexpr std::array kDepths{0.5, 1.0, 2.0, 4.0};  // metres, at which it is compared
 
 bool differs(double a, double b, double factor) {
   return std::abs(std::log(a / b)) > std::log(factor);
 }
 
-bool is_other(const SensorNoise& noise, const SensorNoise& assumed) {
+bool is_other(const SensorNoise& noise, const SensorNoise& assumed,
+              const std::vector<double>& depths) {
   const auto has_other_sigma = [&](double z) {
     return differs(noise.sigma_z(z), assumed.sigma_z(z), kSameSigma);
   };
-  return std::any_of(kDepths.begin(), kDepths.end(), has_other_sigma) ||
+  return std::any_of(depths.begin(), depths.end(), has_other_sigma) ||
          differs(noise.correlation_area(), assumed.correlation_area(), kSameArea);
 }
 
@@ -37,7 +37,7 @@ std::optional<SensorNoise> FollowedNoise::changed_by(const DepthFrame& frame,
   record_.look_at(frame);
   const auto noise = record_.noise();
   frames_to_next_ = noise || ++looks_ >= kLooksAtStart ? pause_ - 1 : 0;
-  return noise && is_other(*noise, assumed) ? noise : std::nullopt;
+  return noise && is_other(*noise, assumed, record_.depths()) ? noise : std::nullopt;
 }
 
 }  // namespace lockbox

@@ -15,6 +15,14 @@ constexpr double kSuddenlyHidden = 0.15;  // of the visible surface, from one fr
 constexpr int kFramesOfDoubt = 4;         // until the object is sought anywhere
 constexpr int kFramesToDoubtParts = 30;   // without seeking them; a second
 
+/// What a program or a user has said of the noise is not looked for.
+bool is_noise_given(const RegistrationOptions& registration) {
+  const RegistrationOptions usual;
+  return registration.noise != usual.noise ||
+         registration.noise_correlation != usual.noise_correlation ||
+         registration.contour_correlation != usual.contour_correlation;
+}
+
 }  // namespace
 
 Tracker::Loop::Loop(const ArticulatedModel& model, const TrackerOptions& options)
@@ -29,7 +37,7 @@ Tracker::Loop::Loop(const ArticulatedModel& model, const TrackerOptions& options
       report_(model.tree, options_, image_belief_),
       predictor_(model.tree),
       joint_sight_(model.tree),
-      noise_(options.registration.noise == SensorNoise{} ? options.frames_between_noises : 0) {
+      noise_(is_noise_given(options.registration) ? 0 : options.frames_between_noises) {
   options_.registration.locked.resize(static_cast<std::size_t>(model.tree.variables()), false);
   if (options_.background_search) acquisition_.prepare();  // no frame waits for it then
 }

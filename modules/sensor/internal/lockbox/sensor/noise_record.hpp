@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "lockbox/core/depth_frame.hpp"
 #include "lockbox/sensor/sensor_noise.hpp"
@@ -31,6 +32,10 @@ class NoiseRecord {
   /// The noise along the ray and how it correlates; across the ray as SensorNoise has it. None if
   /// the images show too little.
   std::optional<SensorNoise> noise() const;
+
+  /// Metres, at which noise() is what images have shown, the nearest first: the bins of depths of
+  /// which each has told enough.
+  std::vector<double> depths() const;
 
   static constexpr std::array kLags{1, 2, 4, 8, 16};  ///< pixels
   static constexpr std::size_t kBins = 16;            ///< of depths

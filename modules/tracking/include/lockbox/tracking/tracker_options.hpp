@@ -131,8 +131,8 @@ struct TrackerOptions {
   /// The sensor's noise is estimated from the first frames, then from every so many, and the
   /// estimate goes by it. To look at an image takes as long as a frame. Doubled, a camera that
   /// doubles its distance in a second is taken for a wrong one half the way. 0, or where
-  /// registration.noise is another than the default: the noise is what is given. Unit: frames.
-  /// Source: a second.
+  /// registration has another noise or correlation than by default: it is what is given. Unit:
+  /// frames. Source: a second.
   int frames_between_noises = 30;
   /// Alternatives that are reported. Unit: answers. Source: the column `alternatives` of states.csv
   /// (docs/file-formats.md).
