@@ -82,6 +82,8 @@ TEST(NoiseRecord, KnowsThatRoundingErrs) {
   NoiseRecord record;
   record.look_at(rounded);
   EXPECT_NEAR(sigma_at(record, 1.0), 0.001 / std::sqrt(12.0), 2e-5);
+  // Where a face begins to be rounded to the next unit, all its pixels are.
+  EXPECT_EQ(record.noise()->correlation_area(), SensorNoise{}.correlation_area());
 }
 
 TEST(NoiseRecord, KnowsThatFewDepthsErr) {

@@ -147,6 +147,12 @@ void keep_growth(const NoiseRecord::Bins& shorter, NoiseRecord::Bins& longer) {
   }
 }
 
+/// Rounding makes steps along faces: it is alike there, however little neighbours seem to be.
+void assume_usual_correlation(SensorNoise& noise) {
+  noise.own_share = SensorNoise{}.own_share;
+  noise.correlation_pixels = SensorNoise{}.correlation_pixels;
+}
+
 void add(const Bin& more, Bin& bin) {
   const double count = bin.count + more.count;
   bin.depth += (more.depth - bin.depth) * more.count / count;
@@ -180,9 +186,22 @@ std::optional<SensorNoise> NoiseRecord::noise() const {
       straight[j] = without_bends(bins_[j], j > 0 ? bins_[j - 1] : Bins{}, bins_[j + 1]);
       if (j > 0) keep_growth(straight[j - 1], straight[j]);
     }
-    if (fit_noise(std::span(straight).first(k + 1), rounding_, noise)) return noise;
+    if (!fit_noise(std::span(straight).first(k + 1), rounding_, noise)) continue;
+    if (is_rounding(noise)) assume_usual_correlation(noise);
+    return noise;
   }
   return std::nullopt;
+}
+
+/// Wherever something was seen.
+bool NoiseRecord::is_rounding(const SensorNoise& noise) const {
+  // A factor of what rounding errs by. Source: images without noise have 1 to 1.2. Doubled, a good
+  // time-of-flight camera's errors are taken to be alike.
+  constexpr double kMostly = 1.5;
+  const std::vector<double> seen = depths();
+  return std::all_of(seen.begin(), seen.end(), [&](double z) {
+    return noise.sigma_z(z) < kMostly * rounding_ / std::sqrt(12.0);
+  });
 }
 
 std::vector<double> NoiseRecord::depths() const {

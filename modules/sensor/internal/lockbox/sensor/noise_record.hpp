@@ -49,6 +49,8 @@ class NoiseRecord {
   using Bins = std::array<Bin, kBins>;
 
  private:
+  bool is_rounding(const SensorNoise& noise) const;
+
   std::array<Bins, kLags.size()> bins_{};
   double rounding_ = 0.0;  ///< metres, the unit of the depths
 };
