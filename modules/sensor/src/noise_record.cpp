@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "depth_bins.hpp"
@@ -15,6 +16,7 @@ namespace lockbox {
 namespace {
 
 using Bin = NoiseRecord::Bin;
+using Seen = NoiseRecord::Seen;
 
 constexpr int kRowsApart = 3;          // at least: neighbouring rows err alike
 constexpr int kRows = 80;              // as many tell enough
@@ -36,6 +38,7 @@ double core_deviation(std::vector<double>& sizes) {
   constexpr int kRounds = 12;
   constexpr double kCut = 2.5;
   constexpr double kWithin = 0.9112;  // variance of a normal distribution cut off there
+  constexpr double kSame = 1e-3;      // a hundredth of what a noise may differ by unnoticed
   double deviation = quantile(sizes, 0.5) / 0.6745;  // of a normal distribution
   if (deviation == 0.0) deviation = quantile(sizes, 0.9) / 1.6449;
   for (int round = 0; round < kRounds; ++round) {
@@ -47,17 +50,11 @@ double core_deviation(std::vector<double>& sizes) {
       count += 1.0;
     }
     if (count == 0.0) break;
-    deviation = std::sqrt(squares / count / kWithin);
+    const double before = std::exchange(deviation, std::sqrt(squares / count / kWithin));
+    if (std::abs(deviation - before) < kSame * deviation) break;
   }
   return deviation;
 }
-
-/// Of the second differences of one image.
-struct Seen {
-  std::vector<double> sizes;
-  double depths = 0.0;  ///< their sum
-};
-using SeenAtLags = std::array<std::array<Seen, NoiseRecord::kBins>, NoiseRecord::kLags.size()>;
 
 /// A row of the image.
 struct Row {
@@ -88,17 +85,16 @@ void add_differences(const Row& row, std::size_t lag, std::array<Seen, NoiseReco
   }
 }
 
-SeenAtLags differences(const DepthFrame& frame) {
-  SeenAtLags seen;
+/// Of the rows of that part.
+void add_differences(const DepthFrame& frame, int part, int parts, NoiseRecord::SeenAtLags& seen) {
   Row row;
   const int step = std::max(kRowsApart, frame.camera.height / kRows);
-  for (int v = 0; v < frame.camera.height; v += step) {
+  for (int v = part * step; v < frame.camera.height; v += parts * step) {
     read_row(frame, v, row);
     for (std::size_t k = 0; k < seen.size(); ++k) {
       add_differences(row, static_cast<std::size_t>(NoiseRecord::kLags[k]), seen[k]);
     }
   }
-  return seen;
 }
 
 /// least: what a difference of depths with such steps scatters by at least.
@@ -162,17 +158,25 @@ void add(const Bin& more, Bin& bin) {
 
 }  // namespace
 
-void NoiseRecord::look_at(const DepthFrame& frame) {
-  rounding_ = static_cast<double>(frame.metres_per_unit);
-  SeenAtLags seen = differences(frame);
-  const auto steps = depth_steps(frame);
+void NoiseRecord::look_at_part(const DepthFrame& frame, int part, int parts) {
+  add_differences(frame, part, parts, seen_);
+  if (part + 1 == parts) conclude(frame);
+}
+
+void NoiseRecord::conclude(const DepthFrame& last) {
+  rounding_ = static_cast<double>(last.metres_per_unit);
+  const auto steps = depth_steps(last);
   for (std::size_t k = 0; k < kLags.size(); ++k) {
     for (std::size_t b = 0; b < kBins; ++b) {
+      Seen& seen = seen_[k][b];
       bins_[k][b].count *= kKept;
-      if (seen[k][b].sizes.size() < kEnough) continue;
-      // Neighbours are rounded alike.
-      const double least = k < kShortLags ? 0.0 : deviation_by_steps(steps[b]);
-      add(bin_from(seen[k][b], least), bins_[k][b]);
+      if (seen.sizes.size() >= kEnough) {
+        // Neighbours are rounded alike.
+        const double least = k < kShortLags ? 0.0 : deviation_by_steps(steps[b]);
+        add(bin_from(seen, least), bins_[k][b]);
+      }
+      seen.sizes.clear();
+      seen.depths = 0.0;
     }
   }
 }

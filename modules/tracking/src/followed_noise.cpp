@@ -33,10 +33,17 @@ bool is_other(const SensorNoise& noise, const SensorNoise& assumed,
 
 std::optional<SensorNoise> FollowedNoise::changed_by(const DepthFrame& frame,
                                                      const SensorNoise& assumed) {
-  if (pause_ == 0 || frames_to_next_-- > 0) return std::nullopt;
-  record_.look_at(frame);
+  if (parts_ == 0) return std::nullopt;
+  if (is_told_ || whole_looks_ == kLooksAtStart) {
+    record_.look_at_part(frame, part_, parts_);
+    part_ = (part_ + 1) % parts_;
+    if (part_ != 0) return std::nullopt;
+  } else {
+    record_.look_at(frame);
+    ++whole_looks_;
+  }
   const auto noise = record_.noise();
-  frames_to_next_ = noise || ++looks_ >= kLooksAtStart ? pause_ - 1 : 0;
+  is_told_ |= noise.has_value();
   return noise && is_other(*noise, assumed, record_.depths()) ? noise : std::nullopt;
 }
 

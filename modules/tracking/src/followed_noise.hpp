@@ -13,16 +13,18 @@ namespace lockbox {
 /// during a run.
 class FollowedNoise {
  public:
-  /// pause: frames from one that is looked at to the next; 0: none is.
-  explicit FollowedNoise(int pause) : pause_(pause) {}
+  /// parts: frames that share the work of a look, once one has told the noise; 0: none is looked
+  /// at.
+  explicit FollowedNoise(int parts) : parts_(parts) {}
 
   /// The noise, where it is another one than what is assumed.
   std::optional<SensorNoise> changed_by(const DepthFrame& frame, const SensorNoise& assumed);
 
  private:
-  int pause_;
-  int frames_to_next_ = 0;
-  int looks_ = 0;
+  int parts_;
+  int part_ = 0;
+  int whole_looks_ = 0;
+  bool is_told_ = false;
   NoiseRecord record_;
 };
 

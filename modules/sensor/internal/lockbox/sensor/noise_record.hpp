@@ -27,7 +27,11 @@ namespace lockbox {
 class NoiseRecord {
  public:
   /// Takes about as long as a frame. What comes of it depends on nothing but the images.
-  void look_at(const DepthFrame& frame);
+  void look_at(const DepthFrame& frame) { look_at_part(frame, 0, 1); }
+
+  /// The same in parts, 0 <= part < parts, of which each takes the rows of another image: no frame
+  /// takes much longer than others. What they show together counts with the last one.
+  void look_at_part(const DepthFrame& frame, int part, int parts);
 
   /// The noise along the ray and how it correlates; across the ray as SensorNoise has it. None if
   /// the images show too little.
@@ -48,9 +52,18 @@ class NoiseRecord {
   };
   using Bins = std::array<Bin, kBins>;
 
+  /// Second differences of which nothing was concluded yet.
+  struct Seen {
+    std::vector<double> sizes;
+    double depths = 0.0;  ///< their sum
+  };
+  using SeenAtLags = std::array<std::array<Seen, kBins>, kLags.size()>;
+
  private:
+  void conclude(const DepthFrame& last);
   bool is_rounding(const SensorNoise& noise) const;
 
+  SeenAtLags seen_;
   std::array<Bins, kLags.size()> bins_{};
   double rounding_ = 0.0;  ///< metres, the unit of the depths
 };

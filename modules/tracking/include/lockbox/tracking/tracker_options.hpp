@@ -128,11 +128,10 @@ struct TrackerOptions {
   /// become of the object while its status stays the same. Unit: frames. Source: asked seldom
   /// enough that one frame in twenty is not slower; two seconds.
   int frames_between_beliefs = 60;
-  /// The sensor's noise is estimated from the first frames, then from every so many, and the
-  /// estimate goes by it. To look at an image takes as long as a frame. Doubled, a camera that
-  /// doubles its distance in a second is taken for a wrong one half the way. 0, or where
-  /// registration has another noise or correlation than by default: it is what is given. Unit:
-  /// frames. Source: a second.
+  /// The sensor's noise is estimated from the first frames, then from every so many together, some
+  /// rows of each, and the estimate goes by it. Doubled, a camera that doubles its distance in a
+  /// second is taken for a wrong one half the way. 0, or where registration has another noise or
+  /// correlation than by default: it is what is given. Unit: frames. Source: a second.
   int frames_between_noises = 30;
   /// Alternatives that are reported. Unit: answers. Source: the column `alternatives` of states.csv
   /// (docs/file-formats.md).
