@@ -21,8 +21,8 @@
 namespace lockbox {
 namespace {
 
-constexpr Selection kMany{0.05, 40, 0.5, 8};
-constexpr Breadth kBreadth{8, kMany, kMany, {0.15, 4, 0.5, 2}, std::nullopt, 4, false};
+constexpr Selection kMany{0.05, 40, 0.5, 8, 8};
+constexpr Breadth kBreadth{8, kMany, kMany, {0.15, 4, 0.5, 2, 2}, std::nullopt, 4, false};
 
 /// A block before a wall.
 class SearchParts : public ::testing::Test {

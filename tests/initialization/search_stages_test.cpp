@@ -148,11 +148,29 @@ TEST_F(SearchStages, TheBestAreKeptAndNoPlaceCrowdsOutTheOthers) {
   hypotheses.push_back({displaced(6.0 * extent.radius), all_, 50.0});
   hypotheses.push_back({displaced(0.001), all_, 99.5});  // as good as the first
   hypotheses.push_back({displaced(-6.0 * extent.radius), all_, 5.0});
-  const auto kept = best_apart(hypotheses, {0.2, 10, 2.0, 2}, extent);
+  const auto kept = best_apart(hypotheses, {0.2, 10, 2.0, 2, 2}, extent);
   ASSERT_EQ(kept.size(), 3U);
   EXPECT_EQ(kept[0].score, 100.0);
   EXPECT_EQ(kept[1].score, 99.0);
   EXPECT_EQ(kept[2].score, 50.0);
+}
+
+/// A square board looks much the same in four turns, and the wrong ones may look better.
+TEST_F(SearchStages, NorDoesOneTurnCrowdOutTheOthersInItsPlace) {
+  const ModelExtent extent = model_extent(model_.tree);
+  std::vector<Hypothesis> hypotheses;
+  for (int turn = 0; turn < 4; ++turn) {
+    for (int i = 0; i < 4; ++i) {  // 5 cm from the next
+      Hypothesis& there = hypotheses.emplace_back(displaced(0.05 * i), all_, 100.0 - 10 * turn - i);
+      there.configuration.T_camera_base.rotate(
+          Eigen::AngleAxisd(turn * M_PI_2, Eigen::Vector3d::UnitZ()));
+    }
+  }
+  std::vector<double> scores;
+  for (const auto& kept : best_apart(hypotheses, {0.2, 40, 2.0, 8, 2}, extent)) {
+    scores.push_back(kept.score);
+  }
+  EXPECT_EQ(scores, (std::vector{100.0, 99.0, 90.0, 89.0, 80.0, 79.0, 70.0, 69.0}));
 }
 
 }  // namespace

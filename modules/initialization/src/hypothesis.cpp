@@ -11,8 +11,18 @@ namespace {
 /// not tried.
 constexpr double kSameBase = 0.01;
 
+/// Radians. Source: half of what a square board is turned by to where it looks the same. Doubled,
+/// such turns crowd out the right one.
+constexpr double kAlike = 0.785;
 constexpr double kApartMetres = 0.04;
 constexpr double kApartRadians = 0.15;
+
+double turn_between(const Hypothesis& a, const Hypothesis& b) {
+  return Eigen::Quaterniond(a.configuration.T_camera_base.linear())
+      .angularDistance(Eigen::Quaterniond(b.configuration.T_camera_base.linear()));
+}
+
+}  // namespace
 
 bool are_apart(const Hypothesis& a, const Hypothesis& b) {
   const Eigen::Isometry3d difference =
@@ -20,8 +30,6 @@ bool are_apart(const Hypothesis& a, const Hypothesis& b) {
   return difference.translation().norm() >= kApartMetres ||
          Eigen::AngleAxisd(difference.linear()).angle() >= kApartRadians;
 }
-
-}  // namespace
 
 double place_distance(const ModelExtent& extent, const Configuration& a, const Configuration& b) {
   return (a.T_camera_base * extent.centre - b.T_camera_base * extent.centre).norm() / extent.radius;
@@ -50,11 +58,15 @@ std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Sel
     const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Hypothesis& other) {
       return are_apart(hypothesis, other);
     });
-    const auto there = std::count_if(kept.begin(), kept.end(), [&](const Hypothesis& other) {
-      return place_distance(extent, hypothesis.configuration, other.configuration) <
-             selection.place;
-    });
-    if (is_new && static_cast<std::size_t>(there) < selection.most_in_place) {
+    std::size_t there = 0;
+    std::size_t alike = 0;
+    for (const Hypothesis& other : kept) {
+      if (place_distance(extent, hypothesis.configuration, other.configuration) >= selection.place)
+        continue;
+      ++there;
+      if (turn_between(hypothesis, other) < kAlike) ++alike;
+    }
+    if (is_new && there < selection.most_in_place && alike < selection.most_alike) {
       kept.push_back(hypothesis);
     }
   }

@@ -22,6 +22,7 @@ struct Selection {
   std::size_t most;
   double place;               ///< radii of the model across: what counts as one place
   std::size_t most_in_place;  ///< so that none crowds out all others
+  std::size_t most_alike;     ///< in one place, turned by less than 45 degrees from each other
 };
 
 /// How far apart the model's middle is, in radii of the model; at less than 2 balls around it
@@ -31,7 +32,10 @@ double place_distance(const ModelExtent& extent, const Configuration& a, const C
 /// Whether one of them has that base, to a centimetre and a hundredth of a radian.
 bool has_base(const std::vector<Hypothesis>& hypotheses, const Eigen::Isometry3d& T_camera_base);
 
-/// The best hypotheses, best first, whose bases are apart: 40 mm or 0.15 radians.
+/// Whether their bases are 40 mm or 0.15 radians from each other.
+bool are_apart(const Hypothesis& a, const Hypothesis& b);
+
+/// The best hypotheses, best first, whose bases are apart.
 std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection,
                                    const ModelExtent& extent);
 

@@ -16,6 +16,7 @@ namespace lockbox {
 enum class Proposals {
   sides,         ///< flat sides of the model on planes of the view
   sides_closer,  ///< likewise, on planes of the finer view
+  all_sides,     ///< on planes of both
   points,        ///< pairs of points
 };
 
@@ -23,7 +24,8 @@ enum class Proposals {
 struct Round {
   Proposals proposals;
   const Breadth* breadth;
-  double enough;  ///< belief in an answer, with which the search ends
+  std::size_t first;  ///< hypotheses that are followed before all others
+  double enough;      ///< belief in an answer, with which the search ends
 };
 
 /// Proposes, refines, and assesses. Not thread-safe; throws Stopped if that is requested.
@@ -43,9 +45,11 @@ class SearchRounds {
                                    const Round& round);
   /// Answers of rounds before.
   std::vector<Hypothesis> known(const std::vector<Configuration>& answers) const;
-  /// The stages from place up to rank. to_beat: the most evidence of any answer up to now, nats.
+  /// The stages from place up to rank, of what was not followed before in this image. to_beat: the
+  /// most evidence of any answer up to now, nats.
   std::vector<Hypothesis> followed(SearchImage& image, std::vector<Hypothesis> hypotheses,
                                    const Breadth& breadth, double to_beat);
+  void leave_out_followed(std::vector<Hypothesis>& hypotheses);
   void seek_turns_of_best(SearchImage& image, const Configuration& held, double& turned,
                           std::vector<Candidate>& answers);
 
@@ -56,6 +60,7 @@ class SearchRounds {
   Proposer proposer_;
   Refinement refinement_;
   Assessment assessment_;
+  std::vector<Hypothesis> posed_;  ///< what was followed in this image, as `pose` left it
 };
 
 }  // namespace lockbox

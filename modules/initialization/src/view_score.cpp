@@ -7,31 +7,14 @@
 #include <utility>
 
 #include "contour_continuation.hpp"
+#include "lockbox/kernels/pixel_scores.hpp"
 #include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/rendering/body_item.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr double kFallOff = 0.22;   // a deviation of three standard deviations costs two
-constexpr double kSteepest = 5.0;   // tangent of the incidence beyond which surfaces count alike
 constexpr double kSamples = 200.0;  // of each body's surface
-
-/// The smaller change of depth to one of two opposite neighbours on the same body.
-double depth_slope(const RenderedDepth& image, int u, int v, int du, int dv) {
-  const std::size_t here = image.index(u, v);
-  double slope = -1.0;
-  for (const int side : {-1, 1}) {
-    const int nu = u + side * du;
-    const int nv = v + side * dv;
-    if (nu < 0 || nv < 0 || nu >= image.width || nv >= image.height) continue;
-    const std::size_t there = image.index(nu, nv);
-    if (image.id[there] != image.id[here]) continue;
-    const double change = std::abs(double{image.depth[there]} - double{image.depth[here]});
-    slope = slope < 0.0 ? change : std::min(slope, change);
-  }
-  return std::max(slope, 0.0);
-}
 
 std::vector<std::uint8_t> others_than(const std::vector<std::uint8_t>& moved) {
   std::vector<std::uint8_t> others(moved.size());
@@ -123,35 +106,31 @@ bool ViewScore::frame_motion(std::span<const Configuration> trials,
   return true;
 }
 
-/// Whether what was measured stands before everything that the variable can move there. Such pixels
-/// say nothing about it; on steep surfaces, of which depths are uncertain, they might seem to.
-bool ViewScore::is_before_reach(double measured, double slack) const {
-  const double sigma = noise_ * measured * measured;
-  return is_known_ && measured < nearest_reach_ - slack - 3.0 * sigma;
-}
-
-double ViewScore::pixel_score(const Drawing& drawing, int u, int v, double slack) const {
+/// All but those at its border, of which the slope is not known. What was measured before
+/// everything that the variable can move there says nothing about it; on steep surfaces, of which
+/// depths are uncertain, it might seem to.
+void ViewScore::score_pixels(double slack, Drawing& drawing) const {
   const RenderedDepth& image = drawing.image;
-  const std::size_t view_pixel = view_->index(u + drawing.left, v + drawing.top);
-  const auto measured = static_cast<double>(view_->depth[view_pixel]);
-  if (!(measured > 0.0) || is_before_reach(measured, slack)) return 0.0;
-  const auto z = static_cast<double>(image.depth[image.index(u, v)]);
-  const double difference = measured - z;
-  const double sigma_z = noise_ * z * z;
-  const double slope_u = depth_slope(image, u, v, 1, 0);
-  const double slope_v = depth_slope(image, u, v, 0, 1);
-  const double per_pixel2 = slope_u * slope_u + slope_v * slope_v;
-  const double pixels_per_metre = view_->camera.fx / z;
-  const double steepness2 =
-      std::min(per_pixel2 * pixels_per_metre * pixels_per_metre, kSteepest * kSteepest);
-  const double variance =
-      sigma_z * sigma_z + slack * slack * (1.0 + steepness2) + 0.25 * per_pixel2;
-  const double score = 1.0 - kFallOff * difference * difference / variance;
-  if (difference < 0.0) return std::max(score, ViewEvidence::kOccluded);
-  // Where a neighbour is near enough, it is a matter of a pixel more or less.
-  const bool beside =
-      static_cast<double>(view_->nearest[view_pixel]) - z < 3.0 * std::sqrt(variance);
-  return std::max(score, beside ? 0.0 : ViewEvidence::kSeenThrough);
+  const ImageWindow& drawn = image.drawn;
+  drawing.scores.assign(image.depth.size(), 0.0F);
+  const kernels::PixelScoring scoring{static_cast<float>(noise_),
+                                      static_cast<float>(slack),
+                                      static_cast<float>(view_->camera.fx),
+                                      is_known_ ? static_cast<float>(nearest_reach_ - slack) : 0.0F,
+                                      static_cast<float>(ViewEvidence::kOccluded),
+                                      static_cast<float>(ViewEvidence::kSeenThrough)};
+  const int first = std::max(drawn.left, 1);
+  const int end = std::min(drawn.right(), image.width - 1);
+  if (first >= end) return;
+  for (int v = std::max(drawn.top, 1); v < std::min(drawn.bottom(), image.height - 1); ++v) {
+    const float* depth = &image.depth[image.index(0, v)];
+    const std::int16_t* id = &image.id[image.index(0, v)];
+    const std::size_t measured = view_->index(drawing.left, v + drawing.top);
+    kernels::score_pixels(
+        {depth - image.width, depth, depth + image.width}, {id - image.width, id, id + image.width},
+        {&view_->depth[measured], &view_->nearest[measured]}, static_cast<std::size_t>(first),
+        static_cast<std::size_t>(end), scoring, &drawing.scores[image.index(first, v)]);
+  }
 }
 
 double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
@@ -176,21 +155,16 @@ double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
   return facing > 0.0 ? inside / facing : 0.0;
 }
 
-/// Whether whole_ shows something where something was measured.
-bool ViewScore::speaks(std::size_t pixel) const {
-  return whole_.image.id[pixel] != kNothing && view_->depth[pixel] > 0.0F;
-}
-
 /// Of what whole_ shows.
-ViewEvidence ViewScore::count_pixels(double slack) const {
+ViewEvidence ViewScore::count_pixels() const {
   const RenderedDepth& image = whole_.image;
   const ImageWindow& drawn = image.drawn;
   ViewEvidence evidence;
   for (int v = drawn.top; v < drawn.bottom(); ++v) {
     for (int u = drawn.left; u < drawn.right(); ++u) {
       const std::size_t pixel = image.index(u, v);
-      if (!speaks(pixel)) continue;
-      const double score = pixel_score(whole_, u, v, slack);
+      if (image.id[pixel] == kNothing || !(view_->depth[pixel] > 0.0F)) continue;
+      const auto score = static_cast<double>(whole_.scores[pixel]);
       evidence.measured += 1.0;
       if (score > 0.0) {
         evidence.explained += score;
@@ -208,7 +182,8 @@ ViewEvidence ViewScore::evidence(const Configuration& configuration, double slac
                                  const std::vector<std::uint8_t>& bodies) {
   nearest_reach_ = 0.0;
   draw(configuration, bodies, whole_);
-  ViewEvidence evidence = count_pixels(slack);
+  score_pixels(slack, whole_);
+  ViewEvidence evidence = count_pixels();
   evidence.continues = share_that_continues(whole_.image, *view_, noise_, slack);
   evidence.in_view = share_in_view(bodies);
   return evidence;
@@ -217,7 +192,8 @@ ViewEvidence ViewScore::evidence(const Configuration& configuration, double slac
 double ViewScore::fit(const Configuration& configuration, double slack) {
   nearest_reach_ = 0.0;
   draw(configuration, std::vector<std::uint8_t>(tree_.bodies.size(), 1), whole_);
-  return count_pixels(slack).fit();
+  score_pixels(slack, whole_);
+  return count_pixels().fit();
 }
 
 std::vector<double> ViewScore::scan(std::span<const Configuration> trials, int variable,
@@ -229,26 +205,20 @@ std::vector<double> ViewScore::scan(std::span<const Configuration> trials, int v
   }
   if (!frame_motion(trials, moved)) return std::vector<double>(trials.size(), 0.0);
   draw_bodies(others, rest_);
-  const RenderedDepth& rest = rest_.image;
-  rest_scores_.assign(rest.depth.size(), 0.0);
-  for (int v = rest.drawn.top; v < rest.drawn.bottom(); ++v) {
-    for (int u = rest.drawn.left; u < rest.drawn.right(); ++u) {
-      const std::size_t pixel = rest.index(u, v);
-      if (rest.id[pixel] != kNothing) rest_scores_[pixel] = pixel_score(rest_, u, v, slack);
-    }
-  }
+  score_pixels(slack, rest_);
   std::vector<double> scores;
   scores.reserve(trials.size());
   for (const Configuration& trial : trials) {
     forward_kinematics_of(tree_, trial, moved, poses_);
     draw_bodies(moved, moving_);
-    scores.push_back(score_of_moved(slack));
+    score_pixels(slack, moving_);
+    scores.push_back(score_of_moved());
   }
   return scores;
 }
 
 /// What the moved bodies explain, less what is explained of what they hide.
-double ViewScore::score_of_moved(double slack) const {
+double ViewScore::score_of_moved() const {
   const RenderedDepth& image = moving_.image;
   const ImageWindow& drawn = image.drawn;
   double sum = 0.0;
@@ -256,7 +226,7 @@ double ViewScore::score_of_moved(double slack) const {
     for (int u = drawn.left; u < drawn.right(); ++u) {
       const std::size_t pixel = image.index(u, v);
       if (image.id[pixel] != kNothing && image.depth[pixel] < rest_.image.depth[pixel]) {
-        sum += pixel_score(moving_, u, v, slack) - rest_scores_[pixel];
+        sum += static_cast<double>(moving_.scores[pixel] - rest_.scores[pixel]);
       }
     }
   }

@@ -47,7 +47,8 @@ class ViewScore {
   struct Drawing {
     std::unique_ptr<DepthRenderer> renderer;
     RenderedDepth image;
-    int left = 0;  ///< of its first pixel in the view
+    std::vector<float> scores;  ///< of its pixels, where it shows something
+    int left = 0;               ///< of its first pixel in the view
     int top = 0;
   };
 
@@ -55,11 +56,9 @@ class ViewScore {
             Drawing& drawing);
   void draw_bodies(const std::vector<std::uint8_t>& bodies, Drawing& drawing);
   bool frame_motion(std::span<const Configuration> trials, const std::vector<std::uint8_t>& moved);
-  ViewEvidence count_pixels(double slack) const;
-  double score_of_moved(double slack) const;
-  bool speaks(std::size_t pixel) const;
-  bool is_before_reach(double measured, double slack) const;
-  double pixel_score(const Drawing& drawing, int u, int v, double slack) const;
+  void score_pixels(double slack, Drawing& drawing) const;
+  ViewEvidence count_pixels() const;
+  double score_of_moved() const;
   double share_in_view(const std::vector<std::uint8_t>& bodies) const;
 
   const KinematicTree& tree_;
@@ -76,7 +75,6 @@ class ViewScore {
   Drawing whole_;
   Drawing moving_;
   Drawing rest_;
-  std::vector<double> rest_scores_;
 };
 
 }  // namespace lockbox
