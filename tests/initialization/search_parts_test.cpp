@@ -22,7 +22,7 @@ namespace lockbox {
 namespace {
 
 constexpr Selection kMany{0.05, 40, 0.5, 8, 8};
-constexpr Breadth kBreadth{8, kMany, kMany, {0.15, 4, 0.5, 2, 2}, std::nullopt, 4, false};
+constexpr Breadth kBreadth{8, kMany, kMany, {0.15, 4, 0.5, 2, 2}, std::nullopt, 4, false, false};
 
 /// A block before a wall.
 class SearchParts : public ::testing::Test {

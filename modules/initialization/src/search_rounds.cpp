@@ -22,7 +22,8 @@ constexpr Breadth kUsual{
     .posed = {.least_share = 0.15, .most = 16, .place = 0.5, .most_in_place = 8, .most_alike = 2},
     .improved = std::nullopt,
     .likeliest = 8,
-    .is_close = false};
+    .is_close = false,
+    .follows_again = false};
 constexpr Breadth kWide{
     .matches_each = 32,
     .matched =
@@ -34,7 +35,8 @@ constexpr Breadth kWide{
         Selection{
             .least_share = 0.02, .most = 48, .place = 0.5, .most_in_place = 8, .most_alike = 3},
     .likeliest = 8,
-    .is_close = false};
+    .is_close = false,
+    .follows_again = false};
 /// Of points, which propose many places that look alike from afar, of things that are mostly small.
 constexpr Breadth kOfPoints{
     .matches_each = 8,
@@ -45,7 +47,8 @@ constexpr Breadth kOfPoints{
     .posed = {.least_share = 0.05, .most = 16, .place = 0.5, .most_in_place = 4, .most_alike = 4},
     .improved = std::nullopt,
     .likeliest = 8,
-    .is_close = true};
+    .is_close = true,
+    .follows_again = false};
 
 /// Turns of an answer are compared all of them, however much alike they look.
 constexpr Selection kEachTurn{
@@ -56,7 +59,8 @@ constexpr Breadth kOfTurns{.matches_each = 1,
                            .posed = kEachTurn,
                            .improved = std::nullopt,
                            .likeliest = 4,
-                           .is_close = false};
+                           .is_close = false,
+                           .follows_again = true};
 
 /// Log odds by which an answer is more than the one before made a little more exact.
 constexpr double kAnother = 1.0;
@@ -172,8 +176,9 @@ std::vector<Hypothesis> SearchRounds::followed(SearchImage& image,
   const std::size_t most = breadth.likeliest;
   refinement_.place(image, breadth, hypotheses);
   refinement_.pose(image, breadth, hypotheses);
-  leave_out_followed(hypotheses);
+  if (!breadth.follows_again) leave_out_followed(hypotheses);
   assessment_.leave_out_hopeless(to_beat, kGainedFromAfar, most, hypotheses);
+  posed_.insert(posed_.end(), hypotheses.begin(), hypotheses.end());
   refinement_.fit(image, breadth, hypotheses);
   assessment_.leave_out_hopeless(to_beat, kGainedFromAfar, most, hypotheses);
   refinement_.fit_closely(image, breadth, hypotheses);
@@ -188,7 +193,6 @@ void SearchRounds::leave_out_followed(std::vector<Hypothesis>& hypotheses) {
       return before.score >= hypothesis.score && !are_apart(before, hypothesis);
     });
   });
-  posed_.insert(posed_.end(), hypotheses.begin(), hypotheses.end());
 }
 
 /// Back to front or upside down, it may look nearly the same, and be passed over; and so may the
