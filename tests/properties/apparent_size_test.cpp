@@ -61,7 +61,7 @@ class ApparentSizeProperty : public ::testing::TestWithParam<Look> {
     Eigen::VectorXd error(found.sigma.size());
     error << log_se3(start.T_camera_base.inverse() * found.configuration.T_camera_base),
         found.configuration.q - start.q;
-    return {registration.measure_size(found.configuration), error};
+    return {registration.measure_size(cloud, found.configuration), error};
   }
 };
 

@@ -188,11 +188,11 @@ void ArticulatedRegistration::align(const TiledCloud& cloud, const Configuration
   stages_->align(cloud, start, align_options, result);
 }
 
-SizeMeasurement ArticulatedRegistration::measure_size(const Configuration& configuration) {
-  Objective& objective = stages_->objective;
-  if (!objective.cloud().has_image()) return {};
-  return stages_->size_meter.measure(objective.view_of(configuration), objective.cloud(),
-                                     configuration);
+SizeMeasurement ArticulatedRegistration::measure_size(const TiledCloud& cloud,
+                                                      const Configuration& configuration) {
+  if (!cloud.has_image()) return {};
+  const PredictedView& view = stages_->objective.view_of(cloud, configuration);
+  return stages_->size_meter.measure(view, cloud, configuration);
 }
 
 const RegistrationOptions& ArticulatedRegistration::options() const {

@@ -39,7 +39,8 @@ Objective::Objective(const ArticulatedModel& model, const RegistrationOptions& o
       executor_(executor),
       collision_(model, options, executor),
       approach_view_(kApproachBudget, kApproachDetail),
-      full_view_(options.point_budget, view_detail(options.point_budget)) {
+      full_view_(options.point_budget, view_detail(options.point_budget)),
+      other_view_(options.point_budget, view_detail(options.point_budget)) {
   systems_.resize(model.tree.bodies.size());
 }
 
@@ -84,7 +85,12 @@ void Objective::look_at(const Configuration& configuration, double annealing_sig
                  options_, executor_);
 }
 
-const PredictedView& Objective::view_of(const Configuration& configuration) {
+const PredictedView& Objective::view_of(const TiledCloud& cloud,
+                                        const Configuration& configuration) {
+  if (&cloud != cloud_) {
+    other_view_.look_at(cloud, model_, configuration, 0.0, false, options_, executor_);
+    return other_view_;
+  }
   look_at(configuration, 0.0);
   return *view_;
 }

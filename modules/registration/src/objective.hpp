@@ -66,8 +66,10 @@ class Objective {
   /// clusters of free space.
   void weigh_contours(double weight, std::vector<TileSystem>& systems);
 
-  /// The view in hand, drawn anew if it does not show that configuration.
-  const PredictedView& view_of(const Configuration& configuration);
+  /// Of the cloud that is compared with: the view in hand, drawn anew if it does not show that
+  /// configuration. Of another cloud: a view of its own, which no linearisation looks through.
+  /// Valid until the next call.
+  const PredictedView& view_of(const TiledCloud& cloud, const Configuration& configuration);
 
   const TiledCloud& cloud() const { return *cloud_; }
   const PredictedView& view() const { return *view_; }  ///< the one in hand
@@ -101,6 +103,7 @@ class Objective {
   CollisionTerm collision_;
   PredictedView approach_view_;
   PredictedView full_view_;
+  PredictedView other_view_;  ///< of other clouds
   PredictedView* view_ = nullptr;
 
   const TiledCloud* cloud_ = nullptr;

@@ -247,7 +247,7 @@ void Tracker::Loop::report(Answer& answer) {
 
 void Tracker::Loop::measure_size(const Answer& found) {
   if (!judgement_.is_known() || !size_record_.is_due()) return;
-  size_record_.add(registration_.measure_size(found.configuration));
+  size_record_.add(registration_.measure_size(cloud_, found.configuration));
 }
 
 }  // namespace lockbox

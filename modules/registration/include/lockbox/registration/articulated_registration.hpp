@@ -97,9 +97,12 @@ class ArticulatedRegistration {
   void align(const TiledCloud& cloud, const Configuration& start, const AlignOptions& align_options,
              RegistrationResult& result);
 
-  /// In the cloud of the last alignment, of a configuration that was found there. A cloud without
-  /// an image tells nothing. No later alignment depends on it.
-  SizeMeasurement measure_size(const Configuration& configuration);
+  /// Measures how large the object looks in the cloud, at a configuration that was found there.
+  /// The cloud is that of the last alignment, unchanged since then, and what was drawn for it is
+  /// used again; or it is any other one, and the model is drawn for it. A cloud without an image
+  /// tells nothing: the size is 1, with a standard deviation of 1, and `effect` is empty. The
+  /// next alignment finds the same as without this call.
+  SizeMeasurement measure_size(const TiledCloud& cloud, const Configuration& configuration);
 
   /// As they were given, with one entry of `locked` for each variable.
   const RegistrationOptions& options() const;
