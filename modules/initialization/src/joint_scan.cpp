@@ -21,8 +21,7 @@ constexpr int kMostNested = 2;
 /// Nor is more than one tried of a joint that carries more than so many others: all of these are
 /// sought at each.
 constexpr std::size_t kMostCarried = 10;
-constexpr double kLeastGain = 1.0;        // pixels: worth moving for
-constexpr double kHardlyStandsOut = 4.0;  // standard deviations of a depth
+constexpr double kLeastGain = 1.0;  // pixels: worth moving for
 constexpr double kDoubt = 5.0;      // pixels: that two positions may differ by without telling
 constexpr std::size_t kBeside = 2;  // positions that are nearly the same
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -241,8 +240,9 @@ void scan_by_image(LowProminence& low_prominence, const TiledCloud& cloud,
                    const StopRequest& stop_request, Configuration& configuration) {
   for (const int variable : variables) {
     stop_if(stop_request);
-    const bool is_told = margins[static_cast<std::size_t>(variable)] > kDoubt &&
-                         low_prominence.prominence(variable, configuration) > kHardlyStandsOut;
+    const bool is_told =
+        margins[static_cast<std::size_t>(variable)] > kDoubt &&
+        low_prominence.prominence(variable, configuration) > LowProminence::kSurelyStandsOut;
     if (is_told) continue;
     const auto match = low_prominence.find_anywhere(cloud, configuration, variable);
     if (match.better) configuration.q[variable] = match.better->position;

@@ -10,10 +10,10 @@ namespace lockbox {
 namespace {
 
 // Of one cell. The sums over the few thousand cells of a template stay within 16 bits.
-constexpr float kInRange = 2.0F;  // where joints leave a choice
-constexpr float kSeenThrough = -14.0F;
-constexpr float kCovered = -1.5F;    // something in front: it may be an occluder
-constexpr float kContinues = -6.0F;  // the surface goes on where the model ends
+constexpr float kInRange = 2.0F;          // where joints leave a choice
+constexpr float kViolatingCell = -14.0F;  // a free-space violation
+constexpr float kOccludedCell = -1.5F;    // something in front: it may be an occluder
+constexpr float kContinues = -6.0F;       // the surface goes on where the model ends
 
 std::int16_t cell_score(const Expectation& expected, float height, float sigma) {
   if (std::isnan(height)) return 0;
@@ -28,7 +28,8 @@ std::int16_t cell_score(const Expectation& expected, float height, float sigma) 
   const float most = expected.low == expected.high ? kExplainedCell : kInRange;
   const float deviation = std::max({above, below, 0.0F});
   const float fitting = most - kExplainedCell * 0.2F * deviation * deviation;
-  return static_cast<std::int16_t>(std::max(fitting, above > below ? kCovered : kSeenThrough));
+  return static_cast<std::int16_t>(
+      std::max(fitting, above > below ? kOccludedCell : kViolatingCell));
 }
 
 /// Truncates: the library's rounding is a call, which took a thirtieth of a search.

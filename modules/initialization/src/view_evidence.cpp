@@ -13,15 +13,15 @@ constexpr double kInViewEnough = 0.5;  // of the surface; with less in view, dou
 }  // namespace
 
 double ViewEvidence::fit() const {
-  return explained + kSeenThrough * contradicted + kOccluded * occluded;
+  return explained + kViolatingPixel * contradicted + kOccludedPixel * occluded;
 }
 
 double ViewEvidence::total(double tolerance) const {
   const double visible = std::min(1.0, in_view / kInViewEnough);
   const double believed = 1.0 - std::pow(continues, 1.5);
   return (explained * std::pow(believed, (1.0 - 0.7 * tolerance) * kContinuing) +
-          (1.0 - 0.7 * tolerance) * kSeenThrough * contradicted +
-          (1.0 - tolerance) * kOccluded * occluded) *
+          (1.0 - 0.7 * tolerance) * kViolatingPixel * contradicted +
+          (1.0 - tolerance) * kOccludedPixel * occluded) *
          visible * visible;
 }
 

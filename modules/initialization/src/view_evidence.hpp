@@ -5,9 +5,11 @@ namespace lockbox {
 
 /// What speaks for a configuration and against it.
 struct ViewEvidence {
-  // What one pixel counts that is not explained; a pixel explained perfectly counts 1.
-  static constexpr double kOccluded = -0.15;
-  static constexpr double kSeenThrough = -6.0;
+  /// What one pixel counts that is not explained, where one explained perfectly counts 1: with
+  /// something in front of the model, and one through which the camera saw. Source: not recorded.
+  /// Doubled, configurations are refused that explain twice as much beside as many such pixels.
+  static constexpr double kOccludedPixel = -0.15;
+  static constexpr double kViolatingPixel = -6.0;
 
   double measured = 0.0;      ///< pixels of the view that show the model and have a depth
   double explained = 0.0;     ///< of them, weighted by how well

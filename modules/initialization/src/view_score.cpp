@@ -117,8 +117,8 @@ void ViewScore::score_pixels(double slack, Drawing& drawing) const {
                                       static_cast<float>(slack),
                                       static_cast<float>(view_->camera.fx),
                                       is_known_ ? static_cast<float>(nearest_reach_ - slack) : 0.0F,
-                                      static_cast<float>(ViewEvidence::kOccluded),
-                                      static_cast<float>(ViewEvidence::kSeenThrough)};
+                                      static_cast<float>(ViewEvidence::kOccludedPixel),
+                                      static_cast<float>(ViewEvidence::kViolatingPixel)};
   const int first = std::max(drawn.left, 1);
   const int end = std::min(drawn.right(), image.width - 1);
   if (first >= end) return;
@@ -169,9 +169,9 @@ ViewEvidence ViewScore::count_pixels() const {
       if (score > 0.0) {
         evidence.explained += score;
       } else if (view_->depth[pixel] > image.depth[pixel]) {
-        evidence.contradicted += score / ViewEvidence::kSeenThrough;
+        evidence.contradicted += score / ViewEvidence::kViolatingPixel;
       } else {
-        evidence.occluded += score / ViewEvidence::kOccluded;
+        evidence.occluded += score / ViewEvidence::kOccludedPixel;
       }
     }
   }

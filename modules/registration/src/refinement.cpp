@@ -11,9 +11,8 @@ namespace {
 
 /// Points near edges, and contours, have told before part of what edges tell.
 constexpr double kOverlap = 0.5;
-constexpr double kSurelyStandsOut = 4.0;  // standard deviations of a depth
-constexpr double kPixelsOff = 2.0;        // that points and image may disagree by
-constexpr double kMostObjection = 4.5;    // of cost: three standard deviations
+constexpr double kPixelsOff = 2.0;      // that points and image may disagree by
+constexpr double kMostObjection = 4.5;  // of cost: three standard deviations
 
 }  // namespace
 
@@ -53,7 +52,9 @@ void ProminenceStep::take(const Eigen::VectorXd& start, Linearization& at, Estim
                           JointMatches& matches) {
   for (int v = 0; v < model_.tree.variables() && options_.match_low_prominence; ++v) {
     const double prominence = low_prominence_.prominence(v, estimate.configuration);
-    if (prominence > kSurelyStandsOut || steps_.held()[static_cast<std::size_t>(6 + v)]) continue;
+    if (prominence > LowProminence::kSurelyStandsOut ||
+        steps_.held()[static_cast<std::size_t>(6 + v)])
+      continue;
     auto& match = matches[static_cast<std::size_t>(v)];
     match = low_prominence_.find_near(objective_.cloud(), estimate.configuration, v, start[v]);
     if (prominence > options_.free_space_tolerance &&

@@ -14,10 +14,10 @@ namespace {
 
 /// A body most of whose points lie behind it, though within the gate, is not what they lie on: of a
 /// flat part that is elsewhere they show the face that it would lie on. What recedes by less than
-/// this is the model's inexactness, and with few points, that err alike, noise: so many of its
-/// standard deviations, if each point's way were drawn by lot.
-constexpr double kMayRecede = 0.25;
-constexpr double kRecedesByNoise = 3.0;
+/// share of what is explained is the model's inexactness, and with few points, that err alike,
+/// noise: so many standard deviations of the share, if each point's way were drawn by lot.
+constexpr double kShareMayRecede = 0.25;
+constexpr double kShareSigmas = 3.0;
 constexpr double kScatter = 0.57;  // of (-1, 0, 1) for (before, near, behind) by one sigma
 
 /// Of a depth that is measured so far behind the surface, metres. On steep surfaces lateral noise
@@ -102,8 +102,8 @@ void make_shares(Agreement& counts) {
 /// Counts of one body: what recedes as a whole contradicts it.
 void contradict_by_what_recedes(double noise_correlation, Agreement& counts) {
   const double independent = counts.explained / noise_correlation;
-  const double by_noise = kRecedesByNoise * kScatter / std::sqrt(independent);
-  if (!(counts.recedes > (kMayRecede + by_noise) * counts.explained)) return;
+  const double by_noise = kShareSigmas * kScatter / std::sqrt(independent);
+  if (!(counts.recedes > (kShareMayRecede + by_noise) * counts.explained)) return;
   counts.explained -= counts.recedes;
   counts.contradicted += counts.recedes;
   counts.recedes = 0.0;

@@ -55,10 +55,11 @@ class SampleGroup {
 
  private:
   /// The mean over a group that lies behind exceeds this, metres: so inexact are models and
-  /// cameras.
-  static constexpr double kMayRecede = 0.005;
+  /// cameras. Doubled, flat parts may lie 1 cm before what they are taken for.
+  static constexpr double kMeanMayRecede = 0.005;
   /// Beyond that, in standard deviations of the mean: of hundreds of groups none should be wrong.
-  static constexpr double kRecedesByNoise = 4.5;
+  /// Doubled, groups of few pixels contradict nothing.
+  static constexpr double kMeanSigmas = 4.5;
   static constexpr int kSize = SamplingDensity::kCellSize;  // pixels of the view
 
   bool lies_behind() const {
@@ -66,7 +67,7 @@ class SampleGroup {
     // Neighbours err alike, and samples that stand for many pixels are no more than they are.
     const double independent = std::min(pixels_ / options_.noise_correlation, samples_);
     const double sigma_of_mean = std::sqrt(sum_variance_ / pixels_ / independent);
-    return sum_behind_ > (kMayRecede + kRecedesByNoise * sigma_of_mean) * pixels_;
+    return sum_behind_ > (kMeanMayRecede + kMeanSigmas * sigma_of_mean) * pixels_;
   }
 
   void add(const ViewSample& sample, double behind, double sigma) {
@@ -74,7 +75,7 @@ class SampleGroup {
     if (place.u != place_.u || place.v != place_.v) close();
     place_ = place;
     // How far, of what is too far, does not matter: a few see past an edge to the wall.
-    const double most = 2.0 * kMayRecede + options_.gate * sigma;
+    const double most = 2.0 * kMeanMayRecede + options_.gate * sigma;
     pixels_ += sample.pixels;
     samples_ += 1.0;
     sum_variance_ += sample.pixels * sigma * sigma;

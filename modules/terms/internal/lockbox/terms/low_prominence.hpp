@@ -32,6 +32,10 @@ struct RangeMatch {
 /// Reuses its buffers. The same for any number of threads. The model must outlive it.
 class LowProminence {
  public:
+  /// Prominence (standard deviations of a depth) from which on points alone tell where the part is.
+  /// Source: not recorded. Doubled, more joints are matched by the image, which takes longer.
+  static constexpr double kSurelyStandsOut = 4.0;
+
   LowProminence(const ArticulatedModel& model, const ViewOptions& options,
                 const Executor& executor);
 
