@@ -9,6 +9,7 @@
 #include "counted.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/evaluation/equal_poses.hpp"
+#include "lockbox/mesh/triangle_mesh.hpp"
 #include "lockbox/model/contacts.hpp"
 #include "lockbox/model/joint_type_name.hpp"
 #include "lockbox/visualization/model_painter.hpp"

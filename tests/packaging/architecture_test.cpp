@@ -194,6 +194,24 @@ TEST(Architecture, ModulesUseOnlyWhatTheTableAllows) {
   }
 }
 
+/// What nobody uses is not allowed: the table says how things are.
+TEST(Architecture, WhatTheTableAllowsIsUsed) {
+  const auto architecture = read_architecture();
+  std::map<std::string, Room> used;
+  for (const auto& include : all_includes()) {
+    used[include.room].may_use.insert(room_of(include));
+    used[include.room].libraries.insert(library_of(architecture, include.header));
+  }
+  for (const auto& [name, allowed] : architecture.rooms) {
+    for (const std::string& room : allowed.may_use) {
+      EXPECT_TRUE(used[name].may_use.contains(room)) << name << " uses nothing of " << room;
+    }
+    for (const std::string& library : allowed.libraries) {
+      EXPECT_TRUE(used[name].libraries.contains(library)) << name << " uses nothing of " << library;
+    }
+  }
+}
+
 TEST(Architecture, ThirdPartyHeadersStayInTheirRooms) {
   const auto architecture = read_architecture();
   for (const auto& include : all_includes()) {

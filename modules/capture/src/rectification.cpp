@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rectification.hpp"
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 

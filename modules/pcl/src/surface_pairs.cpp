@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "lockbox/sdf/signed_distance_field.hpp"
+
 namespace lockbox {
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/view/view_detail.hpp"
 

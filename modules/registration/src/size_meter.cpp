@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 
 namespace lockbox {

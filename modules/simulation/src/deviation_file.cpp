@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <yaml-cpp/yaml.h>
+
 #include <cmath>
 #include <numbers>
 

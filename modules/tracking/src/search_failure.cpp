@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lockbox/initialization/initializer.hpp"
+#include "lockbox/mesh/triangle_mesh.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/symmetry.hpp"
 #include "lockbox/sensor/noise_record.hpp"

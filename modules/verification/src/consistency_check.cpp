@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lockbox/kernels/reprojection.hpp"
 #include "lockbox/sdf/distance_rounding.hpp"
 #include "lockbox/sdf/rigid_motion.hpp"
+#include "lockbox/sensor/sensor_noise.hpp"
 #include "lockbox/view/contour.hpp"
 #include "sample_group.hpp"
 

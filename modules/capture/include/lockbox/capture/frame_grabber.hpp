@@ -7,6 +7,7 @@
 #include <pcl/point_types.h>
 
 #include <atomic>
+#include <boost/signals2/signal.hpp>
 #include <functional>
 #include <memory>
 #include <mutex>
