@@ -12,9 +12,9 @@ namespace lockbox {
 /// near box explains many pixels.
 struct Breadth {
   std::size_t matches_each;  ///< of one template on one region
-  Selection matched;
-  Selection placed;
-  Selection posed;
+  Selection matched;         ///< as they are proposed
+  Selection placed;          ///< whose bases are aligned, in the coarse view
+  Selection posed;           ///< whose joints are aligned with them
   /// Of the poses, those that are improved by the drawing, too, before all but the best are left
   /// out.
   std::optional<Selection> improved;

@@ -17,6 +17,7 @@ constexpr double kContourPrior = 8.0;  // contour pixels that would have to be s
 // of one beyond which the surface goes on.
 constexpr double kUnseen = 0.5;
 
+/// (du, dv) from a pixel to those beside it.
 constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
 /// Pixels of contours that are near each other and face the same way.

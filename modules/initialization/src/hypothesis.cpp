@@ -14,6 +14,9 @@ constexpr double kSameBase = 0.01;
 /// Radians. Source: half of what a square board is turned by to where it looks the same. Doubled,
 /// such turns crowd out the right one.
 constexpr double kAlike = 0.785;
+/// Of two hypotheses whose bases are nearer to each other, in both, only the better one is kept.
+/// Unit: metres, and radians. Source: not recorded. Doubled, one that is 7 cm from a better one is
+/// not followed.
 constexpr double kApartMetres = 0.04;
 constexpr double kApartRadians = 0.15;
 

@@ -13,6 +13,9 @@ namespace {
 constexpr std::array<int, 2> kWindows{8, 14};  // samples along each side of a first guess
 constexpr double kInlier = 2.5;                // standard deviations of a smoothed sample
 constexpr double kLeastInliers = 0.6;          // share of a window
+/// Rounds that leave out a window's farthest samples, and that let a region grow and fit its plane
+/// anew. Source: not recorded. Doubled, smaller planes of a window are found, and each takes
+/// longer.
 constexpr int kTrims = 3;
 constexpr int kGrowths = 3;
 
@@ -49,6 +52,7 @@ class InverseDepth {
     const float centre = 1.0F / here;
     float sum = centre;
     float count = 1.0F;
+    // (du, dv) to one of two opposite neighbours.
     constexpr std::array<std::array<int, 2>, 4> kPairs{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
     for (const auto& [du, dv] : kPairs) {
       if (!view_.contains(u + du, v + dv) || !view_.contains(u - du, v - dv)) continue;
@@ -225,6 +229,8 @@ Eigen::Isometry3d region_frame(const CoarseView& view, const PlanarRegion& regio
 }
 
 PlanarScene find_planes(const CoarseView& view, double noise) {
+  // Samples of a region, at least, and regions of a scene, at most. Source: not recorded. Doubled,
+  // faces that show fewer than 40 samples are not found, and matching may take twice as long.
   constexpr std::size_t kLeastSamples = 20;
   constexpr std::size_t kMostRegions = 32;
   return {view, noise, find_planar_regions(view, noise, kLeastSamples, kMostRegions)};

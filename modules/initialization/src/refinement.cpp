@@ -10,6 +10,8 @@
 namespace lockbox {
 namespace {
 
+/// What an alignment at full resolution must keep of the score to be taken, as a share. Source: not
+/// recorded. Doubled, hardly any is taken.
 constexpr double kHardlyLess = 0.9;
 constexpr int kRounds = 2;            // gates begin anew where the first round has come
 constexpr double kFineSlack = 0.003;  // metres that surfaces may be off at last

@@ -15,6 +15,10 @@
 namespace lockbox {
 namespace {
 
+/// What a round keeps at first. Units are those of Breadth and Selection: numbers of hypotheses,
+/// shares of the best score, radii of the model. Source: of those in a place and alike
+/// docs/initialization.md, of the rest not recorded. Numbers doubled, a round takes up to twice as
+/// long.
 constexpr Breadth kUsual{
     .matches_each = 8,
     .matched = {.least_share = 0.1, .most = 96, .place = 0.5, .most_in_place = 16, .most_alike = 6},
@@ -24,6 +28,8 @@ constexpr Breadth kUsual{
     .likeliest = 8,
     .is_close = false,
     .follows_again = false};
+/// The same where that has found nothing that is possible. Source: in four of 500 scenes large
+/// boxes kept a small block out before (docs/initialization.md, Rounds).
 constexpr Breadth kWide{
     .matches_each = 32,
     .matched =
@@ -38,6 +44,7 @@ constexpr Breadth kWide{
     .is_close = false,
     .follows_again = false};
 /// Of points, which propose many places that look alike from afar, of things that are mostly small.
+/// Source: not recorded.
 constexpr Breadth kOfPoints{
     .matches_each = 8,
     .matched =
@@ -53,6 +60,7 @@ constexpr Breadth kOfPoints{
 /// Turns of an answer are compared all of them, however much alike they look.
 constexpr Selection kEachTurn{
     .least_share = 0.0, .most = 128, .place = 0.0, .most_in_place = 1, .most_alike = 1};
+/// Of these, those that are made exact. Source: not recorded. Doubled, eight are.
 constexpr Breadth kOfTurns{.matches_each = 1,
                            .matched = kEachTurn,
                            .placed = kEachTurn,
@@ -64,6 +72,8 @@ constexpr Breadth kOfTurns{.matches_each = 1,
 
 /// Log odds by which an answer is more than the one before made a little more exact.
 constexpr double kAnother = 1.0;
+/// Answers that are ranked, and those of them within a radius of the model of each other. Source:
+/// not recorded.
 constexpr Selection kRanked{
     .least_share = 0.0, .most = 32, .place = 1.0, .most_in_place = 8, .most_alike = 8};
 

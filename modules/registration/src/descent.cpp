@@ -11,7 +11,11 @@ namespace {
 constexpr double kNearEnough = 0.001;
 constexpr double kNearEnoughForFine = 0.004;  // the same, where the last iteration follows
 constexpr int kMostFineIterations = 2;        // times the iterations, if more than a step is left
+/// Trials of a damped step, where the whole one is none downhill. Source: not recorded. Doubled,
+/// iterations that end a descent anyway cost five trials more.
 constexpr int kMaxDampings = 5;
+/// Of the curvature's diagonal, what the first of them adds to it, and how many times that of the
+/// one before each further one adds. Source: not recorded. Doubled, steps are shorter than need be.
 constexpr double kFirstDamping = 1e-2;
 constexpr double kDampingGrowth = 10.0;
 

@@ -32,6 +32,8 @@ constexpr double kSidePixels = 0.25;
 /// Of what a contour is sought, from which on it was rather not found.
 constexpr double kSurelySeen = 0.74;
 constexpr double kHeld = 1e12;  // 1 / variance of what does not move
+/// Points of faces that are measured, about, at most. Source: not recorded. Doubled, a measurement
+/// takes longer, and hardly tells more: neighbours err alike.
 constexpr std::size_t kMostFacePoints = 3000;
 /// Of the length of a field's gradient from 1: near edges it is shorter.
 constexpr double kFlat = 0.03;

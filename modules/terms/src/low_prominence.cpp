@@ -14,6 +14,8 @@
 namespace lockbox {
 namespace {
 
+/// Pixels that surfaces move to both sides: how far around it a joint is sought. Source: not
+/// recorded. Doubled, about twice as many positions are compared.
 constexpr double kPixelsAround = 4.0;
 /// Standard deviations of a depth. What stands out less is followed to a dip of the noise as well,
 /// where it has left too fast: its whole range is asked each time. Doubled, so are those of a
@@ -25,6 +27,8 @@ constexpr double kFaint = 2.0;
 constexpr double kPixelsExpected = 2.0;
 constexpr double kPixelsDragged = 16.0;  // by points, at most
 constexpr double kScanPixels = 0.75;     // from one position to the next over the whole range
+/// Positions of a joint that are compared, about, at most. Source: not recorded. Doubled, long
+/// ranges are compared twice as closely, in twice the time.
 constexpr int kMostSteps = 127;
 constexpr double kLeastGain = 9.0;  // of chi^2
 /// Metres that surfaces move to what is another position: half more than what counts as right.

@@ -12,8 +12,9 @@ namespace lockbox {
 
 /// Memory for one tile: arrays of all its candidates.
 struct ModelTileScratch {
-  static constexpr std::size_t kMaxCandidates =
-      16;  ///< bodies that may compete for a tile's points
+  /// Bodies that may compete for a tile's points; no others are looked up there. Source: not
+  /// recorded. Doubled, each thread keeps twice the memory.
+  static constexpr std::size_t kMaxCandidates = 16;
 
   explicit ModelTileScratch(std::vector<float>& memory) {
     memory.resize(kMaxCandidates * kArraysPerCandidate * kTilePoints);
@@ -53,7 +54,7 @@ struct ModelTileScratch {
   std::array<const float*, kMaxCandidates> distance;  ///< to be set before candidates()
 
  private:
-  static constexpr std::size_t kArraysPerCandidate = 10;
+  static constexpr std::size_t kArraysPerCandidate = 10;  ///< that the constructor takes
 
   std::array<const float*, kMaxCandidates> inverse_variance_;
 };

@@ -11,6 +11,8 @@ namespace lockbox {
 namespace {
 
 constexpr double kLeastLength = 0.1;  // pixels: as good as none
+/// Values of a cell that memory is kept for; more allocate. Source: not recorded. Doubled, each
+/// patch keeps twice the memory.
 constexpr std::size_t kUsualValues = 32;
 
 }  // namespace

@@ -7,8 +7,12 @@
 namespace lockbox {
 namespace {
 
-// A surface that looks the way the sample itself looks lies on the far side of a thin body.
+/// A surface that looks the way the sample itself looks lies on the far side of a thin body. Unit:
+/// cosine of the angle between their normals. Source: not recorded. Doubled, surfaces that lie
+/// oblique to the sample are taken for the near side.
 constexpr float kFarSideCosine = 0.2F;
+/// Steps along the normal, at most. Source: not recorded. Doubled, a way along a surface that comes
+/// no nearer is followed for longer.
 constexpr int kMaxTraceSteps = 200;
 constexpr float kSurfaceTolerance = 2e-6F;  // metres
 

@@ -19,10 +19,12 @@ constexpr int kSamplesAlong = 3;  // along each side of a pixel
 constexpr int kPatch = 16;        // pixels: more than what stands out, so that its height counts
 constexpr int kReach = 4;         // samples: of the jitter's density, from a pixel's centre
 constexpr int kMarginPixels = 6;  // pixels around what moves: noise goes together over a few
+/// Pixels around what a joint moves; of more, nothing is said. Source: not recorded. Doubled,
+/// larger parts are compared as well, which takes up to twice as long.
 constexpr int kMostPixels = 40000;
 constexpr double kNearest = 0.05;  // metres: what comes nearer to the camera fills the image
 
-constexpr std::size_t kTaps = 2 * kReach + 1;
+constexpr std::size_t kTaps = 2 * kReach + 1;  // samples along a row or column, its own included
 using RegionTaps = std::array<float, kTaps>;
 
 /// Weights of the samples around a pixel's centre.

@@ -8,7 +8,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-constexpr Index kTwist = 6;
+constexpr Index kTwist = 6;          // unknowns of a body
 constexpr double kSideDepth = 0.01;  // metres between sides with one direction; doubled: steps of 1
                                      // to 2 cm count as one side, which tells nothing of relief
 

@@ -49,6 +49,7 @@ void look_beyond(const VisibleSurface& surface, const Pixel& sample, const Tiled
                  const ViewOptions& options, ContourSides& sides) {
   const RenderedDepth& view = surface.view();
   if (shows_model_around(view, sample)) return;
+  // (du, dv) to the four sides.
   constexpr std::array<std::array<int, 2>, 4> kWays{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
   for (std::size_t way = 0; way < kWays.size(); ++way) {
     const auto& [du, dv] = kWays[way];

@@ -24,7 +24,7 @@ static_assert(kWindow * kWindow == static_cast<int>(evidence::kWindow));
 /// What a smooth surface with a step in it has: height, two slopes, a bend across the contour, and
 /// the step.
 using Surface = Eigen::Matrix<double, 5, 1>;
-constexpr int kStep = 4;
+constexpr int kStep = 4;  // where the step is in it
 /// Independent measurements of a surface, so that its step is known at all.
 constexpr std::size_t kFewestWindows = 2 * Surface::RowsAtCompileTime;
 

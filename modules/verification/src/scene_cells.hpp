@@ -36,6 +36,8 @@ struct Sight {
   }
 };
 
+/// The eight directions; cells along diagonals are 1.4 times as far apart. Unit: cells. Source: not
+/// recorded. Doubled, planes are foretold over surfaces that bend.
 inline constexpr std::array<Sight, 8> kSights{{{1, 0, 3, 5},
                                                {-1, 0, 3, 5},
                                                {0, 1, 3, 5},

@@ -16,9 +16,9 @@ constexpr int kCellSize = SamplingDensity::kCellSize;
 constexpr float kBend = 1.5e-5F;  // 1 / metre, from pixel to pixel of the view: 0.02 mm at 1.2 m
 /// Times the gate: how far off the face may be expected.
 constexpr double kReachOfCut = 2.0;
-constexpr int kRowsOfCells = 2;    // of a band
-constexpr int kCellsTogether = 4;  // along a band, for one tile
-constexpr std::size_t kWellFilled = 2 * kernels::kLanes;
+constexpr int kRowsOfCells = 2;                           // of a band
+constexpr int kCellsTogether = 4;                         // along a band, for one tile
+constexpr std::size_t kWellFilled = 2 * kernels::kLanes;  // points: enough for a tile of their own
 /// Rows of the camera that a mean is taken of, evenly apart. Noise goes together over a few pixels:
 /// rows in between tell hardly more, but take most of the time.
 constexpr std::size_t kRowsOfMean = 8;
@@ -27,7 +27,7 @@ constexpr std::size_t kRowsOfMean = 8;
 using CellMask = std::uint64_t;
 
 constexpr CellMask block_of(int u, int v, int size) {
-  constexpr CellMask kFirstColumn = 0x0101010101010101;
+  constexpr CellMask kFirstColumn = 0x0101010101010101;  // a bit in each row
   const CellMask row = (CellMask{1} << size) - 1;
   const CellMask rows =
       size == kCellSize ? kFirstColumn : kFirstColumn & ((CellMask{1} << (8 * size)) - 1);

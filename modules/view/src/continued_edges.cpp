@@ -10,8 +10,9 @@ namespace lockbox {
 namespace {
 
 constexpr int kStretchCell = 8;  // pixels of the view along each side of what makes a stretch
-constexpr int kWays = 4;
-constexpr std::size_t kRowsTogether = 8;
+constexpr std::size_t kRowsTogether = 8;  // of the view, that a thread takes at once
+constexpr int kWays = 4;                  // to the sides of a pixel
+/// (du, dv) of each.
 constexpr std::array<std::array<int, 2>, kWays> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 /// Metres beyond an edge that are looked at: as far as the widest gate of tracking reaches, four
 /// standard deviations of 5 mm. Twice as far, neighbours narrower than that are taken for none.

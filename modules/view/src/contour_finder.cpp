@@ -93,6 +93,7 @@ double ContourFinder::zone(double depth) const {
 }
 
 bool ContourFinder::ends_beside(const TangentPlane& plane, int u, int v, double jump) const {
+  // (du, dv) to the four sides.
   constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   const double here = depth(u, v);
   return std::any_of(kBeside.begin(), kBeside.end(), [&](const auto& d) {

@@ -10,6 +10,9 @@
 namespace lockbox {
 namespace {
 
+/// Pixels of the view: rows that a thread takes at once, and columns of them whose rays follow each
+/// other, as they look up neighbouring voxels. Source: not recorded. Doubled, neighbours are
+/// farther apart.
 constexpr int kRowsInBand = 16;
 constexpr int kColumnsTogether = 8;
 

@@ -8,8 +8,8 @@
 namespace lockbox {
 namespace {
 
-constexpr float kLeastStep = 1.5e-3F;  // of the depth: a bend or a step within a body
-constexpr std::size_t kEdgeRowsPerChunk = 8;
+constexpr float kLeastStep = 1.5e-3F;         // of the depth: a bend or a step within a body
+constexpr std::size_t kEdgeRowsPerChunk = 8;  // that a thread takes at once
 
 }  // namespace
 

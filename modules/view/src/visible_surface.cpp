@@ -12,9 +12,13 @@
 namespace lockbox {
 namespace {
 
+/// What a thread takes at once. Source: not recorded. Doubled, threads share the work out less
+/// evenly.
 constexpr std::size_t kRowsPerChunk = 8;
 constexpr std::size_t kColumnsPerChunk = 32;
 constexpr std::size_t kTilesPerChunk = 4;
+/// Pixels from the contour, and the label of what is as far from it or farther: distances are
+/// bytes.
 constexpr std::uint8_t kFarthestCounted = 255;
 constexpr std::int16_t kFarthestLabel = -1 - kFarthestCounted;
 constexpr float kFarBeside = kernels::label_beside(1e6F);  // metres: beyond all gates

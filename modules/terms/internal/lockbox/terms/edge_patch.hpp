@@ -29,7 +29,9 @@ class EdgePatch {
  public:
   static constexpr int kSamples = kernels::kSamplesPerPixel;  ///< along each side of a pixel
   static constexpr int kReach = kernels::kWindowTaps / 2;     ///< samples that a pixel looks aside
-  static constexpr int kSide = kernels::kWindowPixels;
+  static constexpr int kSide = kernels::kWindowPixels;        ///< of a patch, pixels
+  /// A patch that shows more bodies is not read. Source: not recorded. Doubled, more patches are
+  /// read where many small bodies meet, and each thread keeps twice the memory for them.
   static constexpr int kMostBodies = 6;
 
   /// lateral_pixels: standard deviation of the jitter.

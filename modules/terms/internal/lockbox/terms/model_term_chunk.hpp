@@ -30,8 +30,8 @@ struct ModelTermTotals {
 
 /// Consecutive tiles of the points, and the bodies that compete for their points.
 struct ModelTermChunk {
-  static constexpr std::size_t kTiles = 8;  // fixed, so that sums do not depend on threads
-  static constexpr std::size_t kPlaneNumbers = 4;
+  static constexpr std::size_t kTiles = 8;         // fixed, so that sums do not depend on threads
+  static constexpr std::size_t kPlaneNumbers = 4;  // of a plane: its offset and its normal
 
   std::array<std::size_t, kTiles + 1> first{};   ///< candidate of each tile
   std::vector<int> bodies;                       ///< by candidate, tile by tile

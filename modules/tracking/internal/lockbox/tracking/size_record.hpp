@@ -26,6 +26,8 @@ class SizeRecord {
   void add_misfit(RegistrationResult& aligned) const;
 
  private:
+  /// Measurements that the mean is of. Source: not recorded. Doubled, a change of the size is told
+  /// twice as late.
   static constexpr std::size_t kKept = 6;
 
   std::array<SizeMeasurement, kKept> kept_;  ///< in turns

@@ -28,6 +28,8 @@ class TangentPlane {
   double steepness() const { return slopes().norm(); }
 
  private:
+  /// 1 / depth of a plane, of that here, at least, as nothing is seen beyond its horizon. Source:
+  /// not recorded. Doubled, steep planes end at five times the depth, not at ten.
   static constexpr double kHorizon = 0.1;
 
   double slope_u_;

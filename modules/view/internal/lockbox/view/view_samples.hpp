@@ -25,6 +25,8 @@ struct ViewSample {
 /// Chosen first, then placed row by row, by any threads. Reuses its buffers.
 class ViewSamples {
  public:
+  /// Samples of a chunk; fixed, so that sums do not depend on threads. Source: not recorded.
+  /// Doubled, threads share the work out less evenly.
   static constexpr std::size_t kMostInChunk = 512;
 
   /// Samples of one body: numbers [first, first + count), padded for the kernels.
