@@ -9,8 +9,21 @@
 namespace lockbox {
 namespace {
 
-constexpr int kStretch = 8;            // pixels along each side of what makes a stretch of contour
-constexpr double kFarBehind = 6.0;     // standard deviations: more says no more
+constexpr int kStretch = 8;         // pixels along each side of what makes a stretch of contour
+constexpr double kFarBehind = 6.0;  // standard deviations: more says no more
+/// Times slack and noise that what is measured inside of a contour may be off, to be the surface
+/// that ends there. Source: not recorded. Doubled, another surface as far off is taken for it.
+constexpr double kOwnSurface = 3.0;
+/// Standard deviations by which what is measured beyond a contour may be nearer than the surface's
+/// continuation; what is nearer still occludes it, or is what the model stands on. Source: not
+/// recorded. Doubled, more of the scene before the object counts as its end.
+constexpr double kOccluder = 2.0;
+/// Of noise, about, is the standard deviation of such a difference of two depths. Source: not
+/// recorded. Doubled, a step must be twice as high to be an end.
+constexpr double kNoiseOfStep = 1.5;
+/// Neighbours err alike, so that the mean of a stretch is never better than that of so many pixels.
+/// Source: not recorded. Doubled, long contours end at steps that are a third lower.
+constexpr double kMostIndependent = 4.0;
 constexpr double kContourPrior = 8.0;  // contour pixels that would have to be seen to matter
 // What should be seen inside of a contour and was not measured, nor farther in: next to a shadow
 // or to an empty background, a contour could otherwise be imagined anywhere. It counts for so much
@@ -84,11 +97,13 @@ class ContourSurvey {
     const double w_here = 1.0 / double{image_.depth[here]};
     const double w_in = 1.0 / double{image_.depth[in]};
     const double off = std::abs(1.0 / z_in - w_in) / (w_in * w_in);
-    if (off > 3.0 * (slack_ + noise_ / (w_in * w_in))) return;  // not this surface's contour
+    if (off > kOwnSurface * (slack_ + noise_ / (w_in * w_in)))
+      return;  // not this surface's contour
     const double slope = (w_here - w_in) / reach;
     // How much nearer the measured surface is than its continuation, standard deviations.
-    const double nearer = (1.0 / z_out - 1.0 / z_in - slope * (2.0 * reach + 1.0)) / (1.5 * noise_);
-    if (nearer > 2.0) return;  // an occluder, or what the model stands on
+    const double nearer =
+        (1.0 / z_out - 1.0 / z_in - slope * (2.0 * reach + 1.0)) / (kNoiseOfStep * noise_);
+    if (nearer > kOccluder) return;
     Stretch& stretch = stretches_[stretch_index(image_, u, v, direction)];
     stretch.sum += std::max(nearer, -kFarBehind);
     stretch.count += 1.0;
@@ -99,8 +114,8 @@ class ContourSurvey {
     double ends = kContourPrior;
     for (const Stretch& stretch : stretches_) {
       if (stretch.count == 0.0) continue;
-      // Neighbours err alike, so that a mean is never better than that of a few.
-      const double step = stretch.sum / stretch.count * std::sqrt(std::min(stretch.count, 4.0));
+      const double step =
+          stretch.sum / stretch.count * std::sqrt(std::min(stretch.count, kMostIndependent));
       const double same = std::exp(-0.5 * step * step);
       continues += same * stretch.count;
       ends += (1.0 - same) * stretch.count;

@@ -13,6 +13,12 @@ namespace {
 constexpr std::array<int, 2> kWindows{8, 14};  // samples along each side of a first guess
 constexpr double kInlier = 2.5;                // standard deviations of a smoothed sample
 constexpr double kLeastInliers = 0.6;          // share of a window
+/// Standard deviations of a sample's 1/depth by which the mean of two opposite neighbours may
+/// differ from it, to be averaged with it. Source: not recorded. Doubled, edges twice as high are
+/// blurred.
+constexpr double kSmooth = 4.0;
+/// Share of a window's samples that each trim keeps, at least. Source: not recorded.
+constexpr double kLeastKept = 0.7;
 /// Rounds that leave out a window's farthest samples, and that let a region grow and fit its plane
 /// anew. Source: not recorded. Doubled, smaller planes of a window are found, and each takes
 /// longer.
@@ -24,7 +30,7 @@ class InverseDepth {
  public:
   InverseDepth(const CoarseView& view, double noise)
       : view_(view), values_(view.depth.size(), 0.0F) {
-    const auto jump = static_cast<float>(4.0 * noise);
+    const auto jump = static_cast<float>(kSmooth * noise);
     for (int v = 0; v < view.camera.height; ++v) {
       for (int u = 0; u < view.camera.width; ++u) {
         values_[view.index(u, v)] = smoothed(u, v, jump);
@@ -60,7 +66,8 @@ class InverseDepth {
       const float b = view_.depth[view_.index(u - du, v - dv)];
       if (!(a > 0.0F && b > 0.0F)) continue;
       const float pair = 1.0F / a + 1.0F / b;
-      if (std::abs(pair - 2.0F * centre) < 2.0F * jump) {
+      const float mean = 0.5F * pair;
+      if (std::abs(mean - centre) < jump) {
         sum += pair;
         count += 2.0F;
       }
@@ -104,7 +111,7 @@ std::optional<Window> fit_window(const InverseDepth& inverse_depth,
     std::transform(samples.begin(), samples.end(), residuals.begin(),
                    [&](std::size_t s) { return inverse_depth.residual(*m, s); });
     std::vector<float> sorted = residuals;
-    const auto keep = static_cast<std::ptrdiff_t>(0.7 * static_cast<double>(sorted.size()));
+    const auto keep = static_cast<std::ptrdiff_t>(kLeastKept * static_cast<double>(sorted.size()));
     std::nth_element(sorted.begin(), sorted.begin() + keep, sorted.end());
     const float limit =
         std::max(sorted[static_cast<std::size_t>(keep)], static_cast<float>(tolerance));

@@ -53,11 +53,15 @@ Refinement::Refinement(const SoughtModel& sought, const InitializerOptions& opti
 
 void Refinement::place(SearchImage& image, const Breadth& breadth,
                        std::vector<Hypothesis>& hypotheses) {
+  // Metres that surfaces may be off, in the finer view and in the coarse one, once joints were
+  // glanced at. Source: not recorded. Doubled, more hypotheses explain as much, wrong ones as well.
   const double slack = breadth.is_close ? 0.008 : 0.02;
   executor_.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
     Hypothesis refined = hypothesis;
     align_coarsely(image, kBaseAlone, refined.configuration);
+    // 10 mm of slack, and all tolerance (ViewEvidence::total), as joints are not known: then 20 mm
+    // to scan them, and half the tolerance. Source: not recorded.
     refined.score = image.score(refined, 0.01, 1.0, breadth.is_close);
     hypothesis.score = image.score(hypothesis, 0.01, 1.0, breadth.is_close);
     // Joints that stand elsewhere than assumed may have pulled the base away.
@@ -74,6 +78,7 @@ void Refinement::pose(SearchImage& image, const Breadth& breadth,
                       std::vector<Hypothesis>& hypotheses) {
   executor_.for_each(hypotheses.size(), [&](std::size_t i) {
     Hypothesis& hypothesis = hypotheses[i];
+    // Metres of slack: the base was aligned. Source: not recorded.
     scan_joints(sought_.model.tree, sought_.extent, image.coarse_score(), sought_.variables, 0.01,
                 kScan, hypothesis.configuration);
     hypothesis.score = image.score_closely(hypothesis.configuration, kPoseSlack);
@@ -109,6 +114,7 @@ void Refinement::fit(SearchImage& image, const Breadth& breadth,
     Hypothesis& hypothesis = hypotheses[i];
     Hypothesis refined = hypothesis;
     align_coarsely(image, kNarrow, refined.configuration);
+    // Metres of slack: base and joints were aligned. Source: not recorded.
     scan_joints(sought_.model.tree, sought_.extent, image.coarse_score(), sought_.variables, 0.004,
                 kScan, refined.configuration);
     refined.score = image.score_closely(refined.configuration, kFineSlack);

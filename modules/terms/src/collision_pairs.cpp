@@ -12,9 +12,10 @@
 namespace lockbox {
 namespace {
 
-constexpr double kThicknessShare = 0.125;  // of the thinner body: the largest erosion
-constexpr double kRounding = 0.01;         // radians: 3.14 and 6.28 stand for half and whole turns
-constexpr int kRangeSteps = 8;  // of a joint: halved, what overlaps at few angles may be missed
+constexpr double kThicknessShare = 0.125;              // of the thinner body: the largest erosion
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;  // radians
+constexpr double kRounding = 0.01;  // radians: 3.14 and 6.28 stand for half and whole turns
+constexpr int kRangeSteps = 8;      // of a joint: halved, what overlaps at few angles may be missed
 
 /// The joint that joins two bodies, none of which carries a third between them; or none.
 const Joint* joint_between(const KinematicTree& tree, int a, int b) {
@@ -44,7 +45,7 @@ bool is_drawn_into(const ArticulatedModel& model, const std::vector<ErodedSurfac
   const Joint* const joint = joint_between(model.tree, pair.a, pair.b);
   if (joint == nullptr || joint->type == JointType::prismatic) return false;  // may meet a stop
   const VariableRange range = variable_range(model.tree, joint->variable);
-  if (range.extent() >= 2.0 * std::numbers::pi - kRounding) return false;
+  if (range.extent() >= kWholeTurn - kRounding) return false;
   const auto positions = positions_in(range, kRangeSteps);
   Configuration configuration = rest_configuration(model.tree);
   BodyPoses poses;

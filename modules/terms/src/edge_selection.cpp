@@ -28,7 +28,8 @@ struct DepthStep {
     const float above = 1.0F / *(z - view.width);
     const float below = 1.0F / *(z + view.width);
     gradient = 0.5F * Eigen::Vector2f(right - left, below - above);
-    is_nearer = left + right + above + below < 4.0F * here;
+    const float mean = 0.25F * (left + right + above + below);
+    is_nearer = mean < here;
   }
 
   Eigen::Vector2f gradient;

@@ -17,13 +17,17 @@ constexpr double kCoarsestSpacing = 0.015;  // metres
 /// Steps of Newton's method to the level, at most; each is a look-up in the field. Source: not
 /// recorded. Doubled, more is tried of points near medial axes, which are left out otherwise.
 constexpr int kNewtonSteps = 5;
+/// Squared length of a gradient, at least, so that no step is longer than twice the distance: near
+/// medial axes tri-linear gradients vanish. Source: not recorded. Doubled, none is
+/// longer than 1.4 times.
+constexpr float kLeastGradient2 = 0.25F;
 constexpr float kExactly = 1e-6F;  // metres: single precision tells no less
 
 /// Moves a point along the field to the level set. Returns the field there.
 DistanceSample move_onto_level(const SignedDistanceField& field, float level, Eigen::Vector3f& p) {
   DistanceSample at = field.sample(p);
   for (int step = 0; step < kNewtonSteps && std::abs(at.distance - level) > kExactly; ++step) {
-    p -= (at.distance - level) * at.gradient / std::max(0.25F, at.gradient.squaredNorm());
+    p -= (at.distance - level) * at.gradient / std::max(kLeastGradient2, at.gradient.squaredNorm());
     at = field.sample(p);
   }
   return at;
