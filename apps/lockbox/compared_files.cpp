@@ -21,7 +21,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
-/// Joints of the file, judged by its header, that the tree has not.
+/// Joints of the file, by its header, that the tree has not.
 std::vector<std::string> foreign_joints(const std::string& file, const KinematicTree& tree) {
   std::vector<std::string> names;
   for (const Joint& found : tree_of_columns(file).joints) {

@@ -11,8 +11,8 @@ void registration_step(benchmark::State& state) {
   time_registration(state, shipped_lockbox(), static_cast<int>(state.range(0)));
 }
 
-/// Without the likelihood of the image, which no other registration has: at edges, and of low
-/// relief.
+/// Without the likelihood of the image, which no other registration has: at edges, and of joints of
+/// low prominence.
 void three_terms_step(benchmark::State& state) {
   RegistrationOptions options = all_points();
   options.refine_at_edges = false;

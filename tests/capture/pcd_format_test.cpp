@@ -129,7 +129,7 @@ TEST_F(PcdFormat, HeadersThatSayTwoThingsAreRefused) {
                  "coordinates");
 }
 
-TEST_F(PcdFormat, SizesAreJudgedBeforeMemoryIsTaken) {
+TEST_F(PcdFormat, SizesAreCheckedBeforeMemoryIsTaken) {
   expect_refusal(kFields + "WIDTH 16384\nHEIGHT 16384\nDATA ascii\n", "do not describe an image");
   expect_refusal(kFields + "WIDTH 4096\nHEIGHT 4096\nDATA binary_compressed\n" +
                      std::string("\x04\0\0\0\0\0\0\x0c....", 12),

@@ -107,7 +107,7 @@ TEST(ExecutorTest, AsManyThreadsWorkAsWereAskedForWhateverOthersAskedFor) {
 }
 
 TEST(ExecutorTest, LoopsSeeWhatWasWrittenBeforeThem) {
-  // Without atomics: also what ThreadSanitizer judges the loop by.
+  // Without atomics: also what ThreadSanitizer checks the loop by.
   const Executor executor(4);
   std::vector<int> values(1000, 1);
   for (int loop = 1; loop <= 10; ++loop) {

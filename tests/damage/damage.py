@@ -51,7 +51,7 @@ def _limited(command, environment):
         return process.returncode, said.read().decode(errors="replace"), usage.ru_maxrss * 1024
 
 
-def judge(status, said, memory, allowed, names):
+def check(status, said, memory, allowed, names):
     """Raises Fault unless the file was taken, or refused by one of its names."""
     if status == -signal.SIGXCPU or status == -signal.SIGKILL:
         raise Fault(f"takes more than {SECONDS} s of a processor")
@@ -78,7 +78,7 @@ def try_mutant(kind, files, folder, seed, number):
     status, said, memory = _limited([os.environ["LOCKBOX_TOOL"], *command],
                                     {"XDG_CACHE_HOME": str(folder / kind.cache)})
     (folder / "said").write_text(said)
-    judge(status, said, memory, kind.allowed, [target.name])
+    check(status, said, memory, kind.allowed, [target.name])
     return status
 
 

@@ -54,8 +54,8 @@ def test_mutants_differ_and_follow_from_their_seed(kind, files):
 ])
 def test_faults_are_seen(status, said, memory, fault):
     with pytest.raises(damage.Fault, match=fault):
-        damage.judge(status, said, memory, (0, 1, 5), ["name.oni"])
+        damage.check(status, said, memory, (0, 1, 5), ["name.oni"])
 
 
 def test_a_refusal_by_name_is_no_fault():
-    damage.judge(3, "lockbox: /tmp/name.oni: is damaged", 0, (0,), ["name.oni"])
+    damage.check(3, "lockbox: /tmp/name.oni: is damaged", 0, (0,), ["name.oni"])

@@ -171,7 +171,7 @@ TEST(Recording, ThatIsTheSourceIsNotOverwritten) {
 }
 
 /// Whoever mends the output first would hear of the typo only then.
-TEST(CommandLine, IsJudgedBeforeTheFilesOfEarlierRuns) {
+TEST(CommandLine, IsCheckedBeforeTheFilesOfEarlierRuns) {
   const TemporaryFolder folder;
   simulate_block(folder);
   std::filesystem::create_directory(folder / "run");

@@ -99,7 +99,7 @@ TEST_F(Live, FollowsInTheModesOfDepthCameras) {
   }
 }
 
-/// A wall in either of two modes: what arrives is judged, not the tracking.
+/// A wall in either of two modes: what arrives is checked, not the tracking.
 class WallWithModes : public VirtualCamera {
  public:
   WallWithModes()

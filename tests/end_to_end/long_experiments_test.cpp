@@ -95,7 +95,7 @@ TEST(Mismatch, HasARowForEachFrameAndContinuesWhereItWasStopped) {
   for (const NamedRow& row : rows) {
     EXPECT_EQ(row.at("right"), "1");
     EXPECT_LT(number(row, "translation"), 0.01);
-    // 12 pixels at about a metre: what no tracker can know is not judged, but told.
+    // 12 pixels at about a metre: what no tracker can know is not counted, but told.
     if (row.at("kind") != "centre") continue;
     EXPECT_GT(number(row, "plain_translation"), 0.012);
   }

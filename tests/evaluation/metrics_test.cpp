@@ -122,7 +122,7 @@ TEST_F(Metrics, AskHonestyWhereTheFrameDeterminesNothing) {
   EXPECT_EQ(evaluation.joints[0].honesty.honest, 2U);
 }
 
-TEST_F(Metrics, JudgeTheStatusByTolerances) {
+TEST_F(Metrics, CompareTheStatusWithTolerances) {
   StatesFile estimate = three_frames();
   estimate.extra_columns = {"slider.sigma"};
   estimate.states[0].configuration.q[0] += 0.02;  // wrong, and called tracking

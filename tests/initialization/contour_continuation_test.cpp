@@ -69,7 +69,7 @@ TEST(ContourContinuation, ImagesMayHaveAnySize) {
     for (int height = 1; height <= 34; ++height) {
       const int across = width - 2 * kMargin;  // of the board
       const int down = height - 2 * kMargin;
-      // A contour is only judged where the board is seen beside it, too.
+      // A contour only counts where the board is seen beside it, too.
       const bool has_contour = std::min(across, down) > 0 && std::max(across, down) > 1;
       const double at_wall = share(width, height, kNear);
       const double alone = share(width, height, kFar);

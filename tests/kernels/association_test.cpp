@@ -12,7 +12,7 @@ namespace {
 /// Association of one point at hand-made distances from bodies, with unit variance.
 struct Association {
   explicit Association(const std::vector<float>& distances, float visible_body = -1.0F)
-      : visible(kLanes, visible_body), pooled(kLanes, 1.0F) {
+      : visible(kLanes, visible_body), averaged_pixels(kLanes, 1.0F) {
     for (const float d : distances) {
       body.push_back(static_cast<float>(body.size()));
       distance.emplace_back(kLanes, kPadding).front() = d;
@@ -28,8 +28,8 @@ struct Association {
       iv.push_back(inverse_variance[l].data());
       w.push_back(weight[l].data());
     }
-    const Candidates candidates{kLanes,        d,     iv,    body, visible.data(),
-                                pooled.data(), reach, kGate, kOdds};
+    const Candidates candidates{kLanes, d,     iv,   body, visible.data(), averaged_pixels.data(),
+                                reach,  kGate, kOdds};
     const double cost = associate(candidates, w);
     EXPECT_NEAR(cost, association_cost(candidates), 1e-4);
     return cost;
@@ -38,7 +38,7 @@ struct Association {
   static constexpr float kGate = 4.0F;
   static constexpr float kOdds = 20.0F;
   float reach = 0.0F;
-  std::vector<float> body, visible, pooled;
+  std::vector<float> body, visible, averaged_pixels;
   std::vector<std::vector<float>> distance, inverse_variance, weight;
 };
 
@@ -76,7 +76,7 @@ TEST(AssociationTest, ABodyFarBeyondTheCutChangesNothing) {
 TEST(AssociationTest, AMeanOfPixelsCountsAsManyTimes) {
   Association pixel({0.7F, 1.5F}, 1.0F);
   Association mean({0.7F, 1.5F}, 1.0F);
-  mean.pooled.front() = 25.0F;
+  mean.averaged_pixels.front() = 25.0F;
   EXPECT_NEAR(mean.run(), 25.0 * pixel.run(), 1e-4);
   for (std::size_t l = 0; l < 2; ++l) {
     EXPECT_NEAR(mean.weight[l][0], 25.0F * pixel.weight[l][0], 1e-4F);

@@ -133,17 +133,17 @@ class FindEdgesTest : public ::testing::Test {
     for (auto& row : rows) row.fill(1.0F);
     for (auto& row : labels) row.fill(2);
     rows[1][10] = 1.002F;  // stands out, and its neighbours before and behind it do
-    rows[0][25] = 1.001F;  // less than the relief
+    rows[0][25] = 1.001F;  // less than the step
     for (auto& row : labels) std::fill(row.begin() + 33, row.end(), std::int16_t{-1});
     labels[2][45] = 5;
   }
 
   std::vector<std::int32_t> edges(std::size_t first, std::size_t end) const {
-    constexpr float kRelief = 0.0015F;
+    constexpr float kLeastStep = 0.0015F;
     std::vector<std::int32_t> columns(end - first + kLanes);
     columns.resize(find_edges({rows[0].data(), rows[1].data(), rows[2].data()},
                               {labels[0].data(), labels[1].data(), labels[2].data()}, first, end,
-                              kRelief, columns.data()));
+                              kLeastStep, columns.data()));
     return columns;
   }
 

@@ -49,7 +49,7 @@ if [[ -d $root/usr/lib/python3 ]]; then
     'import lockbox; print(lockbox.load_model("rigid_block"))'
 fi
 
-# Debian's own judge, where it is installed.
+# Debian's own checks, where it is installed.
 if command -v lintian >/dev/null; then
   lintian --allow-root --fail-on error,warning "${packages[@]}" || fail "lintian complains"
 fi

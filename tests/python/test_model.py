@@ -54,7 +54,7 @@ def test_joints_of_a_state_cannot_be_changed_in_place():
         state.joints = {"door": "wide"}
 
 
-def test_states_are_judged_at_once(box):
+def test_states_are_checked_at_once(box):
     moved = pose(1.0, x=0.3)
     for base, text in [(2 * np.eye(4), "not a pose"), (np.full((4, 4), np.nan), "not a pose"),
                        (moved.T, "is it transposed")]:

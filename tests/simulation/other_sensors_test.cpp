@@ -50,10 +50,10 @@ TEST(Stereo, MeasuresNothingWhereOneCameraLooksAlone) {
   EXPECT_LE(*hidden.rbegin(), 297);
 }
 
-TEST(Stereo, AveragesReliefOverFivePixels) {
+TEST(Stereo, AveragesStepsOverFivePixels) {
   // 20 mm at 1.2 m are 0.4 pixels of disparity: the same surface.
-  const auto relief = [](double u, double) { return u < 319.5 ? 1.2 : 1.22; };
-  const DepthFrame frame = measured(matching_only(), relief);
+  const auto step = [](double u, double) { return u < 319.5 ? 1.2 : 1.22; };
+  const DepthFrame frame = measured(matching_only(), step);
   EXPECT_EQ(frame.metres(317, 240), 1.2F);
   EXPECT_NEAR(frame.metres(318, 240), 1.204, 0.0006);
   EXPECT_NEAR(frame.metres(319, 240), 1.208, 0.0006);

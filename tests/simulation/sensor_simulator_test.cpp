@@ -232,10 +232,10 @@ TEST(DropOuts, AQuarterNextToAnEdgeOnBothSidesAlike) {
   EXPECT_LT(share_without_depth(frame, 321, 340), 0.006);
 }
 
-TEST(DropOuts, SmallReliefIsNoEdge) {
+TEST(DropOuts, LowStepsAreNoEdges) {
   // 12 mm at 1.2 m are 0.36 px of disparity.
-  const auto relief = [](double u, double) { return u < 319.75 ? 1.2 : 1.212; };
-  const DepthFrame frame = measured(sensor_model("primesense"), relief);
+  const auto step = [](double u, double) { return u < 319.75 ? 1.2 : 1.212; };
+  const DepthFrame frame = measured(sensor_model("primesense"), step);
   EXPECT_LT(share_without_depth(frame, 319, 321), 0.015);
 }
 

@@ -77,7 +77,7 @@ TEST_F(ConsistencyCheckTest, WhatIsNotMeasuredIsUnknown) {
 }
 
 /// One drawer that is out while the image shows it in: the others are explained all the same.
-TEST_F(ConsistencyCheckTest, ABodyIsJudgedByItself) {
+TEST_F(ConsistencyCheckTest, ABodyIsCheckedByItself) {
   const TiledCloud cloud = seen(model_, truth_, wall_behind(0.6));
   Configuration pulled_out = truth_;
   int body = -1;

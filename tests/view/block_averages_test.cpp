@@ -25,8 +25,8 @@ class BlockAveragesTest : public ::testing::Test {
   const Configuration truth = mechanism_start(model);
 
   /// As a view of every second pixel chooses them.
-  BlockAverages pooled(const TiledCloud& cloud, const Configuration& predicted,
-                       std::size_t budget = kMany, int threads = 1) const {
+  BlockAverages averages(const TiledCloud& cloud, const Configuration& predicted,
+                         std::size_t budget = kMany, int threads = 1) const {
     const Executor executor(threads);
     BodyPoses poses;
     forward_kinematics(model.tree, predicted, poses);
@@ -75,7 +75,8 @@ class BlockAveragesTest : public ::testing::Test {
   static void for_each_point(const PointTiles& points, const Visit& visit) {
     for (const Tile& tile : points.tiles()) {
       for (std::size_t i = tile.first; i < tile.first + tile.count; ++i) {
-        visit(Eigen::Vector3f(points.x()[i], points.y()[i], points.z()[i]), points.pooled()[i]);
+        visit(Eigen::Vector3f(points.x()[i], points.y()[i], points.z()[i]),
+              points.averaged_pixels()[i]);
       }
     }
   }
@@ -105,7 +106,7 @@ class BlockAveragesTest : public ::testing::Test {
 
 TEST_F(BlockAveragesTest, FewPointsStandForAllPixelsOfTheObject) {
   const TiledCloud cloud = seen("ideal");
-  const BlockAverages points = pooled(cloud, truth);
+  const BlockAverages points = averages(cloud, truth);
   double on_object = 0.0;
   for_each_point(all_of(cloud),
                  [&](const Eigen::Vector3f& p, float) { on_object += distance(p) < 0.002; });
@@ -116,7 +117,7 @@ TEST_F(BlockAveragesTest, FewPointsStandForAllPixelsOfTheObject) {
 
 /// To what is left of depths in whole millimetres.
 TEST_F(BlockAveragesTest, MeansLieOnTheFaces) {
-  EXPECT_LT(mean_distance(pooled(seen("ideal"), truth)), 5e-5);
+  EXPECT_LT(mean_distance(averages(seen("ideal"), truth)), 5e-5);
 }
 
 /// A face that is predicted 4 mm and a degree elsewhere.
@@ -125,7 +126,7 @@ TEST_F(BlockAveragesTest, MeansLieOnTheFacesThatAreMeasured) {
   Twist off;
   off << 0.0, 0.0, 0.004, 0.01, -0.01, 0.0;
   predicted.T_camera_base = predicted.T_camera_base * exp_se3(off);
-  EXPECT_LT(mean_distance(pooled(seen("ideal"), predicted)), 1e-4);
+  EXPECT_LT(mean_distance(averages(seen("ideal"), predicted)), 1e-4);
 }
 
 TEST_F(BlockAveragesTest, NoiseIsAveraged) {
@@ -138,7 +139,7 @@ TEST_F(BlockAveragesTest, NoiseIsAveraged) {
     count += 1.0;
   });
   const double pixel = std::sqrt(squares / count);
-  const BlockAverages points = pooled(cloud, truth);
+  const BlockAverages points = averages(cloud, truth);
   EXPECT_LT(mean_distance(points), 0.25 * pixel);
   double scatter = 0.0;
   for (const Tile& tile : points.tiles()) {
@@ -155,15 +156,15 @@ TEST_F(BlockAveragesTest, WhatStandsBeforeAFaceIsNotPartOfIt) {
   for (std::size_t i = 0; i < hidden.depth.size(); ++i) {
     if (static_cast<int>(i) % columns > columns / 2) hidden.depth[i] = 400;  // a hand at 0.4 m
   }
-  const BlockAverages points = pooled(cloud_of(hidden), truth);
+  const BlockAverages points = averages(cloud_of(hidden), truth);
   EXPECT_LT(mean_distance(points), 5e-5);
-  EXPECT_LT(pixels_of(points), 0.7 * pixels_of(pooled(cloud_of(frame), truth)));
+  EXPECT_LT(pixels_of(points), 0.7 * pixels_of(averages(cloud_of(frame), truth)));
 }
 
 TEST_F(BlockAveragesTest, OfASmallBudgetAreNotMoreThanThat) {
   const TiledCloud cloud = seen("ideal");
   for (const std::size_t budget : {500U, 1000U, 2000U}) {
-    const BlockAverages points = pooled(cloud, truth, budget);
+    const BlockAverages points = averages(cloud, truth, budget);
     EXPECT_LE(points.valid_points(), budget);
     EXPECT_GT(pixels_of(points), 10.0 * static_cast<double>(points.valid_points()));
   }
@@ -171,12 +172,12 @@ TEST_F(BlockAveragesTest, OfASmallBudgetAreNotMoreThanThat) {
 
 TEST_F(BlockAveragesTest, AreTheSameForAnyNumberOfThreads) {
   const TiledCloud cloud = seen("primesense");
-  const BlockAverages first = pooled(cloud, truth);
+  const BlockAverages first = averages(cloud, truth);
   for (const int threads : {2, 3, 8}) {
-    const BlockAverages again = pooled(cloud, truth, kMany, threads);
+    const BlockAverages again = averages(cloud, truth, kMany, threads);
     EXPECT_EQ(again.x(), first.x());
     EXPECT_EQ(again.z(), first.z());
-    EXPECT_EQ(again.pooled(), first.pooled());
+    EXPECT_EQ(again.averaged_pixels(), first.averaged_pixels());
     ASSERT_EQ(again.tiles().size(), first.tiles().size());
   }
 }

@@ -96,14 +96,14 @@ void print_foreign_report(const std::string& title, const Table& table) {
     const bool is_wrongly_trusted = tracking && !is_within && is != Verdict::looks_equal;
     if (is == Verdict::wrong || is_wrongly_trusted) wrong.push_back(row);
   }
-  const std::size_t judged = counts[Verdict::right] + counts[Verdict::wrong];
+  const std::size_t compared = counts[Verdict::right] + counts[Verdict::wrong];
   const auto percent = [](std::size_t part, std::size_t of) {
     return of == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(of);
   };
   const Statistics times = summarize(seconds);
   std::cout << std::fixed << std::setprecision(1) << title << ": right in "
-            << counts[Verdict::right] << " of " << judged << " views ("
-            << percent(counts[Verdict::right], judged)
+            << counts[Verdict::right] << " of " << compared << " views ("
+            << percent(counts[Verdict::right], compared)
             << " %)\n  left out: " << counts[Verdict::looks_equal] << " of " << table.rows().size()
             << " (" << percent(counts[Verdict::looks_equal], table.rows().size())
             << " %), where something else looks the same as the truth; "

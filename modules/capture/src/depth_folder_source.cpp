@@ -73,9 +73,9 @@ struct DepthFolderSource::Impl {
   }
 
   /// Asked of frames until one is in doubt, or thirty have passed.
-  void judge_scale(const DepthFrame& frame) {
-    constexpr std::size_t kJudged = 30;
-    if (scale_is_told || frame.index >= kJudged) {
+  void check_scale(const DepthFrame& frame) {
+    constexpr std::size_t kChecked = 30;
+    if (scale_is_told || frame.index >= kChecked) {
       return;
     }
     if (const auto doubt = doubtful_depth_scale(frame, units_per_metre, given_scale.has_value())) {
@@ -113,7 +113,7 @@ bool DepthFolderSource::next(DepthFrame& frame) {
   frame.stamp = impl_->entries[impl_->position].stamp;
   frame.index = impl_->position++;
   impl_->rectification.apply(frame);
-  impl_->judge_scale(frame);
+  impl_->check_scale(frame);
   return true;
 }
 

@@ -34,7 +34,7 @@ struct PcdFolderSource::Impl {
     rectification.emplace(std::move(calibration));
     const std::size_t first = first_usable_frame(
         folder.string(), clouds.files.size(), [this](std::size_t frame) { return look_at(frame); });
-    judge_scale(clouds.files[first].string());
+    check_scale(clouds.files[first].string());
   }
 
   /// Loads the cloud, and recovers the camera if that is not known yet. Returns what prevents the
@@ -71,7 +71,7 @@ struct PcdFolderSource::Impl {
     return error.what();
   }
 
-  void judge_scale(const std::string& name) const {
+  void check_scale(const std::string& name) const {
     const auto doubt = doubtful_cloud_scale(cloud, units_per_metre);
     if (doubt && doubt->is_out_of_reach) {
       throw InputError(name, doubt->text);

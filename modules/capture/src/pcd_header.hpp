@@ -16,7 +16,7 @@ struct PcdCoordinate {
   std::size_t size = 4;    ///< bytes: a float, or 8, a double
 };
 
-/// An organized cloud with coordinates x, y, z, whose sizes were judged.
+/// An organized cloud with coordinates x, y, z, whose sizes were checked.
 struct PcdHeader {
   enum class Data { text, binary, compressed };
 

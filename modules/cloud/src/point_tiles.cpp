@@ -12,7 +12,7 @@ void PointTiles::resize_tiles(std::size_t count) {
   y_.resize(slots);
   z_.resize(slots);
   pixel_.resize(slots);
-  pooled_.resize(slots, 1.0F);
+  averaged_pixels_.resize(slots, 1.0F);
 }
 
 void PointTiles::finish_tile(Tile& tile) {

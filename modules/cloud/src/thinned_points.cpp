@@ -77,7 +77,7 @@ class ThinnedPoints::Gatherer {
     if (points_.x_.size() >= slots) return;
     for (auto* axis : {&points_.x_, &points_.y_, &points_.z_}) axis->resize(slots);
     points_.pixel_.resize(slots);
-    points_.pooled_.resize(slots, 1.0F);
+    points_.averaged_pixels_.resize(slots, 1.0F);
   }
 
   void finish() {

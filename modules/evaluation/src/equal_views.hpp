@@ -15,10 +15,10 @@
 
 namespace lockbox {
 
-/// Of one view of the exact model: what is followed or sought is so in an image of that, and judged
-/// by views without noise. A configuration looks the same as the truth if the two differ by no more
-/// than errors of 1.5 times the bound (bound.hpp) in each unknown do; pixels that see different
-/// surfaces count as three standard deviations each.
+/// Of one view of the exact model: what is followed or sought is so in an image of that, and
+/// compared in views without noise. A configuration looks the same as the truth if the two differ
+/// by no more than errors of 1.5 times the bound (bound.hpp) in each unknown do; pixels that see
+/// different surfaces count as three standard deviations each.
 class EqualViews {
  public:
   /// The model and the comparison must outlive it. seed: of the sensor's noise.

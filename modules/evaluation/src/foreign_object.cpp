@@ -71,7 +71,7 @@ TrackerOptions tracker_options(const ForeignSettings& settings, const SensorMode
   return options;
 }
 
-/// Tracks one object, and judges what comes out.
+/// Tracks one object, and compares what comes out with the truth.
 class ForeignRun {
  public:
   ForeignRun(const ArticulatedModel& model, const ForeignSettings& settings,

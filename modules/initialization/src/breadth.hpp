@@ -19,7 +19,7 @@ struct Breadth {
   /// out.
   std::optional<Selection> improved;
   std::size_t likeliest;  ///< by their evidence: of the poses, those that are made exact
-  bool is_close;          ///< for small things: judged in the finer view from the start
+  bool is_close;          ///< for small things: scored in the finer view from the start
   bool follows_again;     ///< what was followed before in the same image
 };
 

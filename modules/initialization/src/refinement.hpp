@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hypotheses brought to where they explain most, closer from stage to stage
-// (docs/initialization.md, "Judged by drawing"). Each stage keeps the best.
+// (docs/initialization.md, "Scored by drawing"). Each stage keeps the best.
 #pragma once
 
 #include <vector>

@@ -8,8 +8,8 @@ namespace {
 
 /// Objects, and the depths of the best sensors, are off by more than these err. Unit: 1/metre, a
 /// PrimeSense's noise. Source: five of ten pieces of furniture that deviated by a third of
-/// `mismatch` were not found by the noise of an ideal sensor, one is. Doubled, relief of a
-/// centimetre is lost from 1.5 m on.
+/// `mismatch` were not found by the noise of an ideal sensor, one is. Doubled, steps of a
+/// centimetre are lost from 1.5 m on.
 constexpr double kLeastNoise = 0.0021;
 constexpr double kMedianNoise = 0.6;  // of the noise is left in a median of 4 x 4
 constexpr double kHalfNoise = 0.85;   // of 2 x 2

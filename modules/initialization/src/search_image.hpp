@@ -17,7 +17,7 @@
 
 namespace lockbox {
 
-inline constexpr int kCoarseColumns = 160;  ///< of the view that hypotheses are judged in
+inline constexpr int kCoarseColumns = 160;  ///< of the view that hypotheses are scored in
 inline constexpr int kFineColumns = 320;    ///< of the view that the best are compared in
 
 /// What each kind of view has of the sensor's noise: standard deviations of 1/depth, 1/metre. Those

@@ -61,7 +61,7 @@ std::vector<Peak> strongest(std::vector<Peak> peaks, int turns, double apart, st
 }
 
 /// To the best of the neighbouring poses, one unknown after the other, until none is better.
-void climb_peak(const TemplateCorrelation& correlation, double step, Peak& peak) {
+void search_coordinates_of_peak(const TemplateCorrelation& correlation, double step, Peak& peak) {
   const auto score = [&](const Peak& at) {
     return correlation.exactly(step * at.turn, at.x, at.y);
   };
@@ -112,7 +112,7 @@ std::vector<TemplateMatch> match_template(const HeightMap& map,
     }
   }
   peaks = strongest(std::move(peaks), turns, TemplateCorrelation::kShiftStep, kPeaksRefined);
-  for (Peak& peak : peaks) climb_peak(correlation, step, peak);
+  for (Peak& peak : peaks) search_coordinates_of_peak(correlation, step, peak);
   std::vector<TemplateMatch> matches;
   for (const Peak& peak : strongest(std::move(peaks), turns, kApart, most)) {
     Eigen::Isometry3d T_plane_template = Eigen::Isometry3d::Identity();

@@ -151,11 +151,11 @@ double associate_points_with(const Candidates& candidates, std::span<float* cons
         hn::StoreU(share, df, weight[l] + i);
       }
     }
-    const Float pooled = hn::LoadU(df, candidates.pooled + i);
+    const Float averaged_pixels = hn::LoadU(df, candidates.averaged_pixels + i);
     const Float gain = hn::Add(hn::Log(df, sum), c);
-    total = hn::NegMulAdd(pooled, gain, total);
+    total = hn::NegMulAdd(averaged_pixels, gain, total);
     if constexpr (WithWeights) {
-      const Float share_of_sum = hn::Div(pooled, sum);
+      const Float share_of_sum = hn::Div(averaged_pixels, sum);
       for (std::size_t l = 0; l < candidates.distance.size(); ++l) {
         const Float iv = hn::LoadU(df, candidates.inverse_variance[l] + i);
         const Float w = hn::Mul(hn::LoadU(df, weight[l] + i), hn::Mul(share_of_sum, iv));

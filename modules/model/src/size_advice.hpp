@@ -8,7 +8,7 @@
 
 namespace lockbox {
 
-/// What sizes are judged by, and how they can be mended.
+/// What sizes are compared with, and how they can be mended.
 struct SizeContext {
   double usual = 0.0;       ///< of the model's lengths, metres; see usual_length()
   double mesh_scale = 1.0;  ///< see LoadOptions

@@ -20,7 +20,7 @@ struct SizeComplaints {
   Complaint warn_of_joint;
 };
 
-/// Judges the sizes and places of all visuals, and the origins of joints, against each other and
+/// Compares the sizes and places of all visuals, and the origins of joints, against each other and
 /// against what depth cameras see. A link of more than 20 m is refused. Each message names the
 /// probable unit and what mends it. mesh_scale: see LoadOptions; is_bare: the model is a mesh file.
 void check_sizes(const std::vector<VisualExtent>& visuals, const KinematicTree& tree,

@@ -6,7 +6,7 @@
 
 namespace lockbox {
 
-/// How large a visual is and where it lies: what its unit is judged by.
+/// How large a visual is and where it lies: what its unit is concluded from.
 struct VisualExtent {
   std::string link;
   std::string shape;                                ///< mesh, box, sphere, cylinder

@@ -19,7 +19,7 @@ constexpr double kStandOff = 2e-5;
 /// A part of the mesh near a triangle, which it can bury.
 struct Bounded {
   Eigen::AlignedBox3d box;
-  double piece;  ///< longest side of the pieces that a triangle within the box is judged by
+  double piece;  ///< longest side of the pieces that a triangle within the box is probed by
 };
 
 Eigen::AlignedBox3d box_of(const Corners& corners) {
@@ -77,17 +77,17 @@ class BuriedRemover {
   /// parts, so that only the border of the buried region is cut finely.
   bool keep_exposed(const Corners& piece, const Eigen::Vector3d& normal,
                     const std::vector<Bounded>& others, Exposed& exposed) const {
-    const double judged = judged_length(box_of(piece), others);
-    if (std::isinf(judged)) {
+    const double probed = probed_length(box_of(piece), others);
+    if (std::isinf(probed)) {
       exposed.pieces.push_back(piece);
       return true;
     }
     std::size_t longest = 0;
     const double length = longest_side(piece, longest);
-    if (length <= judged) {
+    if (length <= probed) {
       const std::size_t exposed_probes = count_exposed(piece, normal);
       const bool is_mixed = exposed_probes > 0 && exposed_probes < kProbes;
-      if (!is_mixed || length <= judged / 4.0) {
+      if (!is_mixed || length <= probed / 4.0) {
         // No piece is dropped while any of it is exposed.
         if (exposed_probes > 0) exposed.pieces.push_back(piece);
         return exposed_probes > 0;
@@ -109,7 +109,7 @@ class BuriedRemover {
   }
 
   /// Of the parts that come near the box, the finest piece; infinity if none does.
-  double judged_length(const Eigen::AlignedBox3d& box, const std::vector<Bounded>& others) const {
+  double probed_length(const Eigen::AlignedBox3d& box, const std::vector<Bounded>& others) const {
     double length = std::numeric_limits<double>::infinity();
     for (const Bounded& other : others) {
       length = is_near(box, other.box) ? std::min(length, other.piece) : length;

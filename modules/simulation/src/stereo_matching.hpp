@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What becomes of depth when windows of two images are matched: small relief is averaged, what is
+// What becomes of depth when windows of two images are matched: low steps are averaged, what is
 // in front grows over what is behind, and nothing is measured where only one camera looks.
 #pragma once
 

@@ -46,7 +46,7 @@ struct ModelTileScratch {
             {inverse_variance_.data(), count},
             {chunk.body_numbers.data() + first, count},
             scene.predicted.body.data() + tile.first,
-            scene.points.pooled().data() + tile.first,
+            scene.points.averaged_pixels().data() + tile.first,
             static_cast<float>(scene.options.gate * chunk.annealing_sigma),
             static_cast<float>(scene.options.gate),
             static_cast<float>(scene.options.visible_odds)};

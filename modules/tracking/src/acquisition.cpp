@@ -213,7 +213,7 @@ bool Acquisition::is_enough(const Answer& found, const Configuration& guess, Sea
   return true;
 }
 
-/// Keeps it if it is the best so far; true if it is judged `tracking`.
+/// Keeps it if it is the best so far; true if it is classified `tracking`.
 bool Acquisition::consider(const Answer& found) {
   if (!best_) best_ = found;
   keep_better(found, options_, *best_);

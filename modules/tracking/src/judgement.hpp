@@ -8,7 +8,7 @@
 
 namespace lockbox {
 
-/// What an answer was judged to be, as the next frame needs it.
+/// What was concluded of an answer, as the next frame needs it.
 struct Judgement {
   TrackingStatus status = TrackingStatus::initializing;  ///< by all but the apparent size
   double rival_distance = 0.0;                           ///< see Answer: until a search tells
@@ -22,7 +22,7 @@ struct Judgement {
   }
 };
 
-inline Judgement judged(const Answer& answer, const TrackerOptions& options) {
+inline Judgement judgement_of(const Answer& answer, const TrackerOptions& options) {
   Judgement judgement{.status = classify(answer, options),
                       .rival_distance = answer.rival_distance,
                       .base_turning_sigma = answer.base_turning_sigma,

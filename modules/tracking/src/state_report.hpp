@@ -22,7 +22,7 @@ class StateReport {
   /// Begins a frame.
   void begin(double stamp, Elapsed cloud_time);
 
-  /// The answer of this frame, and what it was judged to be, now and in the frame before.
+  /// The answer of this frame, and what was concluded of it, now and in the frame before.
   /// alternatives: what the last search could not tell from it.
   void write(const Answer& answer, const Judgement& before, const Judgement& now,
              const std::vector<Alternative>& alternatives);

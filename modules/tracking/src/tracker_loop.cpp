@@ -241,7 +241,7 @@ void Tracker::Loop::report(Answer& answer) {
   size_record_.add_misfit(answer);
   joint_sight_.note_flush_parts(answer, options_);
   const Judgement before = judgement_;
-  judgement_ = judged(answer, options_);
+  judgement_ = judgement_of(answer, options_);
   report_.write(answer, before, judgement_, search_.alternatives());
 }
 

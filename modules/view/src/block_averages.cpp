@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "lockbox/kernels/averaging.hpp"
 #include "lockbox/kernels/flatness.hpp"
-#include "lockbox/kernels/pooling.hpp"
 
 namespace lockbox {
 namespace {
@@ -71,7 +71,7 @@ class BlockAverages::Band {
     copy(y_, points.y_);
     copy(z_, points.z_);
     copy(pixel_, points.pixel_);
-    copy(pooled_, points.pooled_);
+    copy(averaged_pixels_, points.averaged_pixels_);
     for (Tile own : tiles_) {
       own.first += slot;
       points.tiles_[tile++] = own;
@@ -82,7 +82,7 @@ class BlockAverages::Band {
 
  private:
   void clear() {
-    for (auto* axis : {&x_, &y_, &z_, &pooled_}) axis->clear();
+    for (auto* axis : {&x_, &y_, &z_, &averaged_pixels_}) axis->clear();
     pixel_.clear();
     tiles_.clear();
     first_ = 0;
@@ -177,25 +177,25 @@ class BlockAverages::Band {
     const double gate = scene.options.gate * sigma;
     const std::size_t apart = std::max<std::size_t>(1, side / kRowsOfMean);
     const auto rows = static_cast<float>(apart);
-    const kernels::PooledDeviation pooled = kernels::pool_deviations(
+    const kernels::AveragedDeviation found = kernels::average_deviations(
         {depths, apart * stride, side, side / apart}, {first, per_column, rows * per_row},
         static_cast<float>(kReachOfCut * gate), static_cast<float>(gate));
-    if (pooled.pixels == 0.0F) return;
-    const float pixels = rows * pooled.pixels;
-    add(camera, middle.u, middle.v, expected * (1.0F + pooled.mean), pixels);
-    squares_ += static_cast<double>(pixels * pooled.variance) / (sigma * sigma);
+    if (found.pixels == 0.0F) return;
+    const float pixels = rows * found.pixels;
+    add(camera, middle.u, middle.v, expected * (1.0F + found.mean), pixels);
+    squares_ += static_cast<double>(pixels * found.variance) / (sigma * sigma);
   }
 
-  void add(const PinholeCamera& camera, int u, int v, float z, float pooled) {
+  void add(const PinholeCamera& camera, int u, int v, float z, float averaged_pixels) {
     if (x_.size() - first_ == kTilePoints) finish_tile();
     const Eigen::Vector3f p = camera.back_project(u, v, static_cast<double>(z)).cast<float>();
     x_.push_back(p.x());
     y_.push_back(p.y());
     z_.push_back(p.z());
     pixel_.push_back(static_cast<std::uint32_t>(v * camera.width + u));
-    pooled_.push_back(pooled);
+    averaged_pixels_.push_back(averaged_pixels);
     bounds_.extend(p);
-    pixels_ += static_cast<double>(pooled);
+    pixels_ += static_cast<double>(averaged_pixels);
   }
 
   void finish_tile() {
@@ -211,13 +211,13 @@ class BlockAverages::Band {
     first_ += tile.padded;
     for (auto* axis : {&x_, &y_, &z_}) axis->resize(first_, kernels::kPadding);
     pixel_.resize(first_, 0);
-    pooled_.resize(first_, 0.0F);
+    averaged_pixels_.resize(first_, 0.0F);
     bounds_.setEmpty();
     squares_ = 0.0;
     pixels_ = 0.0;
   }
 
-  std::vector<float> x_, y_, z_, pooled_;
+  std::vector<float> x_, y_, z_, averaged_pixels_;
   std::vector<std::uint32_t> pixel_;
   std::vector<Tile> tiles_;
   std::size_t first_ = 0;  ///< slot of the tile in hand
@@ -280,7 +280,7 @@ void BlockAverages::finish() {
     slots += band.slots();
     tiles += band.tiles();
   }
-  for (auto* axis : {&x_, &y_, &z_, &pooled_}) axis->resize(slots);
+  for (auto* axis : {&x_, &y_, &z_, &averaged_pixels_}) axis->resize(slots);
   pixel_.resize(slots);
   tiles_.resize(tiles);
   slots = tiles = 0;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kStaleView = 0.002;
 constexpr double kMostStaleView = 0.008;
 /// From a prediction: pixels of the view between samples of the surface, and blocks of pixels that
-/// are pooled, at least, if points have a budget. Closer and smaller ones tell the same.
+/// are averaged, at least, if points have a budget. Closer and smaller ones tell the same.
 constexpr int kLeastSpacing = 2;
 constexpr std::size_t kViewSamples = 20000;  // of the visible surface, where points have no budget
 
@@ -40,10 +40,10 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   continued_.find(model, surface_, view_edges_, cloud, reach, options, executor);
   plan_.plan(surface_.view(), view_edges_, surface_.reduction(), surface_.view_camera().fx, reach,
              is_thinned ? point_budget_ : kViewSamples, executor);
-  const bool is_pooled = is_predicted && !cloud.is_masked();
-  gather(cloud, model, is_pooled, options, executor);
-  if (is_pooled) {
-    points_ = &pooled_;
+  const bool is_averaged = is_predicted && !cloud.is_masked();
+  gather(cloud, model, is_averaged, options, executor);
+  if (is_averaged) {
+    points_ = &averages_;
   } else if (is_thinned) {
     thinned_.assign(cloud, plan_.density());
     points_ = &thinned_;
@@ -54,22 +54,22 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   surface_.predict(*points_, continued_, executor, prediction_);
 }
 
-/// What is taken from the view, at once: samples, contours, and points if they are pooled.
-void PredictedView::gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_pooled,
+/// What is taken from the view, at once: samples, contours, and points if they are averaged.
+void PredictedView::gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_averaged,
                            const ViewOptions& options, const Executor& executor) {
-  samples_.choose(surface_, plan_.density(), is_pooled ? kLeastSpacing : 1, executor);
-  const ContourPoints::Scene contourd{
+  samples_.choose(surface_, plan_.density(), is_averaged ? kLeastSpacing : 1, executor);
+  const ContourPoints::Scene contours{
       model, surface_, view_edges_, continued_, detail_.contour_spacing, options};
-  const BlockAverages::Scene pooled{cloud, surface_, plan_.density(),
+  const BlockAverages::Scene blocks{cloud, surface_, plan_.density(),
                                     point_budget_ > 0 ? kLeastSpacing : 1, options};
   contours_.begin(surface_.view());
-  pooled_.begin(plan_.density());
-  executor.for_each(
-      {{contours_.bands(), [&](std::size_t i) { contours_.find_band(contourd, i); }},
-       {is_pooled ? pooled_.bands() : 0, [&](std::size_t i) { pooled_.fill_band(pooled, i); }},
-       {samples_.rows(), [&](std::size_t i) { samples_.place_row(surface_, i); }}});
+  averages_.begin(plan_.density());
+  executor.for_each({{contours_.bands(), [&](std::size_t i) { contours_.find_band(contours, i); }},
+                     {is_averaged ? averages_.bands() : 0,
+                      [&](std::size_t i) { averages_.fill_band(blocks, i); }},
+                     {samples_.rows(), [&](std::size_t i) { samples_.place_row(surface_, i); }}});
   samples_.finish();
-  if (is_pooled) pooled_.finish();
+  if (is_averaged) averages_.finish();
 }
 
 bool PredictedView::shows(const Configuration& configuration, const MotionMetric& moves) const {

@@ -63,7 +63,7 @@ PinholeCamera every_nth_pixel(const PinholeCamera& camera, int n) {
 }
 
 /// Metres of depth for one across. No sensor measures what is seen at less than 10 degrees: a
-/// steeper step is an edge. Doubled, edges of small relief are taken for faces; halved, faces that
+/// steeper step is an edge. Doubled, low steps are taken for faces; halved, faces that
 /// are seen at less than 18 degrees are left to their contours.
 constexpr float kSteepest = 5.7F;
 

@@ -37,7 +37,7 @@ class PointTiles {
   /// Image index (v * width + u) of each point.
   const std::vector<std::uint32_t>& pixel() const { return pixel_; }
   /// How many pixels each point is the mean of.
-  const std::vector<float>& pooled() const { return pooled_; }
+  const std::vector<float>& averaged_pixels() const { return averaged_pixels_; }
   /// How many points all tiles have together, without the padding.
   std::size_t valid_points() const;
 
@@ -51,12 +51,12 @@ class PointTiles {
   /// Padding alone.
   void pad(Tile& tile);
 
-  std::vector<Tile> tiles_;           ///< of the points below
-  std::vector<float> x_;              ///< metres, camera frame
-  std::vector<float> y_;              ///< metres, camera frame
-  std::vector<float> z_;              ///< metres, camera frame
-  std::vector<std::uint32_t> pixel_;  ///< image index of each point
-  std::vector<float> pooled_;         ///< pixels that each point is the mean of
+  std::vector<Tile> tiles_;             ///< of the points below
+  std::vector<float> x_;                ///< metres, camera frame
+  std::vector<float> y_;                ///< metres, camera frame
+  std::vector<float> z_;                ///< metres, camera frame
+  std::vector<std::uint32_t> pixel_;    ///< image index of each point
+  std::vector<float> averaged_pixels_;  ///< pixels that each point is the mean of
 };
 
 }  // namespace lockbox

@@ -2,8 +2,8 @@
 // Where is it? From one frame and the model alone, without a guess.
 //
 // Flat pieces of the scene are matched with the flat sides of the model by the template over them;
-// the best poses are judged by drawing them, refined, their joints scanned, refined together, and
-// judged again by what they explain and what they contradict (docs/initialization.md).
+// the best poses are scored by drawing them, refined, their joints scanned, refined together, and
+// scored again by what they explain and what they contradict (docs/initialization.md).
 #pragma once
 
 #include <memory>

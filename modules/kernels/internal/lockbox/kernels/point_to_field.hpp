@@ -64,7 +64,7 @@ struct PredictedPixels {
 
 /// Planes fixed to bodies, by point: its distance is normal . q_body + offset, q being where the
 /// body was predicted on its ray. (It is q that shows how far a motion of the body carries the
-/// plane: noise along the ray must not become a lever.)
+/// plane: noise along the ray must not change the motion scale.)
 struct BodyPlanes {
   float* offset;  ///< metres; kNoPlane where there is none
   float* normal[3];
@@ -118,7 +118,7 @@ struct Candidates {
   std::span<const float* const> inverse_variance;  ///< by candidate
   std::span<const float> body;                     ///< by candidate: its number
   const float* visible;                            ///< by point: PredictedPixels::body
-  const float* pooled;                             ///< by point: pixels that it is the mean of
+  const float* averaged_pixels;                    ///< by point: pixels that it is the mean of
   float reach;  ///< metres beside the predicted bodies where points may still be theirs
   float gate;
   float visible_odds;
@@ -134,8 +134,9 @@ struct Candidates {
 /// pixel shows has odds `visible_odds`, others 1: where two bodies meet, both are near, and only
 /// visibility tells which one was measured. Points beyond reach have odds 0: no body can be there.
 ///
-/// Returns sum pooled (E - c) over the points, so that an unexplained point counts zero, and writes
-/// weight[l][i] = 2 pooled dE / d(distance_l^2), its weight in body l's normal equations.
+/// Returns sum averaged_pixels (E - c) over the points, so that an unexplained point counts zero,
+/// and writes weight[l][i] = 2 averaged_pixels dE / d(distance_l^2), its weight in body l's normal
+/// equations.
 double associate(const Candidates& candidates, std::span<float* const> weight);
 
 /// The cost alone, as associate returns it.

@@ -24,7 +24,7 @@ struct AlignOptions {
   int iterations = 3;            ///< linearisations, at most
   bool hold_joints = false;      ///< move the base only
   int narrowing = 0;  ///< linearisations until the annealing sigma is gone; 0: all of them
-  /// The start is a prediction. Of flat faces, points are pooled (block_averages.hpp); of many
+  /// The start is a prediction. Of flat faces, points are averaged (block_averages.hpp); of many
   /// points a few are enough for all iterations but the last, which follows as soon as steps are
   /// short. If its own is not, it may take twice as many linearisations again.
   bool is_predicted = false;

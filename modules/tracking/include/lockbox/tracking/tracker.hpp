@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frame loop: predict, register, judge. Frames in, states out.
+// The frame loop: predict, register, classify. Frames in, states out.
 #pragma once
 
 #include <Eigen/Core>

@@ -88,8 +88,8 @@ struct TrackerOptions {
   /// The same of each body, for or against which at least least_body_pixels speak. Source: right
   /// bodies have 0.93 and more, bodies that stand elsewhere 0 to 0.6 (docs/mathematics.md).
   double least_body_agreement = 0.75;
-  /// So many must speak for or against a body before it is judged by itself. Unit: pixels. Source:
-  /// four independent witnesses, each of them noise_correlation pixels.
+  /// So many must speak for or against a body before it is classified by itself. Unit: pixels.
+  /// Source: four independent witnesses, each of them noise_correlation pixels.
   double least_body_pixels = 80.0;
   /// Of what speaks for or against a body, the share of groups behind it. Source: none of 585 and
   /// 200 frames of fast motion and of steps was trusted wrongly with it.

@@ -35,7 +35,7 @@ class Acquisition {
               const Executor& executor, ArticulatedRegistration& registration,
               const TiledCloud& cloud);
 
-  /// Looks until an answer is judged `tracking`. Returns the most convincing one, even if it is
+  /// Looks until an answer is classified `tracking`. Returns the most convincing one, even if it is
   /// not; none if nothing in view resembles the model. Joints of which it is doubtful where they
   /// are count as not observable. Locked ones stand as in the guess, or at rest without one. The
   /// cloud must hold the frame.
@@ -57,8 +57,8 @@ class Acquisition {
   /// How often find() has looked anywhere.
   int searches() const { return searches_; }
 
-  /// Why the last time that find() looked anywhere gave no answer that is judged `tracking`; none
-  /// if it did, or has not looked anywhere yet.
+  /// Why the last time that find() looked anywhere gave no answer that is classified `tracking`;
+  /// none if it did, or has not looked anywhere yet.
   const std::optional<SearchFailure>& failure() const { return failure_; }
 
   /// Of what the last search of the whole frame has found: what it could not tell from it.

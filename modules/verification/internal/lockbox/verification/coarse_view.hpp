@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A depth image in few pixels: what hypotheses are judged by, thousands of them.
+// A depth image in few pixels: what hypotheses are scored by, thousands of them.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of an image, pooled: where the model is predicted to show a flat face, the mean of the
-// pixels of a square block takes their place. What they say about a face, its mean says as well.
+// The points of an image, averaged: where the model is predicted to show a flat face, the mean of
+// the pixels of a square block takes their place. What they say about a face, its mean says as
+// well.
 //
-// Only good from a prediction: a block is pooled that shows one face, if the model is right.
+// Only good from a prediction: a block is averaged that shows one face, if the model is right.
 #pragma once
 
 #include <cstddef>
@@ -22,11 +23,12 @@ namespace lockbox {
 /// points than ever before.
 class BlockAverages : public PointTiles {
  public:
-  /// What is pooled, by reference. The cloud must have an image, all of it (TiledCloud::is_masked),
-  /// seen by the camera that the surface is seen by. Blocks are as large as faces allow, from a
-  /// cell of the density down to its spacing, or to least_spacing pixels of the view; one of the
-  /// smallest that is not flat gives one pixel, which stands for all of it where a surface goes on
-  /// over it: as one pixel of many it would leave narrow and round faces to their contours.
+  /// What is averaged, by reference. The cloud must have an image, all of it
+  /// (TiledCloud::is_masked), seen by the camera that the surface is seen by. Blocks are as large
+  /// as faces allow, from a cell of the density down to its spacing, or to least_spacing pixels of
+  /// the view; one of the smallest that is not flat gives one pixel, which stands for all of it
+  /// where a surface goes on over it: as one pixel of many it would leave narrow and round faces to
+  /// their contours.
   struct Scene {
     const TiledCloud& cloud;
     const VisibleSurface& surface;

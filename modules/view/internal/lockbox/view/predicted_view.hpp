@@ -32,7 +32,7 @@ class PredictedView {
 
   /// Draws the model, and chooses points of the cloud. What lies farther beside the model than
   /// reach (metres) is something else: the wall that it hangs on, the table that it stands on.
-  /// is_predicted: points may be pooled. The cloud must outlive the view.
+  /// is_predicted: points may be averaged. The cloud must outlive the view.
   void look_at(const TiledCloud& cloud, const ArticulatedModel& model,
                const Configuration& configuration, double reach, bool is_predicted,
                const ViewOptions& options, const Executor& executor);
@@ -46,7 +46,7 @@ class PredictedView {
   /// Those of the cloud that were chosen.
   const PointTiles& points() const { return *points_; }
   /// Whether their tiles are not those of the image.
-  bool has_own_tiles() const { return points_ == &thinned_ || points_ == &pooled_; }
+  bool has_own_tiles() const { return points_ == &thinned_ || points_ == &averages_; }
   const PixelPrediction& prediction() const { return prediction_; }  ///< of the points
   const VisibleSurface& surface() const { return surface_; }
   /// Where the scene goes on beyond the surface's edges.
@@ -55,7 +55,7 @@ class PredictedView {
   const ContourPoints& contours() const { return contours_; }  ///< of the surface
 
  private:
-  void gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_pooled,
+  void gather(const TiledCloud& cloud, const ArticulatedModel& model, bool is_averaged,
               const ViewOptions& options, const Executor& executor);
 
   std::size_t point_budget_;
@@ -70,7 +70,7 @@ class PredictedView {
   ContourPoints contours_;
   ImagePoints all_;
   ThinnedPoints thinned_;
-  BlockAverages pooled_;
+  BlockAverages averages_;
   const PointTiles* points_ = nullptr;
   PixelPrediction prediction_;
   BodyPoses poses_;

@@ -24,7 +24,7 @@ struct NearnessPlane {
 };
 
 /// Relative deviations measured / expected - 1 of the pixels that lie near each other.
-struct PooledDeviation {
+struct AveragedDeviation {
   float pixels = 0.0F;
   float mean = 0.0F;
   float variance = 0.0F;  ///< of one of them
@@ -32,7 +32,7 @@ struct PooledDeviation {
 
 /// First the mean of those within `reach` of the plane, then of those within `gate` of that mean: a
 /// gate around the plane itself would draw the mean to where the plane is expected.
-PooledDeviation pool_deviations(const DepthBlock& block, const NearnessPlane& plane, float reach,
-                                float gate);
+AveragedDeviation average_deviations(const DepthBlock& block, const NearnessPlane& plane,
+                                     float reach, float gate);
 
 }  // namespace lockbox::kernels

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/kernels/pooling.hpp"
+#include "lockbox/kernels/averaging.hpp"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -12,7 +12,7 @@ namespace lockbox::kernels {
 namespace {
 
 /// Pixels that err by two thousandths, of a plane that lies elsewhere than expected.
-class PooledDeviationTest : public ::testing::Test {
+class AveragedDeviationTest : public ::testing::Test {
  protected:
   static constexpr float kGate = 0.008F;
   static constexpr float kReach = 2.0F * kGate;
@@ -33,54 +33,54 @@ class PooledDeviationTest : public ::testing::Test {
     }
   }
 
-  PooledDeviation pooled(std::size_t width, std::size_t height) const {
-    return pool_deviations({depths.data(), kStride, width, height}, kExpected, kReach, kGate);
+  AveragedDeviation averaged(std::size_t width, std::size_t height) const {
+    return average_deviations({depths.data(), kStride, width, height}, kExpected, kReach, kGate);
   }
 
   std::vector<float> depths;
 };
 
-TEST_F(PooledDeviationTest, AreTheMeanAndTheVarianceOfTheBlock) {
+TEST_F(AveragedDeviationTest, AreTheMeanAndTheVarianceOfTheBlock) {
   measure(0.0F);
-  const PooledDeviation found = pooled(64, 64);
+  const AveragedDeviation found = averaged(64, 64);
   EXPECT_NEAR(found.pixels, 64.0F * 64.0F, 4.0F) << "one of 16,000 errs by four deviations";
   EXPECT_NEAR(found.mean, 0.0F, 4.0F * 0.002F / 64.0F);
   EXPECT_NEAR(std::sqrt(found.variance), 0.002F, 1e-4F);
 }
 
-TEST_F(PooledDeviationTest, AreNotDrawnToWhereThePlaneIsExpected) {
+TEST_F(AveragedDeviationTest, AreNotDrawnToWhereThePlaneIsExpected) {
   measure(0.007F);  // where a gate around the plane would leave out a third
-  EXPECT_NEAR(pooled(64, 64).mean, 0.007F, 4.0F * 0.002F / 64.0F);
+  EXPECT_NEAR(averaged(64, 64).mean, 0.007F, 4.0F * 0.002F / 64.0F);
 }
 
-TEST_F(PooledDeviationTest, LeaveOutHolesAndWhatStandsBefore) {
+TEST_F(AveragedDeviationTest, LeaveOutHolesAndWhatStandsBefore) {
   measure(0.001F, 0.0F);
   for (std::size_t i = 0; i < depths.size(); i += 5) depths[i] = 0.0F;
   for (std::size_t i = 1; i < depths.size(); i += 5) depths[i] *= 0.9F;
-  const PooledDeviation found = pooled(64, 10);
+  const AveragedDeviation found = averaged(64, 10);
   EXPECT_EQ(found.pixels, 10.0F * 38.0F);
   EXPECT_NEAR(found.mean, 0.001F, 1e-6F);
 }
 
 /// Some sensors leave out rows: the first mean must not depend on which.
-TEST_F(PooledDeviationTest, AreOfTheRowsThatAreMeasured) {
+TEST_F(AveragedDeviationTest, AreOfTheRowsThatAreMeasured) {
   for (std::size_t kept = 0; kept < 4; ++kept) {
     measure(0.001F, 0.0F);
     for (std::size_t i = 0; i < depths.size(); ++i) {
       if (i / kStride % 4 != kept) depths[i] = 0.0F;
     }
-    const PooledDeviation found = pooled(16, 16);
+    const AveragedDeviation found = averaged(16, 16);
     EXPECT_EQ(found.pixels, 4.0F * 16.0F) << kept;
     EXPECT_NEAR(found.mean, 0.001F, 1e-6F) << kept;
   }
 }
 
-TEST_F(PooledDeviationTest, OfNothingAreNone) {
+TEST_F(AveragedDeviationTest, OfNothingAreNone) {
   measure(0.1F);
-  EXPECT_EQ(pooled(16, 16).pixels, 0.0F);
+  EXPECT_EQ(averaged(16, 16).pixels, 0.0F);
 }
 
-TEST_F(PooledDeviationTest, EveryInstructionSetAndWidthSaysTheSame) {
+TEST_F(AveragedDeviationTest, EveryInstructionSetAndWidthSaysTheSame) {
   measure(0.002F);
   for (const std::size_t width : {1U, 2U, 3U, 4U, 6U, 8U, 12U, 16U, 24U, 32U, 64U}) {
     double sum = 0.0;
@@ -95,7 +95,7 @@ TEST_F(PooledDeviationTest, EveryInstructionSetAndWidthSaysTheSame) {
     }
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
       hwy::SetSupportedTargetsForTest(target);
-      const PooledDeviation found = pooled(width, 5);
+      const AveragedDeviation found = averaged(width, 5);
       EXPECT_EQ(static_cast<double>(found.pixels), count) << hwy::TargetName(target);
       EXPECT_NEAR(static_cast<double>(found.mean), sum / count, 1e-6) << hwy::TargetName(target);
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/kernels/pooling.hpp"
+#include "lockbox/kernels/averaging.hpp"
 
 #include <algorithm>
 
 #include "lockbox/kernels/point_to_field.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "pooling.cpp"
+#define HWY_TARGET_INCLUDE "averaging.cpp"
 #include "hwy/foreach_target.h"
 // After foreach_target, which includes this file once for each instruction set.
 #include "hwy/highway.h"
@@ -58,8 +58,8 @@ FirstMean first_mean(const D df, const DepthBlock& block, const NearnessPlane& p
 
 /// Lanes: of vectors, at most; divides the block's width.
 template <std::size_t Lanes>
-PooledDeviation pool_by(const DepthBlock& block, const NearnessPlane& plane, float reach,
-                        float gate) {
+AveragedDeviation average_by(const DepthBlock& block, const NearnessPlane& plane, float reach,
+                             float gate) {
   const hn::CappedTag<float, Lanes> df;
   const auto total = [df](auto lanes) HWY_ATTR { return hn::GetLane(hn::SumOfLanes(df, lanes)); };
   FirstMean first = first_mean(df, block, plane, reach, kRowsApart);
@@ -83,13 +83,13 @@ PooledDeviation pool_by(const DepthBlock& block, const NearnessPlane& plane, flo
   return {pixels, center + off, std::max(0.0F, total(squares) / pixels - off * off)};
 }
 
-PooledDeviation pool_block(const DepthBlock& block, const NearnessPlane& plane, float reach,
-                           float gate) {
-  if (block.width % kLanes == 0) return pool_by<kLanes>(block, plane, reach, gate);
-  if (block.width % 8 == 0) return pool_by<8>(block, plane, reach, gate);
-  if (block.width % 4 == 0) return pool_by<4>(block, plane, reach, gate);
-  if (block.width % 2 == 0) return pool_by<2>(block, plane, reach, gate);
-  return pool_by<1>(block, plane, reach, gate);
+AveragedDeviation average_block(const DepthBlock& block, const NearnessPlane& plane, float reach,
+                                float gate) {
+  if (block.width % kLanes == 0) return average_by<kLanes>(block, plane, reach, gate);
+  if (block.width % 8 == 0) return average_by<8>(block, plane, reach, gate);
+  if (block.width % 4 == 0) return average_by<4>(block, plane, reach, gate);
+  if (block.width % 2 == 0) return average_by<2>(block, plane, reach, gate);
+  return average_by<1>(block, plane, reach, gate);
 }
 
 }  // namespace lockbox::kernels::HWY_NAMESPACE
@@ -98,11 +98,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lockbox::kernels {
 
-HWY_EXPORT(pool_block);
+HWY_EXPORT(average_block);
 
-PooledDeviation pool_deviations(const DepthBlock& block, const NearnessPlane& plane, float reach,
-                                float gate) {
-  return HWY_DYNAMIC_DISPATCH(pool_block)(block, plane, reach, gate);
+AveragedDeviation average_deviations(const DepthBlock& block, const NearnessPlane& plane,
+                                     float reach, float gate) {
+  return HWY_DYNAMIC_DISPATCH(average_block)(block, plane, reach, gate);
 }
 
 }  // namespace lockbox::kernels
