@@ -19,4 +19,16 @@ std::vector<std::string_view> split_fields(std::string_view text, char separator
   }
 }
 
+std::vector<std::string_view> split_words(std::string_view text) {
+  constexpr auto kWhiteSpace = " \t\r\n\v\f";
+  std::vector<std::string_view> words;
+  while (true) {
+    const auto begin = text.find_first_not_of(kWhiteSpace);
+    if (begin == std::string_view::npos) return words;
+    text.remove_prefix(begin);
+    words.push_back(text.substr(0, text.find_first_of(kWhiteSpace)));
+    text.remove_prefix(words.back().size());
+  }
+}
+
 }  // namespace lockbox

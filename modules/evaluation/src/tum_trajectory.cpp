@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <sstream>
+#include <string>
+#include <string_view>
 
+#include "lockbox/core/csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
@@ -19,22 +21,20 @@ constexpr double kNormTolerance = 0.01;  // of quaternions written with few digi
 
 using Pose = std::array<double, 8>;
 
-bool is_comment(const std::string& line) {
-  const auto first = line.find_first_not_of(" \t\r");
-  return first == std::string::npos || line[first] == '#';
+/// line: trimmed.
+bool is_comment(std::string_view line) {
+  return line.empty() || line.front() == '#';
 }
 
-std::optional<Pose> parse_pose(const std::string& line) {
-  std::istringstream words(line);
+std::optional<Pose> parse_pose(std::string_view line) {
+  const auto words = split_words(line);
   Pose pose{};
-  std::string word;
-  for (double& value : pose) {
-    if (!(words >> word)) return std::nullopt;
-    const auto number = parse_finite_number(word);
+  if (words.size() != pose.size()) return std::nullopt;
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    const auto number = parse_finite_number(words[i]);
     if (!number) return std::nullopt;
-    value = *number;
+    pose[i] = *number;
   }
-  if (words >> word) return std::nullopt;
   return pose;
 }
 
@@ -56,21 +56,21 @@ bool is_rotation(const Pose& pose) {
 
 bool is_tum_trajectory(const std::filesystem::path& file) {
   if (!is_file(file)) return false;
-  std::istringstream in(read_text_file(file));
-  std::string line;
-  while (std::getline(in, line)) {
+  const std::string text = read_text_file(file);
+  for (const std::string_view line : split_fields(text, '\n')) {
     if (!is_comment(line)) return parse_pose(line).has_value();
   }
   return false;
 }
 
 StatesFile read_tum_trajectory(const std::filesystem::path& file) {
-  std::istringstream in(read_text_file(file));
+  const std::string text = read_text_file(file);
   StatesFile result;
-  std::string text;
-  for (int line = 1; std::getline(in, text); ++line) {
-    if (is_comment(text)) continue;
-    const auto pose = parse_pose(text);
+  int line = 0;
+  for (const std::string_view row : split_fields(text, '\n')) {
+    ++line;
+    if (is_comment(row)) continue;
+    const auto pose = parse_pose(row);
     if (!pose) {
       throw InputError(file.string(), line,
                        "expected eight numbers: timestamp tx ty tz qx qy qz qw");
