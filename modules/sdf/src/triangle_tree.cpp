@@ -160,40 +160,14 @@ TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p, Nearest be
   return best;
 }
 
-void TriangleTree::collect_within(const Eigen::Vector3d& p, double radius,
-                                  std::vector<std::uint32_t>& slots) const {
-  const double limit = radius * radius;
+template <typename Condition, typename Visitor>
+void TriangleTree::for_each_in(Condition&& is_wanted, Visitor&& visit) const {
   NodeStack stack;
   stack.push(0, 0.0);
   while (!stack.empty()) {
     const std::uint32_t index = stack.pop().node;
     const Node& node = nodes_[index];
-    if (squared_distance(p, node.box) > limit) {
-      continue;
-    }
-    if (node.right != 0) {
-      stack.push(node.right, 0.0);
-      stack.push(index + 1, 0.0);
-      continue;
-    }
-    for (std::uint32_t slot = node.begin; slot < node.end; ++slot) {
-      if (squared_distance(p, corners_[slot]) <= limit) {
-        slots.push_back(slot);
-      }
-    }
-  }
-}
-
-template <typename Visitor, typename MaxWay>
-void TriangleTree::for_each_on_ray(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                                   MaxWay&& max_way, Visitor&& visit) const {
-  const Eigen::Vector3d inverse = direction.cwiseInverse();
-  NodeStack stack;
-  stack.push(0, 0.0);
-  while (!stack.empty()) {
-    const std::uint32_t index = stack.pop().node;
-    const Node& node = nodes_[index];
-    if (!meets(node.box, origin, inverse, max_way())) {
+    if (!is_wanted(node.box)) {
       continue;
     }
     if (node.right != 0) {
@@ -207,17 +181,26 @@ void TriangleTree::for_each_on_ray(const Eigen::Vector3d& origin, const Eigen::V
   }
 }
 
+void TriangleTree::collect_within(const Eigen::Vector3d& p, double radius,
+                                  std::vector<std::uint32_t>& slots) const {
+  const double limit = radius * radius;
+  for_each_in([&](const Eigen::AlignedBox3d& box) { return squared_distance(p, box) <= limit; },
+              [&](std::uint32_t slot) {
+                if (squared_distance(p, corners_[slot]) <= limit) slots.push_back(slot);
+              });
+}
+
 double TriangleTree::exit_distance(const Eigen::Vector3d& origin,
                                    const Eigen::Vector3d& direction) const {
+  const Eigen::Vector3d inverse = direction.cwiseInverse();
   double best = std::numeric_limits<double>::infinity();
-  for_each_on_ray(
-      origin, direction, [&] { return best; },
-      [&](std::uint32_t slot) {
-        const Crossing crossing = cross(corners_[slot], origin, direction);
-        if (crossing.slope > 0.0 && crossing.margin >= 0.0 && crossing.way > 0.0) {
-          best = std::min(best, crossing.way);
-        }
-      });
+  for_each_in([&](const Eigen::AlignedBox3d& box) { return meets(box, origin, inverse, best); },
+              [&](std::uint32_t slot) {
+                const Crossing crossing = cross(corners_[slot], origin, direction);
+                if (crossing.slope > 0.0 && crossing.margin >= 0.0 && crossing.way > 0.0) {
+                  best = std::min(best, crossing.way);
+                }
+              });
   return best;
 }
 
@@ -225,10 +208,12 @@ std::optional<int> TriangleTree::net_exits(const Eigen::Vector3d& origin,
                                            const Eigen::Vector3d& direction) const {
   constexpr double kCloseToEdge = 1e-7;
   constexpr double kGrazing = 1e-5;
+  constexpr double kAnyWay = std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d inverse = direction.cwiseInverse();
   int exits = 0;
   bool is_certain = true;
-  for_each_on_ray(
-      origin, direction, [] { return std::numeric_limits<double>::infinity(); },
+  for_each_in(
+      [&](const Eigen::AlignedBox3d& box) { return meets(box, origin, inverse, kAnyWay); },
       [&](std::uint32_t slot) {
         const Crossing crossing = cross(corners_[slot], origin, direction);
         if (std::abs(crossing.slope) < kGrazing || std::abs(crossing.margin) < kCloseToEdge) {

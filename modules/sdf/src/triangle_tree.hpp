@@ -60,10 +60,10 @@ class TriangleTree {
   /// near_enough: share of the best distance within which others are not worth a look.
   Nearest nearest(const Eigen::Vector3d& p, Nearest best, double near_enough) const;
 
-  /// Calls visit(slot) for all triangles whose boxes the ray meets before max_way(), metres.
-  template <typename Visitor, typename MaxWay>
-  void for_each_on_ray(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                       MaxWay&& max_way, Visitor&& visit) const;
+  /// Calls visit(slot) for all triangles of leaves for whose boxes, and those around them,
+  /// is_wanted(box) is true when they are come to.
+  template <typename Condition, typename Visitor>
+  void for_each_in(Condition&& is_wanted, Visitor&& visit) const;
 
   void build(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& centroids,
              std::uint32_t begin, std::uint32_t end);
