@@ -25,12 +25,12 @@ namespace lockbox {
 /// once in a hundred times, it never tells the end of a recording, and it drops frames.
 class FrameGrabber : public pcl::Grabber {
  public:
-  /// Organized, in metres, in the camera's optical frame; NaN where nothing was measured. The
-  /// header holds the stamp in microseconds and the frame's index.
+  /// Gets an organized cloud, metres, in the camera's optical frame, with NaN where nothing was
+  /// measured. The header holds the stamp in microseconds and the frame's index.
   using CloudCallback = void(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr&);
-  /// The frame as its source delivered it, before the cloud is made of it.
+  /// Gets the frame as its source delivered it, before the cloud is made of it.
   using FrameCallback = void(const std::shared_ptr<const DepthFrame>&);
-  /// Called once when the source ends by itself; the text is empty, or what went wrong.
+  /// Is called once when the source ends by itself; the text is empty, or what went wrong.
   using EndCallback = void(const std::string& error);
 
   /// Opens the source at every start(), and at once, so that errors come here. Throws as it does.
@@ -55,7 +55,7 @@ class FrameGrabber : public pcl::Grabber {
   /// The name that PCL asks of every grabber.
   std::string getName() const override { return "lockbox::FrameGrabber"; }
 
-  /// Measured over the last frames by their stamps; 0 before the second frame.
+  /// Returns the rate of the last frames by their stamps; it is 0 before the second frame.
   float getFramesPerSecond() const override { return frames_per_second_; }
 
  private:

@@ -31,7 +31,7 @@ class FrameSource {
   /// returns false, too. Throws DeviceError or InputError.
   virtual bool next(DepthFrame& frame) = 0;
 
-  /// Number of frames of a recording; nothing for a live source.
+  /// Returns the number of frames of a recording; nothing for a live source.
   virtual std::optional<std::size_t> frame_count() const = 0;
 
   /// Whether frames come when their time has come, and those not taken by then are dropped.
@@ -44,11 +44,11 @@ class FrameSource {
   /// What was mended or left out in the frames delivered so far.
   virtual SourceFaults faults() const { return {}; }
 
-  /// For messages: the file that the frame delivered last is from, its own or that of the whole
-  /// recording. Empty for a device.
+  /// Returns the file that the frame delivered last is from, its own or that of the whole
+  /// recording, for messages. It is empty for a device.
   virtual std::string file_of_frame() const { return {}; }
 
-  /// For people: what the source is, and which settings are in force.
+  /// Says what the source is, and which settings are in force, for people.
   virtual std::string description() const = 0;
 };
 

@@ -57,9 +57,10 @@ std::size_t write_oni(const std::filesystem::path& file, const PinholeCamera& ca
 
 /// When record() ends, if the source does not end before.
 struct RecordingEnd {
-  /// Asked every 50 ms of a device, after each frame of a recording.
+  /// It ends when this returns true: asked every 50 ms of a device, and after each frame of a
+  /// recording.
   std::function<bool()> stop;
-  /// Of a device by the clock, of a recording by its stamps.
+  /// It ends after so many seconds, of a device by the clock, of a recording by its stamps.
   double seconds = std::numeric_limits<double>::infinity();
 };
 

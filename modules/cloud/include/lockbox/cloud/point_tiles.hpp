@@ -34,7 +34,7 @@ class PointTiles {
   const std::vector<float>& y() const { return y_; }
   /// Metres, camera frame.
   const std::vector<float>& z() const { return z_; }
-  /// Image index (v * width + u) of each point.
+  /// The image index (v * width + u) of each point.
   const std::vector<std::uint32_t>& pixel() const { return pixel_; }
   /// How many pixels each point is the mean of.
   const std::vector<float>& averaged_pixels() const { return averaged_pixels_; }
@@ -44,11 +44,11 @@ class PointTiles {
  protected:
   PointTiles() = default;
 
-  /// Room for so many tiles of kTilePoints each.
+  /// Makes room for so many tiles of kTilePoints each.
   void resize_tiles(std::size_t count);
-  /// Bounds and padding of a tile whose points are in place.
+  /// Sets bounds and padding of a tile whose points are in place.
   void finish_tile(Tile& tile);
-  /// Padding alone.
+  /// Sets the padding of such a tile alone.
   void pad(Tile& tile);
 
   std::vector<Tile> tiles_;             ///< of the points below

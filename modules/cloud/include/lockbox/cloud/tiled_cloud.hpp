@@ -22,12 +22,13 @@ class TiledCloud {
   /// Converts and filters in one pass. Throws InputError if camera and depth do not fit together.
   void assign(const DepthFrame& frame, const CloudOptions& options, const Executor& executor);
 
-  /// The same from depths in metres, row by row; what is not finite and positive was not measured.
+  /// Does the same from depths in metres, row by row; what is not finite and positive was not
+  /// measured. Throws InputError if camera and depth do not fit together.
   void assign(const PinholeCamera& camera, std::span<const float> depth,
               const CloudOptions& options, const Executor& executor);
 
-  /// Points without an image, seen from the origin along z: depth() is empty, blocks() holds the
-  /// points, whose pixel() is their number in the span. Points that are not finite, or not in
+  /// Takes points without an image, seen from the origin along z: depth() is empty, blocks() holds
+  /// the points, whose pixel() is their number in the span. Points that are not finite, or not in
   /// front, are left out. Of the camera only the focal lengths mean something: how exact the points
   /// are across their rays.
   void assign_unorganized(std::span<const Eigen::Vector3f> points, const PinholeCamera& camera);
@@ -35,16 +36,17 @@ class TiledCloud {
   /// Whether there is an image: depth() and pixels, to look things up in.
   bool has_image() const { return !depth_.empty(); }
 
-  /// Of a cloud without an image.
+  /// Returns the points of a cloud without an image, in blocks of space, metres, camera frame. It
+  /// is empty if there is an image.
   const PointTiles& blocks() const { return blocks_; }
 
   /// Keeps only points whose pixel is set in the mask (one byte a pixel); depth() stays as it is.
   /// Throws InputError if the mask has another size than the image.
   void keep(const std::vector<std::uint8_t>& mask);
 
-  /// Of the image that the cloud was made of.
+  /// Returns the camera of the image that the cloud was made of.
   const PinholeCamera& camera() const { return camera_; }
-  /// Filtered depth image in metres, 0 where nothing is known; width * height.
+  /// Returns the filtered depth image in metres, width * height values, 0 where nothing is known.
   const std::vector<float>& depth() const { return depth_; }
   /// Whether keep() was called.
   bool is_masked() const { return !mask_.empty(); }

@@ -12,9 +12,9 @@ namespace lockbox {
 /// what() reads "WHERE: what is wrong", where WHERE is a file, with ":LINE" behind it if known.
 class InputError : public std::runtime_error {
  public:
-  /// Where: the file, folder, option or the like.
+  /// where: names the file, folder, option or the like.
   InputError(const std::string& where, const std::string& problem);
-  /// Line: counted from 1.
+  /// line: is counted from 1.
   InputError(const std::string& file, int line, const std::string& problem);
 };
 
@@ -24,7 +24,7 @@ class DeviceError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// For messages: 'text', cut short where it would fill a screen.
+/// Returns 'text' for messages, cut short where it would fill a screen.
 std::string in_quotes(std::string_view text);
 
 }  // namespace lockbox

@@ -36,7 +36,7 @@ class Executor {
   /// How many threads work at the same time, the caller included.
   int threads() const;
 
-  /// Within a body: which of the threads() workers runs it, for scratch memory of its own.
+  /// Says, within a body, which of the threads() workers runs it, for scratch memory of its own.
   static std::size_t worker();
 
   /// Calls body(i) once for each i in [0, count), in any order, and returns when all are done.
@@ -44,8 +44,8 @@ class Executor {
   /// Stopped if it was stopped.
   void for_each(std::size_t count, FunctionRef<void(std::size_t)> body) const;
 
-  /// Several loops that do not need each other, as one: whoever is done with one need not wait for
-  /// its last bodies. Those that take longest are best named first.
+  /// Runs several loops that do not need each other as one: whoever is done with one need not wait
+  /// for its last bodies. Those that take longest are best named first.
   void for_each(std::initializer_list<Loop> loops) const;
 
   /// Calls body(begin, end, chunk) for the consecutive ranges of chunk_size that cover [0, count).
@@ -53,8 +53,8 @@ class Executor {
       std::size_t count, std::size_t chunk_size,
       FunctionRef<void(std::size_t begin, std::size_t end, std::size_t chunk)> body) const;
 
-  /// Called by any thread: the loop under way ends soon, without the bodies that have not begun,
-  /// and so do all later ones until resume(). What loops were filling is left half done.
+  /// May be called by any thread: the loop under way ends soon, without the bodies that have not
+  /// begun, and so do all later ones until resume(). What loops were filling is left half done.
   void stop() const;
   /// Ends what stop() began: loops run again.
   void resume() const;

@@ -64,37 +64,38 @@ struct SearchProgress {
   std::vector<Configuration> answers;  ///< the best ones up to now
 };
 
-/// Not thread-safe. The model must outlive it.
+/// Finds the model in a cloud without a guess. It is not thread-safe. The model must outlive it.
 class Initializer {
  public:
-  /// executor: whose workers its searches use.
+  /// executor: its workers do the searches.
   Initializer(const ArticulatedModel& model, const InitializerOptions& options,
               const Executor& executor);
   ~Initializer();
   Initializer(Initializer&&) noexcept;
   Initializer& operator=(Initializer&&) noexcept;
 
-  /// The most convincing configurations, best first; none if nothing in view resembles the model.
-  /// Locked joints stand as in `held`, without it as at rest. The same for any number of threads.
-  /// Throws InputError if the cloud has no image, and Stopped if it was stopped.
+  /// Returns the most convincing configurations, best first; none if nothing in view resembles the
+  /// model. Locked joints stand as in `held`, without it as at rest. The same for any number of
+  /// threads. Throws InputError if the cloud has no image, and Stopped if it was stopped.
   std::vector<Candidate> find(const TiledCloud& cloud,
                               const std::optional<Configuration>& held = std::nullopt);
 
-  /// The same in parts: at most so many rounds, of which each takes about as long as the others and
-  /// looks closer than those before (docs/initialization.md), and what the rounds before have found
-  /// in earlier images, registered anew. progress.rounds is 0 afterwards if the search has ended:
-  /// it is convinced, or nothing is left to be tried.
+  /// Does the same in parts: at most so many rounds, of which each takes about as long as the
+  /// others and looks closer than those before (docs/initialization.md), and what the rounds before
+  /// have found in earlier images, registered anew. progress.rounds is 0 afterwards if the search
+  /// has ended: it is convinced, or nothing is left to be tried.
   std::vector<Candidate> find_part(const TiledCloud& cloud,
                                    const std::optional<Configuration>& held, int most_rounds,
                                    SearchProgress& progress);
 
-  /// The same as find(), but ends after the first round (docs/initialization.md), whatever it has
-  /// found: a quarter of the time or less where the object is not in view. All joints are sought.
+  /// Does the same as find(), but ends after the first round (docs/initialization.md), whatever it
+  /// has found: a quarter of the time or less where the object is not in view. All joints are
+  /// sought.
   std::vector<Candidate> glance(const TiledCloud& cloud);
 
-  /// The joints alone, each over its whole range, the base known within a centimetre. Variables
-  /// that are not listed, that are locked, or that the view says nothing about, keep their
-  /// positions.
+  /// Finds the joints alone, each over its whole range, the base known within a centimetre.
+  /// Variables that are not listed, that are locked, or that the view says nothing about, keep
+  /// their positions.
   SoughtJoints find_joints(const TiledCloud& cloud, const Configuration& start,
                            const std::vector<int>& variables);
 

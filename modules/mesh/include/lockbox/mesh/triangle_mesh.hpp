@@ -20,20 +20,22 @@ struct TriangleMesh {
   }
 };
 
-/// Half the cross product of two edges: the outward normal times the area, m^2.
+/// Returns half the cross product of two edges, which is the outward normal times the area, m^2.
 Eigen::Vector3d area_vector(const std::array<Eigen::Vector3d, 3>& corners);
 
-/// Of all vertices that a triangle uses; empty for a mesh without triangles.
+/// Returns the box around all vertices that a triangle uses, metres; it is empty for a mesh without
+/// triangles.
 Eigen::AlignedBox3d bounds(const TriangleMesh& mesh);
 
-/// m^2, the sum over all triangles.
+/// Returns the sum of the areas of all triangles, m^2.
 double surface_area(const TriangleMesh& mesh);
 
-/// By the divergence theorem, m^3: negative when the faces point inwards; shells that overlap count
-/// twice where they do. The result means a volume only for a closed surface.
+/// Returns the volume by the divergence theorem, m^3. It is negative when the faces point inwards,
+/// and shells that overlap count twice where they do. For a surface that is not closed it means
+/// nothing.
 double signed_volume(const TriangleMesh& mesh);
 
-/// The mesh with each vertex p replaced by T_a_b p.
+/// Returns the mesh with each vertex p replaced by T_a_b p.
 TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& T_a_b);
 
 /// Adds the triangles of other; nothing is welded.

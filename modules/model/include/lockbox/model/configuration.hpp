@@ -12,7 +12,7 @@ namespace lockbox {
 
 /// The pose of the base and the positions of all joints: what is estimated of a frame.
 struct Configuration {
-  /// The base's frame in the camera's, metres.
+  /// The pose of the base's frame in the camera's, metres.
   Eigen::Isometry3d T_camera_base = Eigen::Isometry3d::Identity();
   Eigen::VectorXd q;  ///< one position per joint variable, radians or metres
 };
@@ -21,19 +21,21 @@ struct Configuration {
 /// positions beyond are in millimetres. Doubled, objects nearer than 4 cm pass in millimetres.
 inline constexpr double kFarthestBase = 20.0;
 
-/// All joints at zero (or at the limit nearest to zero), base at the camera.
+/// Returns all joints at zero (or at the limit nearest to zero), and the base at the camera.
 Configuration rest_configuration(const KinematicTree& tree);
 
-/// NaN everywhere: what a states file says while nothing is known.
+/// Returns NaN everywhere, which is what a states file says while nothing is known.
 Configuration unknown_configuration(const KinematicTree& tree);
 
-/// Index of the joint; throws InputError naming the joints that exist if there is none.
+/// Returns the index of the joint. Throws InputError naming the joints that exist if there is none.
 int joint_index(const KinematicTree& tree, const std::string& joint_name);
 
-/// Position of joint j, mimic joints included.
+/// Returns the position of a joint by its index, metres or radians, also of one that mimics
+/// another.
 double joint_position(const KinematicTree& tree, const Configuration& configuration, int joint);
 
-/// Sets the variable that drives the named joint; mimic joints are refused.
+/// Sets the variable that drives the named joint, metres or radians. Throws InputError for a joint
+/// that does not exist or mimics another, and for a position that is not finite.
 void set_joint_position(const KinematicTree& tree, Configuration& configuration,
                         const std::string& joint_name, double position);
 

@@ -23,8 +23,8 @@ using BodyJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 void forward_kinematics(const KinematicTree& tree, const Configuration& configuration,
                         BodyPoses& T_camera_body);
 
-/// The same, but only of those marked by body, each of whose parents is marked, too, or has its
-/// pose already. The base keeps its own.
+/// Does the same, but only for those marked by body, each of whose parents is marked, too, or has
+/// its pose already. The base keeps its own.
 void forward_kinematics_of(const KinematicTree& tree, const Configuration& configuration,
                            std::span<const std::uint8_t> bodies, BodyPoses& T_camera_body);
 

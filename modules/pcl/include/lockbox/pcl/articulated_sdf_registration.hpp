@@ -53,7 +53,7 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   using typename Base::PointIndicesConstPtr;
   using Ptr = pcl::shared_ptr<ArticulatedSdfRegistration>;             ///< as PCL names it
   using ConstPtr = pcl::shared_ptr<const ArticulatedSdfRegistration>;  ///< as PCL names it
-  /// As PCL names it.
+  /// The type of getConvergeCriteria(), as PCL names it.
   using ConvergenceCriteria = pcl::registration::DefaultConvergenceCriteria<Scalar>;
   using Base::correspondences_;
 
@@ -61,88 +61,98 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   ArticulatedSdfRegistration();
   ~ArticulatedSdfRegistration() override;
 
-  /// What the scan shows, instead of setInputTarget. The joints start at rest. The target becomes a
-  /// cloud of the model's surface in the base's frame, points target_spacing apart (metres; 0: so
-  /// that there are about 30,000), and is posed anew whenever the joints change. Throws InputError
-  /// if the model cannot be registered.
+  /// Sets what the scan shows, in place of setInputTarget. The joints start at rest. The target
+  /// becomes a cloud of the model's surface in the base's frame, points target_spacing apart
+  /// (metres; 0: so that there are about 30,000), and is posed anew whenever the joints change.
+  /// Throws InputError if the model cannot be registered.
   void setModel(std::shared_ptr<const ArticulatedModel> model, double target_spacing = 0.0);
-  /// The same of a model that nobody else shares.
+  /// Does the same with a model that nobody else shares. Throws InputError as the one above.
   void setModel(ArticulatedModel model, double target_spacing = 0.0);
 
-  /// Weights, sensor noise, fixed base, locked joints. max_iterations is PCL's
-  /// setMaximumIterations. Throws InputError if the model cannot be registered with them.
+  /// Sets weights, sensor noise, a fixed base and locked joints. PCL's setMaximumIterations counts
+  /// in place of max_iterations. Throws InputError if the model cannot be registered with them.
   void setOptions(const RegistrationOptions& options);
-  /// Those in force.
+  /// Returns the options in force.
   const RegistrationOptions& getOptions() const;
 
-  /// Of the organized scans that follow; recovered from each if none is given.
+  /// Sets the camera of the organized scans that follow. Without one it is recovered from each
+  /// scan.
   void setCamera(const std::optional<PinholeCamera>& camera);
 
-  /// 0: all cores, the default. The result does not depend on it.
+  /// Sets how many threads an alignment uses; 0, the default, means all cores. The result does not
+  /// depend on it.
   void setNumberOfThreads(unsigned int threads);
 
-  /// Where the joints start, and after an alignment what was found: metres or radians, one value a
-  /// joint that mimics no other, in the order of KinematicTree::variable_joint; none before
-  /// setModel. Throw InputError without a model, for joints that it does not have or that mimic,
-  /// and for values that are not finite.
+  /// Sets where the joints start: one value, metres or radians, for each joint that mimics no
+  /// other, in the order of KinematicTree::variable_joint. Throws InputError without a model, and
+  /// for another number of values or values that are not finite.
   void setJointPositions(const Eigen::VectorXd& positions);
-  /// The same of one joint, by its name in the model.
+  /// Sets where one joint starts, by its name in the model, metres or radians. Throws InputError
+  /// without a model, for a joint that it does not have or that mimics another, and for a value
+  /// that is not finite.
   void setJointPosition(const std::string& joint, double position);
-  /// Metres or radians, of all joints that mimic no other.
+  /// Returns where the joints start, and after an alignment what it found, as setJointPositions
+  /// takes them. It is empty before setModel.
   const Eigen::VectorXd& getJointPositions() const;
-  /// Metres or radians, of one joint by its name in the model, also of one that mimics.
+  /// Returns the position of one joint by its name in the model, metres or radians, also of one
+  /// that mimics another. Throws InputError without a model, and for a joint that it does not have.
   double getJointPosition(const std::string& joint) const;
 
-  /// The covariance of (base twist in the base's frame, joint positions), translation first, of the
-  /// last alignment that had data. It is empty before, as are the next two.
+  /// Returns the covariance of (base twist in the base's frame, joint positions), translation
+  /// first, of the last alignment that had data; metres and radians. It is empty before, as are the
+  /// next two.
   const Eigen::MatrixXd& getCovariance() const;
-  /// The square roots of its diagonal.
+  /// Returns the square roots of its diagonal.
   const Eigen::VectorXd& getStandardDeviations() const;
-  /// Whether the scan determines each of these unknowns.
+  /// Says of each of these unknowns whether the scan determines it.
   const std::vector<bool>& getObservable() const;
 
-  /// Shares of the visible surface; all zero for a scan that is no image.
+  /// Returns shares of the visible surface; all are zero for a scan that is no image.
   const Agreement& getAgreement() const;
-  /// What is measured where the model says.
+  /// Returns the share that is measured where the model says.
   double getExplainedShare() const { return getAgreement().explained; }
-  /// What is seen through, or measured behind.
+  /// Returns the share that is seen through, or measured behind.
   double getContradictedShare() const { return getAgreement().contradicted; }
 
-  /// As IterativeClosestPoint has it.
+  /// Returns the criteria by which an alignment ends, as IterativeClosestPoint does.
   typename ConvergenceCriteria::Ptr getConvergeCriteria() const;
 
-  /// An empty cloud is taken: no alignment then succeeds, and what indices selected is forgotten.
+  /// Sets the scan. An empty cloud is taken: PCL's error is printed, no alignment then succeeds,
+  /// and what indices selected is forgotten.
   void setInputSource(const PointCloudSourceConstPtr& cloud) override;
 
-  /// Which points of the source are matched, of this one and of those that follow. Null: all.
+  /// Sets which points of the source are matched, of this one and of those that follow. Null
+  /// selects all.
   void setIndices(const pcl::IndicesPtr& indices) override;
-  /// The same of indices that nobody changes.
+  /// Does the same with a copy of indices that must not be changed.
   void setIndices(const pcl::IndicesConstPtr& indices) override;
-  /// The same as PCL's segmentations give them.
+  /// Does the same with a copy of indices as PCL's segmentations give them.
   void setIndices(const PointIndicesConstPtr& indices) override;
-  /// A window of an organized source, in pixels.
+  /// Selects a window of an organized source, in pixels. One that does not fit is refused as PCL
+  /// does, and what was selected before stays.
   void setIndices(std::size_t first_row, std::size_t first_column, std::size_t rows,
                   std::size_t columns) override;
 
-  /// What setIndices() was given; null: all. (PCL's own, which cannot be overridden, knows nothing
-  /// of them: it would follow them beyond the end of a cloud.)
+  /// Returns what setIndices() was given; null means all. (PCL's own, which cannot be overridden,
+  /// knows nothing of them: it would follow them beyond the end of a cloud.)
   pcl::IndicesPtr getIndices() const;
 
   /// The target is the model; a cloud is refused with a warning once there is one.
   void setInputTarget(const PointCloudTargetConstPtr& cloud) override;
 
-  /// PCL's, which cannot be overridden, for a tree that is not null; no tree but its own is used.
+  /// Calls PCL's, which cannot be overridden, with a tree that is not null; no tree but its own is
+  /// used.
   /// Through a pointer to the base class PCL's own is called: a null tree then has to be followed
   /// by setInputSource, setModel or setJointPositions, which mend it.
   void setSearchMethodTarget(const KdTreePtr& tree, bool force_no_recompute = false);
-  /// The same of the source, of which no tree is used at all.
+  /// Does the same for the source, of which no tree is used at all.
   void setSearchMethodSource(const KdTreeReciprocalPtr& tree, bool force_no_recompute = false);
 
-  /// What ICP has besides, for programs that call it: without meaning here, warned of once.
+  /// Has no meaning here, and warns of that once; it is there for programs that call it of an ICP.
   void setUseReciprocalCorrespondences(bool use);
-  /// Without meaning here, as the one above.
+  /// Has no meaning here, as the one above.
   void setUseSymmetricObjective(bool use);
-  /// Without meaning here, as the one above.
+  /// Has no meaning here, as the one above.
   void setEnforceSameDirectionNormals(bool enforce);
 
  protected:

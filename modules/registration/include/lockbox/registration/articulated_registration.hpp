@@ -93,7 +93,7 @@ class ArticulatedRegistration {
   RegistrationResult align(const TiledCloud& cloud, const Configuration& start,
                            const AlignOptions& align_options);
 
-  /// The same, into a result whose memory is used again.
+  /// Does the same into a result whose memory is used again.
   void align(const TiledCloud& cloud, const Configuration& start, const AlignOptions& align_options,
              RegistrationResult& result);
 
@@ -104,13 +104,13 @@ class ArticulatedRegistration {
   /// next alignment finds the same as without this call.
   SizeMeasurement measure_size(const TiledCloud& cloud, const Configuration& configuration);
 
-  /// As they were given, with one entry of `locked` for each variable.
+  /// Returns the options as they were given, with one entry of `locked` for each variable.
   const RegistrationOptions& options() const;
-  /// The term that keeps bodies out of each other.
+  /// Returns the term that keeps bodies out of each other.
   const CollisionTerm& collision() const;
-  /// The model that is aligned.
+  /// Returns the model that is aligned.
   const ArticulatedModel& model() const;
-  /// How far steps move surfaces: what makes metres of steps of all unknowns.
+  /// Returns how far steps move surfaces, which makes metres of steps of all unknowns.
   const MotionMetric& moves() const;
 
  private:

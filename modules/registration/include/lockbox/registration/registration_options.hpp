@@ -43,13 +43,13 @@ struct RegistrationOptions : TermOptions, CollisionOptions {
   /// what noise lets an estimate err.
   double step_tolerance = 2e-5;
 
-  /// Whether the variable is held.
+  /// Says whether the joint variable is held.
   bool is_locked(int variable) const {
     const auto index = static_cast<std::size_t>(variable);
     return index < locked.size() && locked[index];
   }
 
-  /// Of so many joint variables those that are not locked.
+  /// Returns those of so many joint variables that are not locked.
   std::vector<int> free_variables(int variables) const {
     std::vector<int> free;
     for (int v = 0; v < variables; ++v) {

@@ -23,11 +23,11 @@ namespace lockbox {
 /// A mesh to draw. The mesh is referred to, not copied.
 struct RenderItem {
   const TriangleMesh* mesh = nullptr;  ///< must live until the image is drawn
-  /// The mesh's frame in the camera's.
+  /// The pose of the mesh's frame in the camera's, metres.
   Eigen::Isometry3d T_camera_mesh = Eigen::Isometry3d::Identity();
   std::int16_t id = 0;  ///< what its pixels are marked with, not kNothing
-  /// See lockbox/mesh/mesh_audit.hpp. Faces seen from behind are left out then, which halves the
-  /// work: nearer ones hide them.
+  /// Whether the mesh encloses a solid (lockbox/mesh/mesh_audit.hpp). Faces seen from behind are
+  /// left out then, which halves the work: nearer ones hide them.
   bool encloses_solid = false;
 };
 
@@ -46,7 +46,7 @@ struct ImageWindow {
   int bottom() const { return top + height; }
 };
 
-/// Row by row, width * height values each.
+/// An image of depths and of what is seen, row by row, width * height values each.
 struct RenderedDepth {
   int width = 0;                 ///< columns
   int height = 0;                ///< rows
@@ -54,7 +54,7 @@ struct RenderedDepth {
   std::vector<std::int16_t> id;  ///< of the nearest item; kNothing where nothing is
   ImageWindow drawn;             ///< outside it nothing is
 
-  /// Of column u in row v, in these arrays.
+  /// Returns where column u of row v is in these arrays.
   std::size_t index(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(u);
@@ -69,31 +69,32 @@ struct RenderedInverseDepth {
   std::vector<std::int16_t> id;      ///< of the nearest item; kNothing where nothing is
 };
 
-/// Reusable: after the first frame, frames of the same scene allocate nothing.
+/// Draws meshes into depth images. It is reusable: after the first frame, frames of the same scene
+/// allocate nothing.
 class DepthRenderer {
  public:
   /// Surface nearer than this to the camera's plane is cut away, metres.
   static constexpr double kNear = 0.01;
 
-  /// The images have the camera's size.
+  /// Makes a renderer whose images have the camera's size. The executor's workers draw them.
   DepthRenderer(const PinholeCamera& camera, const Executor& executor);
   ~DepthRenderer();
   DepthRenderer(DepthRenderer&&) noexcept;
   DepthRenderer& operator=(DepthRenderer&&) noexcept;
 
-  /// Of the images to come.
+  /// Returns the camera of the images to come.
   const PinholeCamera& camera() const;
-  /// For the images to come.
+  /// Sets the camera of the images to come, and with it their size.
   void set_camera(const PinholeCamera& camera);
 
   /// Draws the items into the image, which is resized and overwritten.
   void render(std::span<const RenderItem> items, RenderedDepth& image);
 
-  /// The same in two steps, for who needs few parts of the image: draw() may be called for any of
-  /// them, by several threads, until the next prepare(). The window must lie within the image; its
-  /// first pixel becomes the first one of `part`, which is resized and overwritten.
+  /// Begins to draw the items for who needs few parts of the image: draw() may be called for any of
+  /// them, by several threads, until the next prepare(), render() or set_camera().
   void prepare(std::span<const RenderItem> items);
-  /// Draws one window of what was prepared.
+  /// Draws one window of what was prepared. The window must lie within the image; its first pixel
+  /// becomes the first one of `part`, which is resized and overwritten.
   void draw(const ImageWindow& window, RenderedInverseDepth& part) const;
 
  private:

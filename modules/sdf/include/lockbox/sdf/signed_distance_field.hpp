@@ -23,9 +23,9 @@ class SignedDistanceField {
   /// The arrays behind view(); see field_view.hpp for their layout.
   struct Storage {
     FieldView grid;  ///< pointers unset
-    /// FieldView::samples, with the spare one.
+    /// What FieldView::samples points to, with the spare one.
     std::vector<std::int16_t> samples;
-    /// FieldView::block_first.
+    /// What FieldView::block_first points to.
     std::vector<std::int32_t> block_first;
     Eigen::AlignedBox3d bounds;  ///< of the body's surface
     double mesh_volume = 0.0;    ///< enclosed by the mesh, m^3
@@ -44,23 +44,23 @@ class SignedDistanceField {
   const FieldView& view() const { return view_; }
   /// What the cache writes.
   const Storage& storage() const { return storage_; }
-  /// The box of the body's surface, body frame, metres.
+  /// Returns the box of the body's surface, body frame, metres.
   const Eigen::AlignedBox3d& bounds() const { return storage_.bounds; }
-  /// Metres between fine samples.
+  /// Returns the distance between fine samples, metres.
   double voxel() const { return static_cast<double>(view_.fine_voxel); }
-  /// Metres, of the thinnest wall.
+  /// Returns the thickness of the thinnest wall, metres.
   double thickness() const { return storage_.thickness; }
 
-  /// Tri-linear distance at p (metres, body frame) and the exact gradient of that interpolant.
-  /// Beyond the coarse grid: the distance at its border plus the way to it, along that way.
-  /// What no float can count in voxels (NaN, infinity) is infinitely far outside, without a
-  /// gradient.
+  /// Returns the tri-linear distance at p (metres, body frame) and the exact gradient of that
+  /// interpolant. Beyond the coarse grid it is the distance at its border plus the way to it, along
+  /// that way. What no float can count in voxels (NaN, infinity) is infinitely far outside, without
+  /// a gradient.
   DistanceSample sample(const Eigen::Vector3f& p) const;
 
-  /// Volume where the interpolant is negative, m^3.
+  /// Returns the volume where the interpolant is negative, m^3.
   double enclosed_volume() const;
 
-  /// Memory that the arrays take.
+  /// Returns how many bytes the arrays take.
   std::size_t memory_bytes() const;
 
  private:

@@ -59,7 +59,8 @@ struct SceneArm {
 /// What there is beside the model.
 struct Scene {
   Moving moving = Moving::object;  ///< what stays where it is
-  /// In its base frame: what it leaves to the model, which `fitted` sees to (scene_fit.hpp).
+  /// The box that it leaves to the model, in its base frame, which `fitted` sees to
+  /// (scene_fit.hpp).
   std::optional<Eigen::AlignedBox3d> room;
   /// Where its base frame lies in the model's, turned by `fitted`.
   Eigen::Matrix3d R_base_scene = Eigen::Matrix3d::Identity();

@@ -16,7 +16,7 @@ namespace lockbox {
 /// any number of threads and any order of the frames. Reusable buffers; not thread-safe.
 class SensorSimulator {
  public:
-  /// Seed: of the noise. camera: of the frames that measure() makes.
+  /// seed: decides the noise. camera: is that of the frames that measure() makes.
   SensorSimulator(const SensorModel& sensor, const PinholeCamera& camera, std::uint64_t seed,
                   const Executor& executor);
   ~SensorSimulator();

@@ -34,7 +34,7 @@ struct Alternative {
   double probability;           ///< in [0, 1], that it is the right one
 };
 
-/// The word for a states file.
+/// Returns the word for it in a states file.
 std::string to_string(Alternative::Kind kind);
 
 /// How large the object looks, as a multiple of its model: across the optical axis, at the distance
@@ -42,7 +42,7 @@ std::string to_string(Alternative::Kind kind);
 /// that was measured the covariance is infinite.
 struct ApparentSize {
   Eigen::Vector2d value = Eigen::Vector2d::Ones();  ///< (across, along)
-  /// Of value.
+  /// The covariance of value.
   Eigen::Matrix2d covariance =
       std::numeric_limits<double>::infinity() * Eigen::Matrix2d::Identity();
 
@@ -57,17 +57,17 @@ struct ApparentSize {
 
 /// What is known of the object in one frame.
 struct TrackingResult {
-  /// For shares and residuals without an object.
+  /// What shares and residuals are without an object.
   static constexpr double kNothingFound = std::numeric_limits<double>::quiet_NaN();
 
   double stamp = 0.0;                                    ///< seconds, the frame's
   TrackingStatus status = TrackingStatus::initializing;  ///< what is known
-  /// NaN while nothing is known.
+  /// Where the object is; NaN while nothing is known.
   Configuration configuration;
   Eigen::MatrixXd covariance;    ///< of (base twist (v, w) in the base's frame, joint variables)
   Eigen::VectorXd sigma;         ///< square roots of its diagonal
   std::vector<bool> observable;  ///< by unknown; a joint that is not keeps its last value
-  /// Of what is reported; NaN while nothing is found.
+  /// How what is reported fits the frame; NaN while nothing is found.
   double residual_rms = kNothingFound;  ///< whitened: 1 where the sensor errs as assumed
   double explained = kNothingFound;     ///< shares of the model's visible surface
   double contradicted = kNothingFound;  ///< seen through, or measured behind
@@ -86,7 +86,8 @@ struct TrackingResult {
   double latency_ms = 0.0;  ///< milliseconds by the clock, from depth to result
 };
 
-/// Not thread-safe; one object per camera. The model must outlive it.
+/// Follows the object from frame to frame. It is not thread-safe; each camera needs one of its own.
+/// The model must outlive it.
 class Tracker {
  public:
   /// Throws InputError if the model's file asks for an erosion that a body is too thin for.
@@ -95,22 +96,22 @@ class Tracker {
   Tracker(Tracker&&) noexcept;
   Tracker& operator=(Tracker&&) noexcept;
 
-  /// Where to look in the next frame. Without it the object is sought everywhere, and process()
-  /// reports `initializing` until it was found.
+  /// Says where to look in the next frame. Without it the object is sought everywhere, and
+  /// process() reports `initializing` until it was found.
   void start(const Configuration& configuration);
 
-  /// An image that is shown again says nothing new, for its errors are the same: once what was
-  /// found in it has come to rest, it stays. Valid until the next call. Throws InputError if the
-  /// frame is not a depth image, and Stopped if a search was asked to stop
-  /// (TrackerOptions::stop_request); the frame then counts as not seen.
+  /// Tells what is known of the object in this frame. An image that is shown again says nothing
+  /// new, for its errors are the same: once what was found in it has come to rest, it stays. Valid
+  /// until the next call. Throws InputError if the frame is not a depth image, and Stopped if a
+  /// search was asked to stop (TrackerOptions::stop_request); the frame then counts as not seen.
   const TrackingResult& process(const DepthFrame& frame);
 
-  /// Why the last search of the whole frame found nothing to believe in; none if it did, or none
-  /// was made yet.
+  /// Says why the last search of the whole frame found nothing to believe in; nothing if it did, or
+  /// if none was made yet.
   const std::optional<SearchFailure>& search_failure() const;
 
   const TiledCloud& cloud() const;  ///< of the frame that was processed last
-  /// The options in force.
+  /// Returns the options in force.
   const TrackerOptions& options() const;
 
  private:

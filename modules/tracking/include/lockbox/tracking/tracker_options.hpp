@@ -57,8 +57,8 @@ struct TrackerOptions {
   /// tried (search_failure.hpp), which takes some seconds: in the background after the second
   /// search that finds nothing. Source: whether the user is told, no `--quiet`.
   bool try_other_readings = false;
-  /// Among them depths in another unit: only where nobody has said which one it is. Source: whether
-  /// the source says it.
+  /// Depths in another unit are among these readings; they should be only where nobody has said
+  /// which unit it is. Source: whether the source says it.
   bool try_other_units = true;
   /// Ends searches, which may take a minute: process() then throws Stopped within some tenths of a
   /// second. Frames that need no search are not stopped.
@@ -70,10 +70,10 @@ struct TrackerOptions {
   /// Surfaces that the last iteration of a round moves by less are at rest. Unit: metres. Source:
   /// more than noise moves them by.
   double resting_move = 0.001;
-  /// Iterations of each further round. Unit: iterations. Source: steps of 3 cm in a board's plane,
-  /// of which three iterations did not reach the end.
+  /// Each further round has so many iterations. Unit: iterations. Source: steps of 3 cm in a
+  /// board's plane, of which three iterations did not reach the end.
   int further_iterations = 6;
-  /// Further rounds, at most. Unit: rounds. Source: the same.
+  /// At most so many further rounds follow. Unit: rounds. Source: the same steps of 3 cm.
   int most_rounds = 8;
 
   // What `tracking` needs.
@@ -85,14 +85,16 @@ struct TrackerOptions {
   /// The explained share of what is explained or contradicted. Source: a cabinet a quarter turn off
   /// reaches 0.89, right bodies 0.93.
   double least_agreement = 0.9;
-  /// The same of each body, for or against which at least least_body_pixels speak. Source: right
-  /// bodies have 0.93 and more, bodies that stand elsewhere 0 to 0.6 (docs/mathematics.md).
+  /// The same share for each body by itself, if at least least_body_pixels speak for it or against
+  /// it. Source: right bodies have 0.93 and more, bodies that stand elsewhere 0 to 0.6
+  /// (docs/mathematics.md).
   double least_body_agreement = 0.75;
   /// So many must speak for or against a body before it is classified by itself. Unit: pixels.
   /// Source: four independent witnesses, each of them noise_correlation pixels.
   double least_body_pixels = 80.0;
-  /// Of what speaks for or against a body, the share of groups behind it. Source: none of 585 and
-  /// 200 frames of fast motion and of steps was trusted wrongly with it.
+  /// A body is contradicted if groups behind it are a larger share of what speaks for it or against
+  /// it, and more than least_body_pixels. Source: none of 585 and 200 frames of fast motion and of
+  /// steps was trusted wrongly with it.
   double most_groups_behind = 0.03;
   /// The share of the contour at which the scene goes on as the model's surface. Source: it
   /// is 0.97 around a plate found in a bare wall, and up to 0.64 around boxes on tables
@@ -110,14 +112,14 @@ struct TrackerOptions {
   /// degree, half of what counts as right. Doubled, what is turned by more than counts as right may
   /// be `tracking`; halved, more of what is small or far away is not.
   double most_base_turning_sigma = 0.0175;
-  /// Of Candidate::rival_distance: beyond it something else may be right as well. Unit: metres.
+  /// Where Candidate::rival_distance is larger, something else may be right as well. Unit: metres.
   /// Source: docs/verification.md; what is a metre away and one in 40,000 makes so much.
   double most_rival_distance = 0.005;
   /// A joint that slides and whose standard deviation is larger is not reported as known. Unit:
   /// metres. Source: a third of the 1 cm that counts as right (docs/experiments.md).
   double most_sliding_sigma = 0.0033;
-  /// The same of a joint that turns. Unit: radians. Source: a third of the 5 degrees that count as
-  /// right.
+  /// A joint that turns and whose standard deviation is larger is not reported as known. Unit:
+  /// radians. Source: a third of the 5 degrees that count as right.
   double most_turning_sigma = 0.029;
   /// What is believed more is the object (lockbox/verification/belief.hpp): bodies that
   /// contradict the image do not change that, but joints that move them are not known; and what a
@@ -140,7 +142,7 @@ struct TrackerOptions {
   /// explained, is known only by least_margin_of_hidden. Source: of five wrong joints in 1000
   /// random scenes four were such, and one in ninety of the right ones.
   double least_of_sought_body = 0.5;
-  /// By so many more (of JointMargins) must the image speak for its position than for any other.
+  /// The image must speak for its position by so many more (JointMargins) than for any other.
   /// Unit: pixels. Source: the same scenes.
   double least_margin_of_hidden = 25.0;
   /// The explained share of what is explained or contradicted, below which the object is `lost`.

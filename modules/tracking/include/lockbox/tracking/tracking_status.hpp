@@ -8,7 +8,7 @@ namespace lockbox {
 /// What is known of the object in a frame.
 enum class TrackingStatus { initializing, tracking, uncertain, lost };
 
-/// The word for a states file.
+/// Returns the word for it in a states file.
 std::string to_string(TrackingStatus status);
 
 }  // namespace lockbox

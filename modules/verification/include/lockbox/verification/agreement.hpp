@@ -11,21 +11,22 @@ struct Agreement {
   double contradicted = 0.0;  ///< seen through, or measured behind as a group or as a whole
   double occluded = 0.0;      ///< something else in front
   double unknown = 0.0;       ///< not measured, or beside a contour that jitter may have moved
-  /// Of what is explained: measured behind the surface by more than a standard deviation, less what
-  /// is so far before it. Noise goes both ways alike.
+  /// The part of what is explained that is measured behind the surface by more than a standard
+  /// deviation, less what is so far before it. Noise goes both ways alike.
   double recedes = 0.0;
-  /// Of what is contradicted: groups that were measured behind the surface as wholes. It lies
-  /// elsewhere there, though the rest of the body, if that is flat or round, may be explained.
+  /// The part of what is contradicted whose groups were measured behind the surface as wholes. It
+  /// lies elsewhere there, though the rest of the body, if that is flat or round, may be explained.
   double groups_behind = 0.0;
   double pixels = 0.0;  ///< of the camera, of which these are shares
 
-  /// Of what speaks for or against the model, the share that speaks for it; 0 if nothing does.
+  /// Returns the share that speaks for the model, of what speaks for it or against it; 0 if nothing
+  /// does.
   double precision() const {
     return explained > 0.0 ? explained / (explained + contradicted) : 0.0;
   }
 
-  /// For comparing configurations: a contradiction counts more than what remains unexplained, which
-  /// may be hidden.
+  /// Returns a number that compares configurations: a contradiction counts more than what remains
+  /// unexplained, which may be hidden.
   double score() const { return explained - 2.0 * contradicted; }
 };
 

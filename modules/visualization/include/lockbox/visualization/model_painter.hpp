@@ -11,7 +11,7 @@
 
 namespace lockbox {
 
-/// Of a model in which nothing has a colour, as in bare meshes.
+/// How a model is painted in which nothing has a colour, as in bare meshes.
 enum class GreyModel {
   as_it_is,
   in_orange  ///< so that it stands out from what is grey behind it
