@@ -195,7 +195,8 @@ class SimulateCommand : public Command {
     TrajectoryOptions options;
     options.frames = frames_;
     const auto start = model.parameters.initial_configuration;
-    if (start) options.T_camera_base = start->T_camera_base;
+    options.T_camera_base =
+        start ? start->T_camera_base : facing_pose(viewing_distance(model.tree, camera()));
     return possible_motion(model, options);
   }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lockbox/core/lie.hpp"
+#include "lockbox/mesh/primitives.hpp"
 #include "small_models.hpp"
 
 namespace lockbox {
@@ -114,6 +115,22 @@ TEST(Trajectory, EndsThoughNothingIsPossible) {
   options.is_possible = [](const Configuration&) { return false; };
   const auto states = generate_trajectory(tree, options);
   EXPECT_LT((states.back().configuration.q - rest_configuration(tree).q).norm(), 1e-12);
+}
+
+/// Of a cube with such sides.
+double distance_for(double side) {
+  KinematicTree tree;
+  tree.bodies.emplace_back();
+  tree.bodies.front().mesh = make_box(Eigen::Vector3d::Constant(side));
+  return viewing_distance(tree, {640, 480, 575.8, 575.8, 319.5, 239.5});
+}
+
+TEST(Trajectory, WhatIsSmallIsLookedAtFromNearByAndWhatIsLargeFromAfar) {
+  EXPECT_DOUBLE_EQ(distance_for(0.4), 1.3);
+  EXPECT_NEAR(distance_for(0.1), 4.5 * 0.1 * std::sqrt(3.0), 1e-9);
+  EXPECT_DOUBLE_EQ(distance_for(0.02), 0.5) << "a depth sensor sees nothing nearer";
+  const double far = distance_for(2.4);
+  EXPECT_GT(480.0 * far / 575.8, 2.4) << "the image is as high as that";
 }
 
 TEST(Trajectory, CameraMovesByTheAmplitudesAskedFor) {

@@ -8,6 +8,7 @@
 #include "joint_schedule.hpp"
 #include "lockbox/core/lie.hpp"
 #include "lockbox/core/units.hpp"
+#include "lockbox/model/model_bounds.hpp"
 
 namespace lockbox {
 namespace {
@@ -36,6 +37,18 @@ Eigen::Isometry3d facing_pose(double distance) {
   T_camera_base.linear().diagonal() << 1.0, -1.0, -1.0;
   T_camera_base.translation().z() = distance;
   return T_camera_base;
+}
+
+double viewing_distance(const KinematicTree& tree, const PinholeCamera& camera) {
+  constexpr double kUsual = 1.3;      // metres
+  constexpr double kNearest = 0.5;    // metres
+  constexpr double kMargin = 1.1;     // of the model's height, or width, for the camera to sway in
+  constexpr double kDiagonals = 4.5;  // of the model's box: from farther away it is some 100 pixels
+  const Eigen::Vector3d size = model_bounds(tree, rest_configuration(tree)).sizes();
+  const double to_see_all =
+      kMargin * std::max(size.x() * camera.fx / camera.width, size.y() * camera.fy / camera.height);
+  const double to_see_enough = std::max(kNearest, kDiagonals * size.norm());
+  return std::max(to_see_all, std::min(kUsual, to_see_enough));
 }
 
 std::vector<State> generate_trajectory(const KinematicTree& tree,

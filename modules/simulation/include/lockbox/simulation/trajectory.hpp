@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "lockbox/core/pinhole_camera.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/model/states_file.hpp"
 
@@ -13,6 +14,11 @@ namespace lockbox {
 
 /// The base upright in front of the camera, its z axis towards it: distance in metres.
 Eigen::Isometry3d facing_pose(double distance);
+
+/// The distance, metres, from which such a camera sees all of a model that faces it, and enough of
+/// it: 1.3 m of what is some decimetres to a metre across, nearer what is smaller, but for half a
+/// metre, which every depth sensor reaches.
+double viewing_distance(const KinematicTree& tree, const PinholeCamera& camera);
 
 /// How a trajectory is made.
 struct TrajectoryOptions {
