@@ -14,85 +14,12 @@
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/tracking/tracker.hpp"
 #include "lockbox/verification/agreement.hpp"
-#include "mechanism.hpp"
+#include "search_failure_fixture.hpp"
 
 namespace lockbox {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string said(const SearchFailure& failure) {
-  std::string all;
-  for (const std::string& reason : reasons(failure)) all += reason + '\n';
-  return all;
-}
-
-class SearchFailureTest : public ::testing::Test {
- protected:
-  static TrackerOptions options() {
-    TrackerOptions options;
-    options.threads = 1;
-    return options;
-  }
-
-  SearchFailure failure(const RegistrationResult* best = nullptr) const {
-    return search_failure(frame, model.tree, options(), best);
-  }
-
-  /// Sees nothing but a wall.
-  void look_at_wall(std::uint16_t millimetres) {
-    std::fill(frame.depth.begin(), frame.depth.end(), millimetres);
-  }
-
-  /// What the same camera sees in a mirror.
-  void mirror() {
-    frame.camera.cx = frame.camera.width - 1 - frame.camera.cx;
-    for (auto row = frame.depth.begin(); row != frame.depth.end(); row += frame.camera.width) {
-      std::reverse(row, row + frame.camera.width);
-    }
-  }
-
-  /// As a camera with half as many columns and rows sees it: sought in a part of the time.
-  static DepthFrame every_second_pixel(const DepthFrame& whole) {
-    const PinholeCamera& camera = whole.camera;
-    DepthFrame half = whole;
-    half.camera = {camera.width / 2, camera.height / 2, 0.5 * camera.fx,
-                   0.5 * camera.fy,  0.5 * camera.cx,   0.5 * camera.cy};
-    half.depth.clear();
-    for (std::size_t row = 0; row < static_cast<std::size_t>(camera.height); row += 2) {
-      for (std::size_t column = 0; column < static_cast<std::size_t>(camera.width); column += 2) {
-        half.depth.push_back(whole.depth[row * static_cast<std::size_t>(camera.width) + column]);
-      }
-    }
-    return half;
-  }
-
-  void try_readings(SearchFailure& failure) const {
-    try_other_readings(frame, model, options(), Executor(1), failure);
-  }
-
-  /// A box, and what stands out of it.
-  static ArticulatedModel box_with(const std::string& more) {
-    LoadOptions without_cache;
-    without_cache.cache_directory = std::filesystem::path();
-    return load_mechanism(
-        {R"(<link name="box"><visual><geometry><box size="0.24 0.16 0.09"/></geometry></visual>)" +
-         more + "</link>"},
-        without_cache);
-  }
-
-  bool looks_mirrored(const ArticulatedModel& sought) const {
-    SearchFailure found = search_failure(frame, sought.tree, options(), nullptr);
-    TrackerOptions stated = options();
-    stated.try_other_units = false;
-    try_other_readings(frame, sought, stated, Executor(1), found);
-    return found.is_mirrored;
-  }
-
-  const ArticulatedModel& model = bracket();
-  const Configuration truth = mechanism_start(model);
-  DepthFrame frame = measured(model, truth, "primesense");
-};
 
 TEST_F(SearchFailureTest, AFrameThatIsSoundExplainsNothing) {
   EXPECT_FALSE(is_explained(failure()));
@@ -161,45 +88,10 @@ TEST_F(SearchFailureTest, TheModelIsTooSmallToBeSeen) {
   EXPECT_THAT(said(failure()), HasSubstr("pixels even where the view is nearest"));
 }
 
-TEST_F(SearchFailureTest, TheFrameIsMirrored) {
-  mirror();
-  SearchFailure found = failure();
-  EXPECT_FALSE(is_explained(found));
-  try_readings(found);
-  EXPECT_TRUE(found.is_mirrored);
-  EXPECT_THAT(said(found), HasSubstr("mirror"));
-}
-
-TEST_F(SearchFailureTest, AMirrorTellsNothingOfAModelThatLooksTheSameInIt) {
-  const ArticulatedModel box = box_with("");
-  frame = measured(box, mechanism_start(box), "primesense");
-  mirror();
-  EXPECT_FALSE(looks_mirrored(box));
-}
-
-TEST_F(SearchFailureTest, AMirrorTellsNothingWhereTheModelMayAsWellBeElsewhereInIt) {
-  const ArticulatedModel box = box_with("");
-  frame = measured(box, mechanism_start(box), "primesense");
-  EXPECT_FALSE(looks_mirrored(box_with(R"(<visual><origin xyz="0.1 0.06 0.05"/>
-    <geometry><box size="0.012 0.012 0.01"/></geometry></visual>)")));
-}
-
-TEST_F(SearchFailureTest, DepthsAreInAnotherUnit) {
-  frame.metres_per_unit *= 5.0F;
-  SearchFailure found = failure();
-  try_readings(found);
-  EXPECT_FALSE(found.is_mirrored);
-  EXPECT_DOUBLE_EQ(found.depth_factor, 0.2);
-  EXPECT_THAT(said(found), HasSubstr("--depth-scale 1000 the camera's?"));
-}
-
-TEST_F(SearchFailureTest, AUnitThatIsStatedIsNotDoubted) {
-  frame.metres_per_unit *= 5.0F;
-  SearchFailure found = failure();
-  TrackerOptions stated = options();
-  stated.try_other_units = false;
-  try_other_readings(frame, model, stated, Executor(1), found);
-  EXPECT_DOUBLE_EQ(found.depth_factor, 1.0);
+TEST_F(SearchFailureTest, ThePrincipalPointIsToBeChecked) {
+  frame.camera.cx = 99.5;
+  EXPECT_THAT(said(failure()), HasSubstr("cx 99.5, cy 119.5 (--camera-info), where the image's "
+                                         "middle is 159.5, 119.5"));
 }
 
 TEST_F(SearchFailureTest, TheLikeliestPlaceIsSaid) {

@@ -135,7 +135,8 @@ bool Acquisition::is_found() const {
 
 /// Other readings are tried once. What they have told holds until something is found.
 SearchFailure Acquisition::explain(const DepthFrame& frame) {
-  SearchFailure failure = search_failure(frame, model_.tree, options_, best_ ? &*best_ : nullptr);
+  const RegistrationResult* const best = best_ ? &*best_ : nullptr;
+  SearchFailure failure = search_failure(frame, model_.tree, options_, best);
   if (failure_) {
     failure.is_mirrored = failure_->is_mirrored;
     failure.depth_factor = failure_->depth_factor;
@@ -145,7 +146,7 @@ SearchFailure Acquisition::explain(const DepthFrame& frame) {
   }
   may_be_misread_ = false;
   if (options_.try_other_readings && !is_explained(failure)) {
-    try_other_readings(frame, model_, options_, executor_, failure);
+    try_other_readings(frame, model_, options_, executor_, best, failure);
   }
   return failure;
 }

@@ -46,6 +46,12 @@ std::string number(double value) {
   return text.str();
 }
 
+std::string pixels(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << value;
+  return text.str();
+}
+
 std::string percent(double share) {
   return number(100.0 * share) + " %";
 }
@@ -140,6 +146,10 @@ void add_what_to_check(const SearchFailure& failure, std::vector<std::string>& a
                 " units per metre (--depth-scale)");
   all.push_back("- camera: it sees " + number(failure.field_of_view) +
                 " degrees from left to right by its focal length (--camera-info)");
+  all.push_back("- its principal point: cx " + pixels(failure.camera.cx) + ", cy " +
+                pixels(failure.camera.cy) + " (--camera-info), where the image's middle is " +
+                pixels(0.5 * (failure.camera.width - 1)) + ", " +
+                pixels(0.5 * (failure.camera.height - 1)));
   if (failure.noise > kNoisier * failure.assumed_noise) {
     all.push_back("- sensor: depths err by " + number(1e3 * failure.noise) + " mm at " +
                   number(failure.median_depth) + " m, where " +

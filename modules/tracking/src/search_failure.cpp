@@ -6,12 +6,14 @@
 #include <numbers>
 #include <optional>
 
+#include "image_belief.hpp"
 #include "lockbox/initialization/initializer.hpp"
 #include "lockbox/mesh/triangle_mesh.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/symmetry.hpp"
 #include "lockbox/sensor/noise_record.hpp"
 #include "lockbox/tracking/classification.hpp"
+#include "lockbox/verification/belief.hpp"
 
 namespace lockbox {
 namespace {
@@ -103,6 +105,7 @@ SearchFailure search_failure(const DepthFrame& frame, const KinematicTree& tree,
   failure.min_depth = options.cloud.min_depth;
   failure.max_depth = options.cloud.max_depth;
   failure.units_per_metre = 1.0 / double{frame.metres_per_unit};
+  failure.camera = frame.camera;
   failure.field_of_view =
       2.0 * std::atan(0.5 * frame.camera.width / frame.camera.fx) * 180.0 / std::numbers::pi;
   failure.model_size = model_size(tree);
@@ -116,13 +119,23 @@ SearchFailure search_failure(const DepthFrame& frame, const KinematicTree& tree,
 
 void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
                         const TrackerOptions& options, const Executor& executor,
-                        SearchFailure& failure) {
+                        const RegistrationResult* best, SearchFailure& failure) {
   // Its own, so that what the tracker finds later does not depend on what is tried here.
   InitializerOptions of_search{options.registration};
   of_search.stop_request = options.stop_request;
   Initializer initializer(model, of_search, executor);
   ArticulatedRegistration registration(model, options.registration, executor);
   TiledCloud cloud;
+  ImageBelief image(model.tree, cloud, options, executor);
+  const auto evidence_for = [&](const Configuration& configuration) {
+    return image.evidence({&configuration, 1}).front();
+  };
+  // A model that resembles its mirror image is found in either: the right one is convincing.
+  std::vector<double> as_it_is;
+  if (best != nullptr) {
+    cloud.assign(frame, options.cloud, executor);
+    as_it_is.push_back(evidence_for(best->configuration));
+  }
   const auto found_in = [&](const DepthFrame& other) -> std::optional<Configuration> {
     cloud.assign(other, options.cloud, executor);
     const auto candidates = initializer.glance(cloud);
@@ -133,6 +146,9 @@ void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
         registration.align(cloud, candidates.front().configuration,
                            {options.start_joint_sigma, options.start_joint_iterations});
     if (classify(found, options) != TrackingStatus::tracking) return std::nullopt;
+    const bool is_convincing =
+        belief(evidence_for(found.configuration), as_it_is) > options.convincing_belief;
+    if (!is_convincing) return std::nullopt;
     return found.configuration;
   };
   const auto in_mirror = found_in(mirrored(frame));

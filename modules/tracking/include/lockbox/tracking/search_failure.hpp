@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "lockbox/core/pinhole_camera.hpp"
+
 namespace lockbox {
 
 struct ArticulatedModel;
@@ -36,6 +38,7 @@ struct SearchFailure {
   double units_per_metre = 0.0;  ///< of the frame's depths
   double noise = 0.0;  ///< metres that depths err by at the median, by the image; 0: unknown
   double assumed_noise = 0.0;  ///< the same as the sensor's profile has it
+  PinholeCamera camera;        ///< of the frame
   double field_of_view = 0.0;  ///< degrees, from the left edge of the image to the right one
   /// Metres that the longer side of the image spans at the farthest depth in use; 0: there is none.
   double view_size = 0.0;
@@ -58,10 +61,11 @@ std::vector<std::string> reasons(const SearchFailure& failure);
 
 /// Tries what recordings are often wrong by: mirrored images, and depths in fifths of the unit that
 /// they are read in, or the other way round
-/// (unless TrackerOptions::try_other_units says not). Takes some seconds. Throws Stopped as a
-/// search does.
+/// (unless TrackerOptions::try_other_units says not). A reading is believed if it is convincing
+/// (TrackerOptions::convincing_belief) beside the answer in the frame as it is, `best`; null: there
+/// was none. Takes some seconds. Throws Stopped as a search does.
 void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
                         const TrackerOptions& options, const Executor& executor,
-                        SearchFailure& failure);
+                        const RegistrationResult* best, SearchFailure& failure);
 
 }  // namespace lockbox
