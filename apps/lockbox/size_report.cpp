@@ -46,6 +46,12 @@ std::string causes_text(const ApparentSize& size) {
 
 }  // namespace
 
+std::string size_sentence(const ApparentSize& size) {
+  return "the object looks " + difference_text(size) +
+         ": scale of the model (--mesh-scale), or of the depths (--depth-scale), or focal length "
+         "(--camera-info)";
+}
+
 void SizeReport::look_at(const TrackingResult& result) {
   if (is_said_ || !result.size.is_implausible()) return;
   is_said_ = true;
@@ -59,9 +65,7 @@ void SizeReport::print_summary(std::ostream& out, const RunTotals& totals) {
   const ApparentSize size = totals.size();
   const double off = std::abs(size.value[0] - 1.0);
   if (off < kWorthTelling || off < kSure * std::sqrt(size.covariance(0, 0))) return;
-  out << "the object looks " << difference_text(size)
-      << ": scale of the model, or of the depths, or focal length";
-  out << '\n';
+  out << size_sentence(size) << '\n';
 }
 
 }  // namespace lockbox::app

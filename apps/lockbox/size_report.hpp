@@ -2,11 +2,15 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 
 #include "lockbox/tracking/tracker.hpp"
 #include "run_description.hpp"
 
 namespace lockbox::app {
+
+/// "the object looks 5.0 % (+- 0.2) larger than its model: ...", and what may be wrong, in a line.
+std::string size_sentence(const ApparentSize& size);
 
 /// Says on standard error, once, that the object's size does not fit, and what may be wrong.
 class SizeReport {

@@ -53,7 +53,7 @@ std::string track_all(FrameSource& source, Tracker& tracker, const RunSettings& 
     const TrackingResult& result = tracker.process(frame);
     status = result.status;
     outputs.add(frame, result, source);
-    report.look_at(tracker, frame, outputs.totals());
+    report.look_at(tracker, frame, result, outputs.totals());
     sensor_report.look_at(tracker);
     size_report.look_at(result);
     progress.update(outputs.totals().frames(), to_string(status));
@@ -158,7 +158,7 @@ ExitStatus track_source(FrameSource& source, Tracker& tracker, const Articulated
   }
   if (is_in_vain) return ExitStatus::pipe_closed;
   const ExitStatus status = status_of(totals);
-  if (status == ExitStatus::never_tracked) SearchReport::print_summary(tracker, totals);
+  if (status == ExitStatus::never_tracked) report.print_summary(tracker, totals);
   return status;
 }
 

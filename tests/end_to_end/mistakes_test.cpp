@@ -149,6 +149,26 @@ TEST_F(Mistake, MirroredImage) {
   EXPECT_THAT(result.errors.substr(at_end), HasSubstr(kTold));
 }
 
+/// Mirrored, the frame would fit hardly less well than as it is.
+TEST_F(Mistake, PrincipalPointOfACroppedImage) {
+  const auto simulated = run_tool({"simulate", "--model", "cabinet", "--trajectory", "auto",
+                                   "--frames", "1", "--scene", "room", "--camera-info",
+                                   folder / "camera.yaml", "--output", folder / "room", "--quiet"});
+  ASSERT_EQ(simulated.status, 0) << simulated.errors;
+  std::string text = read_text(folder / "room/camera_info.yaml");
+  text.replace(text.find("159.5"), 5, "99.5");
+  write_text(folder / "room/camera_info.yaml", text);
+  const auto result = run_tool({"track", "--model", "cabinet", "--source", folder / "room"});
+  EXPECT_EQ(result.status, kNeverTracked);
+  EXPECT_THAT(
+      result.errors,
+      AllOf(HasSubstr("cx 99.5, cy 119.5 (--camera-info), where the image's middle is 159.5"),
+            Not(HasSubstr("mirror"))));
+  const std::string said = "the object was not found for certain";
+  EXPECT_EQ(result.errors.find(said), result.errors.rfind(said)) << "once is enough";
+  EXPECT_THAT(result.errors, HasSubstr(said + " up to frame 0:\n  The likeliest place"));
+}
+
 /// As a camera that hangs upside down sees it: that is no mistake.
 TEST_F(Mistake, TurnedImageIsNone) {
   change([](DepthFrame& frame) { std::reverse(frame.depth.begin(), frame.depth.end()); });

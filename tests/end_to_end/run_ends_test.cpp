@@ -153,7 +153,7 @@ TEST_F(RunEnds, AsFailedWhereTheObjectIsNeverTrackedAndSayWhatTheDepthsTell) {
   EXPECT_THAT(result.errors, testing::ContainsRegex("not found in any of 2 frames:\n.*depth"));
   const auto quiet = run_tool(tracking("empty", "quiet", {"--quiet", "--max-frames", "1"}));
   EXPECT_EQ(quiet.status, 5);
-  EXPECT_THAT(quiet.errors, HasSubstr("not found in any of 1 frame:\n"));
+  EXPECT_THAT(quiet.errors, HasSubstr("not found in the only frame:\n"));
   EXPECT_THAT(quiet.errors, Not(HasSubstr("up to")));
 }
 

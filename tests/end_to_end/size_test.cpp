@@ -71,6 +71,23 @@ TEST(Size, OfTheFocalLengthIsToldFromIt) {
   EXPECT_THAT(run.result.errors, ContainsRegex("--mesh-scale.; its relief speaks against it"));
 }
 
+/// What a failed search says otherwise is no reason beside it.
+TEST(Size, ThatExplainsWhyNothingIsTrackedIsTheOnlyReasonSaid) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_tool({"simulate", "--model", "rigid_block", "--trajectory", "auto", "--frames", "6",
+                      "--scene", "room", "--seed", "77", "--output", folder / "room"})
+                .status,
+            0);
+  const auto result = run_tool(
+      {"track", "--model", "rigid_block", "--source", folder / "room", "--depth-scale", "909"});
+  EXPECT_EQ(result.status, 5);
+  EXPECT_THAT(result.errors, HasSubstr("larger than its model; it is not called tracking"));
+  EXPECT_THAT(result.errors, Not(HasSubstr("not found up to")));
+  EXPECT_THAT(result.errors, Not(HasSubstr("check these")));
+  EXPECT_THAT(result.errors, ContainsRegex("not found for certain in any of 6 frames:\n"
+                                           "  the object looks [0-9.]+ % .*larger"));
+}
+
 TEST(Size, OffByWhatCamerasAreIsTrackedAndSummedUp) {
   const TemporaryFolder folder;
   const TrackedSize run = tracked(folder, "moderate", "object: {scale: 0.98}\n");
