@@ -39,7 +39,7 @@ RunOutputs::RunOutputs(const ArticulatedModel& model, RunDescription description
       publisher_(publisher),
       description_(std::move(description)),
       start_(Clock::now()) {
-  if (settings.view) view_.emplace(model);
+  if (settings.view) view_.emplace(model, description_.source);
   if (!settings.output.empty()) {
     folder_.emplace(settings.output);
     require_no_rows(settings.output, settings.overwrite);
@@ -59,8 +59,10 @@ void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result,
   if (recording_) recording_->write(frame, source.file_of_frame());
   if (snapshots_) snapshots_->add(frame, result.configuration);
   if (view_) {
+    // Cameras count from another time each.
+    const double start = source.frame_count() ? 0.0 : first_stamp_;
     view_->show(frame, shown(tree_, result),
-                frame_title(frame.index, frame.stamp, to_string(result.status)));
+                frame_title(frame.index, frame.stamp - start, to_string(result.status)));
   }
 }
 
@@ -80,6 +82,7 @@ void RunOutputs::abandon(const std::string& end) noexcept {
 
 /// What only the first frame tells.
 void RunOutputs::begin(const DepthFrame& frame, const std::string& file) {
+  first_stamp_ = frame.stamp;
   description_.camera = frame.camera;
   describe("still running, or ended by force");
   if (!settings_.recording.empty()) {

@@ -55,6 +55,7 @@ class RunOutputs {
   std::optional<OniWriter> recording_;
   std::optional<Snapshots> snapshots_;
   Clock::time_point start_;
+  double first_stamp_ = 0.0;  ///< seconds, of the first frame
 };
 
 }  // namespace lockbox::app

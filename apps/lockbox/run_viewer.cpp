@@ -14,6 +14,9 @@ namespace lockbox::app {
 namespace {
 
 constexpr auto kPollInterval = std::chrono::milliseconds(5);
+/// Explains what is for a model that is shown alone.
+constexpr char kSliderHelp[] = "  sliders       set its joints\n";
+constexpr char kPageHelp[] = "  page keys     sliders of its other joints\n";
 constexpr double kLongestPause = 1.0;  // seconds between two frames, however far apart they are
 
 }  // namespace
@@ -29,18 +32,15 @@ RunViewer::RunViewer(const ArticulatedModel& model, RecordedRun& run, const Play
       beside_(std::move(beside)) {}
 
 void RunViewer::play() {
-  const std::string playback_help = run_.size() > 1 ? kPlaybackHelp : "";
   if (run_.is_model_alone()) posed_ = moment().estimate.configuration;
-  Composers composers{{model_, playback_help + kSceneHelp}, {model_, ""}};
+  Composers composers{{model_, help()}, {model_, ""}};
   const auto window = open_scene_window(composers.run.parts(), options_);
   const Interruption interruption;
   aim(*window);
   draw(*window, composers);
   while (window->is_open() && !interruption.requested()) {
     bool has_changed = false;
-    for (const auto& key : window->poll()) {
-      has_changed |= playback_.handle(key) || choices_.handle(key);
-    }
+    for (const auto& key : window->poll()) has_changed |= handle(key);
     for (const auto& move : window->take_moves()) has_changed |= handle(move);
     if (playback_.is_playing() && is_next_due()) {
       playback_.advance();
@@ -111,9 +111,29 @@ void RunViewer::aim(SceneWindow& window) {
   }
 }
 
+/// Only what does something.
+std::string RunViewer::help() {
+  std::string lines = run_.size() > 1 ? kPlaybackHelp : "";
+  const std::size_t pages = posed_ ? slider_pages(model_.tree) : 0;
+  if (pages > 0) lines += kSliderHelp;
+  if (pages > 1) lines += kPageHelp;
+  if (moment().frame != nullptr) lines += kPointHelp;
+  if (!posed_) lines += kEstimateHelp;
+  return lines + kWindowHelp;
+}
+
+bool RunViewer::handle(const std::string& key) {
+  const std::size_t pages = posed_ ? slider_pages(model_.tree) : 0;
+  if (pages > 1 && (key == "Next" || key == "Prior")) {
+    slider_page_ = (slider_page_ + (key == "Next" ? 1 : pages - 1)) % pages;
+    return true;
+  }
+  return playback_.handle(key) || choices_.handle(key);
+}
+
 bool RunViewer::handle(const SliderMove& move) {
   if (posed_) {
-    move_joint(model_.tree, move, *posed_);
+    move_joint(model_.tree, slider_page_, move, *posed_);
     return true;
   }
   const auto frame = static_cast<std::size_t>(std::lround(move.value));
@@ -147,12 +167,18 @@ void RunViewer::draw(SceneWindow& window, Composers& composers) {
 
 void RunViewer::add_sliders(const RecordedRun::Moment& now, DisplayedScene& scene) const {
   if (posed_) {
-    scene.sliders = joint_sliders(model_.tree, *posed_);
+    scene.sliders = joint_sliders(model_.tree, *posed_, slider_page_);
     if (!scene.sliders.empty()) scene.status = title(now);
+    const std::string page = slider_page_text(model_.tree, slider_page_);
+    if (!page.empty()) scene.status += '\n' + page;
   }
   if (playback_.frames() > 1) {
-    scene.seek_bar = {"", "%.0f", 0.0, static_cast<double>(playback_.frames() - 1),
-                      static_cast<double>(playback_.position())};
+    scene.seek_bar = {"",
+                      "%.0f",
+                      0.0,
+                      static_cast<double>(playback_.frames() - 1),
+                      static_cast<double>(playback_.position()),
+                      ""};
   }
 }
 

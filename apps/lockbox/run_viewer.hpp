@@ -46,7 +46,9 @@ class RunViewer {
   RecordedRun::Moment moment();
   bool is_next_due() const;
   void aim(SceneWindow& window);
+  bool handle(const std::string& key);
   bool handle(const SliderMove& move);
+  std::string help();
   struct Composers {
     SceneComposer run;
     SceneComposer other;  ///< of the other one of two scenes
@@ -62,6 +64,7 @@ class RunViewer {
   Playback playback_;
   SceneChoices choices_;
   std::optional<Configuration> posed_;  ///< by the user, a model that is shown alone
+  std::size_t slider_page_ = 0;
   WindowOptions options_;
   std::optional<RunBeside> beside_;
   Clock::time_point drawn_;

@@ -26,12 +26,14 @@ namespace lockbox::app {
 namespace {
 
 /// Shows what a device delivers, until it ends, the window is closed, or Ctrl-C.
-void show_live(FrameSource& source, const ArticulatedModel& model) {
-  LiveView view(model);
+void show_live(FrameSource& source, const std::string& name, const ArticulatedModel& model) {
+  LiveView view(model, name);
   const Interruption interruption;
   const Configuration unknown = unknown_configuration(model.tree);
+  std::optional<double> start;  // cameras count from another time each
   for (DepthFrame frame; view.is_open() && !interruption.requested() && source.next(frame);) {
-    view.show(frame, unknown, frame_title(frame.index, frame.stamp, "live"));
+    if (!start) start = frame.stamp;
+    view.show(frame, unknown, frame_title(frame.index, frame.stamp - *start, "live"));
   }
 }
 
@@ -66,7 +68,7 @@ class ViewCommand : public Command {
         ->type_name("N");
     add_picture_options(options);
     options.footer(std::string(options.get_footer()) + "\n\nKeys in the window:\n" + kPlaybackHelp +
-                   kSceneHelp);
+                   scene_help());
   }
 
   ExitStatus run() override {
@@ -116,7 +118,7 @@ class ViewCommand : public Command {
                        "--states, --beside, --frame, --screenshot, --pictures and --video are for "
                        "recordings, not for a device");
     }
-    show_live(source, model);
+    show_live(source, source_.name(), model);
     return ExitStatus::done;
   }
 
@@ -130,6 +132,7 @@ class ViewCommand : public Command {
     WindowOptions window;
     std::tie(window.width, window.height) = size_;
     window.scale = scale_;
+    window.title = window_title(model.tree.name, states_.empty() ? source_.name() : states_);
     std::optional<RunBeside> beside;
     std::optional<RecordedRun> other;
     if (!beside_.empty()) {

@@ -26,6 +26,9 @@ TEST_F(DepthFolder, FramesComeBackExactly) {
   DepthFolderSource source(path());
   EXPECT_EQ(source.frame_count(), 3U);
   EXPECT_THAT(source.description(), HasSubstr("1000 units per metre"));
+  SourceOptions in_metres;
+  in_metres.depth_scale = 1.0;
+  EXPECT_THAT(DepthFolderSource(path(), in_metres).description(), HasSubstr(", 1 unit per metre"));
   DepthFrame frame;
   for (std::uint64_t number = 0; number < 3; ++number) {
     ASSERT_TRUE(source.next(frame));

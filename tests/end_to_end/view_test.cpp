@@ -99,6 +99,7 @@ TEST_F(View, OfAModelAloneHasSlidersThatMoveItsJoints) {
   constexpr int kWidth = 640;
   Tool tool({"view", "--model", "cabinet", "--size", "640x480"});
   user_->find_window("lockbox");
+  EXPECT_EQ(user_->title(), "lockbox - cabinet");
   const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(700)); };
   pause();
   const auto before = user_->picture();
@@ -121,7 +122,7 @@ TEST_F(View, OfAModelAloneHasSlidersThatMoveItsJoints) {
 TEST_F(View, PlaysUntilItsWindowIsClosedOrInterrupted) {
   for (const bool by_signal : {true, false}) {
     Tool tool(viewing({}));
-    user_->find_window("lockbox");
+    user_->find_window("lockbox - rigid_block - " + path("run/states.csv"));
     for (const auto* key : {"End", "Left", "Home", "h", "minus", "space", "e", "b", "t", "u", "s",
                             "m", "p", "r", "h"})
       user_->press(key);

@@ -67,16 +67,35 @@ TEST_F(JointPanel, SlidersMoveTheirJointsWithinTheLimits) {
   add("drawer", JointType::prismatic, 0.0, 0.25);
   add("wheel", JointType::continuous, -kInfinity, kInfinity);
   configuration_.q << 0.1, 0.0;
-  const auto sliders = joint_sliders(tree_, configuration_);
+  const auto sliders = joint_sliders(tree_, configuration_, 0);
   ASSERT_THAT(sliders, SizeIs(2));
   EXPECT_EQ(sliders[0].name, "drawer");
   EXPECT_NEAR(sliders[0].upper, 250.0, 1e-9);
   EXPECT_NEAR(sliders[0].value, 100.0, 1e-9);
   EXPECT_NEAR(sliders[1].lower, -180.0, 1e-9);
-  move_joint(tree_, {0, 40.0}, configuration_);
-  move_joint(tree_, {1, 90.0}, configuration_);
+  EXPECT_EQ(sliders[0].limits, "0.0 to 250.0");
+  EXPECT_EQ(sliders[1].limits, "no limits");
+  move_joint(tree_, 0, {0, 40.0}, configuration_);
+  move_joint(tree_, 0, {1, 90.0}, configuration_);
   EXPECT_NEAR(configuration_.q(0), 0.04, 1e-12);
   EXPECT_NEAR(configuration_.q(1), 0.5 * std::numbers::pi, 1e-12);
+}
+
+TEST_F(JointPanel, SlidersOfManyJointsHavePages) {
+  EXPECT_EQ(slider_pages(tree_), 0U);
+  for (int i = 0; i < 14; ++i) add("j" + std::to_string(i), JointType::prismatic, 0.0, 1.0);
+  EXPECT_EQ(slider_pages(tree_), 1U);
+  EXPECT_EQ(slider_page_text(tree_, 0), "") << "all are there";
+  for (int i = 14; i < 39; ++i) add("j" + std::to_string(i), JointType::prismatic, 0.0, 1.0);
+  ASSERT_EQ(slider_pages(tree_), 3U);
+  EXPECT_THAT(slider_page_text(tree_, 0), HasSubstr("joints 1 to 14 of 39"));
+  EXPECT_THAT(slider_page_text(tree_, 2), HasSubstr("joints 29 to 39 of 39"));
+  const auto last = joint_sliders(tree_, configuration_, 2);
+  ASSERT_THAT(last, SizeIs(11));
+  EXPECT_EQ(last.front().name, "j28");
+  move_joint(tree_, 2, {1, 500.0}, configuration_);
+  EXPECT_NEAR(configuration_.q(29), 0.5, 1e-12);
+  EXPECT_NEAR(configuration_.q.sum(), 0.5, 1e-12) << "and no other";
 }
 
 }  // namespace

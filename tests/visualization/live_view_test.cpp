@@ -36,7 +36,7 @@ class LiveViewTest : public testing::Test {
 };
 
 TEST_F(LiveViewTest, TakesFramesAsFastAsTheyComeAndGoesAtAnyTime) {
-  LiveView view(model_);
+  LiveView view(model_, "test");
   for (std::uint64_t i = 0; i < 300; ++i) {
     const bool is_known = i % 3 != 0;
     view.show(frame_at(i), is_known ? one_metre_away() : unknown_configuration(model_.tree), "");
@@ -45,8 +45,8 @@ TEST_F(LiveViewTest, TakesFramesAsFastAsTheyComeAndGoesAtAnyTime) {
 }
 
 TEST_F(LiveViewTest, GoesOnWithoutAWindowAfterTheUserHasClosedIt) {
-  LiveView view(model_);
-  user_.find_window("lockbox");
+  LiveView view(model_, "test");
+  user_.find_window("lockbox - test");
   view.show(frame_at(0), one_metre_away(), "first");
   user_.press("e");
   user_.close();

@@ -135,7 +135,8 @@ std::string DepthFolderSource::file_of_frame() const {
 
 std::string DepthFolderSource::description() const {
   return "depth images in " + impl_->folder.string() + ", " +
-         fixed_number_text(impl_->units_per_metre) + " units per metre";
+         fixed_number_text(impl_->units_per_metre) +
+         (impl_->units_per_metre == 1.0 ? " unit per metre" : " units per metre");
 }
 
 }  // namespace lockbox

@@ -103,26 +103,43 @@ std::string joint_panel(const KinematicTree& tree, const Configuration& configur
   return lines;
 }
 
+std::size_t slider_pages(const KinematicTree& tree) {
+  return (moving_joints(tree).size() + kMostSliders - 1) / kMostSliders;
+}
+
+std::string slider_page_text(const KinematicTree& tree, std::size_t page) {
+  const std::size_t joints = moving_joints(tree).size();
+  if (joints <= kMostSliders) return "";
+  return "joints " + std::to_string(page * kMostSliders + 1) + " to " +
+         std::to_string(std::min(joints, (page + 1) * kMostSliders)) + " of " +
+         std::to_string(joints) + "; page keys: the others";
+}
+
 std::vector<SceneSlider> joint_sliders(const KinematicTree& tree,
-                                       const Configuration& configuration) {
+                                       const Configuration& configuration, std::size_t page) {
+  const auto joints = moving_joints(tree);
+  const std::size_t end = std::min(joints.size(), (page + 1) * kMostSliders);
   std::vector<SceneSlider> sliders;
-  for (const int j : moving_joints(tree)) {
-    if (sliders.size() == kMostSliders) break;
-    const Joint& joint = tree.joints[static_cast<std::size_t>(j)];
+  for (std::size_t i = page * kMostSliders; i < end; ++i) {
+    const Joint& joint = tree.joints[static_cast<std::size_t>(joints[i])];
     const Unit unit = unit_of(joint);
     const bool has_limits = std::isfinite(joint.lower) && std::isfinite(joint.upper);
     sliders.push_back({joint.name, std::string("%.1f ") + unit.name,
                        unit.scale * (has_limits ? joint.lower : -kWithoutLimit),
                        unit.scale * (has_limits ? joint.upper : kWithoutLimit),
-                       unit.scale * joint_position(tree, configuration, j)});
+                       unit.scale * joint_position(tree, configuration, joints[i]),
+                       limits_text(joint, unit)});
   }
   return sliders;
 }
 
-void move_joint(const KinematicTree& tree, const SliderMove& move, Configuration& configuration) {
+void move_joint(const KinematicTree& tree, std::size_t page, const SliderMove& move,
+                Configuration& configuration) {
   const auto joints = moving_joints(tree);
-  if (!move.slider || *move.slider >= joints.size()) return;
-  const Joint& joint = tree.joints[static_cast<std::size_t>(joints[*move.slider])];
+  if (!move.slider) return;
+  const std::size_t at = page * kMostSliders + *move.slider;
+  if (at >= joints.size()) return;
+  const Joint& joint = tree.joints[static_cast<std::size_t>(joints[at])];
   configuration.q(joint.variable) = move.value / unit_of(joint).scale;
 }
 

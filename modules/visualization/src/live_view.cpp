@@ -39,8 +39,9 @@ struct Moment {
 /// The thread of the window, and what it is handed.
 class LiveView::Loop {
  public:
-  explicit Loop(const ArticulatedModel& model)
-      : composer_(model, kSceneHelp),
+  Loop(const ArticulatedModel& model, const std::string& shown)
+      : title_(window_title(model.tree.name, shown)),
+        composer_(model, scene_help()),
         measured_(model, ""),
         unknown_(unknown_configuration(model.tree)) {
     std::promise<void> opened;
@@ -95,6 +96,7 @@ class LiveView::Loop {
     std::unique_ptr<SceneWindow> window;
     try {
       WindowOptions options;
+      options.title = title_;
       options.on_display_lost = [this] {
         is_open_ = false;
         is_lost_ = true;
@@ -142,6 +144,7 @@ class LiveView::Loop {
     return true;
   }
 
+  const std::string title_;
   SceneComposer composer_;
   SceneComposer measured_;  ///< the left one of two scenes
   const ShownEstimate unknown_;
@@ -158,7 +161,8 @@ class LiveView::Loop {
   std::thread thread_;
 };
 
-LiveView::LiveView(const ArticulatedModel& model) : loop_(std::make_unique<Loop>(model)) {}
+LiveView::LiveView(const ArticulatedModel& model, const std::string& shown)
+    : loop_(std::make_unique<Loop>(model, shown)) {}
 
 LiveView::~LiveView() = default;
 

@@ -28,6 +28,14 @@ std::string frame_title(std::size_t index, double stamp, const std::string& word
   return title.str();
 }
 
+std::string window_title(const std::string& model, const std::string& shown) {
+  std::string title = "lockbox";
+  for (const std::string& part : {model, shown}) {
+    if (!part.empty()) title += " - " + part;
+  }
+  return title;
+}
+
 bool SceneChoices::handle(const std::string& key) {
   if (key == "p") {
     points = !points;

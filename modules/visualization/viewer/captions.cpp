@@ -6,7 +6,8 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "text_style.hpp"
 
 namespace lockbox {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 // Pixels at scale 1.
 constexpr double kStatusSize = 14.0;
 constexpr double kSmallSize = 13.0;
-constexpr double kOverlaySize = 16.0;
 constexpr double kLegendStep = 19.0;    // from line to line
 constexpr double kLegendBottom = 0.09;  // of the height: above the seek bar
 constexpr double kScaleRoom = 115.0;    // of the colour scale and its texts, up to the right margin
@@ -24,28 +24,9 @@ constexpr std::size_t kMostLegendLines = 28;
 constexpr int kDecades = 4;  // labels of a logarithmic scale, which goes over three of them
 constexpr int kLinearLabels = 5;
 
-/// Of Courier, as a share of the size of its letters.
-constexpr double kLetterWidth = 0.62;
-
 void place(vtkTextActor& text, double x, double y) {
   text.GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text.SetPosition(x, y);
-}
-
-void style(vtkTextProperty& look, double size, double grey) {
-  look.SetFontFamilyToCourier();
-  look.SetFontSize(static_cast<int>(std::lround(size)));
-  look.SetColor(grey, grey, grey);
-  look.ItalicOff();
-  look.BoldOff();
-  look.ShadowOff();
-  look.SetBackgroundColor(0.05, 0.06, 0.08);
-  look.SetBackgroundOpacity(0.5);  // readable over bright points
-}
-
-void show(vtkTextActor& text, const std::string& lines) {
-  text.SetInput(lines.c_str());
-  text.SetVisibility(lines.empty() ? 0 : 1);
 }
 
 }  // namespace
@@ -57,12 +38,6 @@ Captions::Captions(vtkRenderer& renderer, double scale)
   place(*status_, 0.012, 0.982);
   style(*help_->GetTextProperty(), scale * kSmallSize, 0.65);
   place(*help_, 0.012, 0.015);
-  style(*overlay_->GetTextProperty(), scale * kOverlaySize, 0.95);
-  overlay_->GetTextProperty()->SetBackgroundOpacity(0.85);
-  overlay_->GetTextProperty()->SetVerticalJustificationToCentered();
-  overlay_->GetTextProperty()->SetFrame(true);
-  overlay_->GetTextProperty()->SetFrameColor(0.5, 0.5, 0.5);
-  place(*overlay_, 0.3, 0.5);
   style(*scale_->GetTitleTextProperty(), scale * kSmallSize, 0.9);
   style(*scale_->GetLabelTextProperty(), scale * kSmallSize, 0.9);
   scale_->SetUnconstrainedFontSize(true);
@@ -70,7 +45,7 @@ Captions::Captions(vtkRenderer& renderer, double scale)
   scale_->SetHeight(0.4);
   scale_->VisibilityOff();
   for (vtkProp* prop : {static_cast<vtkProp*>(status_), static_cast<vtkProp*>(help_),
-                        static_cast<vtkProp*>(overlay_), static_cast<vtkProp*>(scale_)}) {
+                        static_cast<vtkProp*>(scale_)}) {
     renderer.AddViewProp(prop);
   }
 }
@@ -78,7 +53,6 @@ Captions::Captions(vtkRenderer& renderer, double scale)
 void Captions::set(const DisplayedScene& scene) {
   show(*status_, scene.status);
   show(*help_, scene.help);
-  show(*overlay_, scene.overlay);
   set_scale(scene);
   set_legend(scene.legend);
 }

@@ -13,7 +13,7 @@
 
 namespace lockbox {
 
-/// The text of a scene, its colour scale and its legend.
+/// The text of a scene but for its overlay, its colour scale and its legend.
 class Captions {
  public:
   /// scale: of the texts' size.
@@ -37,7 +37,6 @@ class Captions {
 
   vtkNew<vtkTextActor> status_;
   vtkNew<vtkTextActor> help_;
-  vtkNew<vtkTextActor> overlay_;
   vtkNew<vtkScalarBarActor> scale_;
   std::deque<LegendLine> legend_;  ///< as many as were ever needed
 };

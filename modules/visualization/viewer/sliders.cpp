@@ -10,69 +10,75 @@
 #include <string>
 #include <utility>
 
+#include "text_style.hpp"
+
 namespace lockbox {
 namespace {
 
 // Of the window's width and height.
 constexpr double kLeft = 0.02;
-constexpr double kRight = 0.24;
+constexpr double kRight = 0.24;  // where letters are small beside the window
+constexpr double kFarthestRight = 0.48;
 constexpr double kTop = 0.88;
 constexpr double kBottom = 0.1;
 constexpr double kFarthestStep = 0.085;  // from one slider to the next
 constexpr double kSeekLeft = 0.12;
 constexpr double kSeekRight = 0.88;
 constexpr double kSeekHeight = 0.06;
+constexpr double kHandleHeight = 0.022;
 
-void style(vtkTextProperty& look) {
-  look.SetFontFamilyToCourier();
-  look.SetColor(0.9, 0.9, 0.9);
-  look.BoldOff();
-  look.ItalicOff();
-  look.ShadowOff();
-}
+// Pixels at scale 1.
+constexpr double kColumn = 0.22 * 1280.0;
+constexpr double kLetters = 14.0;
+
+constexpr double kLineHeight = 1.25;  // of the letters' size, with what hangs below the line
 
 void style(vtkSliderRepresentation2D& look) {
   look.GetTubeProperty()->SetColor(0.45, 0.48, 0.55);
   look.GetSliderProperty()->SetColor(0.95, 0.7, 0.25);
   look.GetSelectedProperty()->SetColor(1.0, 0.85, 0.5);
   look.GetCapProperty()->SetColor(0.45, 0.48, 0.55);
-  style(*look.GetTitleProperty());
   look.SetEndCapWidth(0.012);
   look.SetEndCapLength(0.004);
   look.SetTubeWidth(0.006);
-  look.SetSliderWidth(0.022);
+  look.SetSliderWidth(kHandleHeight);
   look.SetSliderLength(0.012);
   look.ShowSliderLabelOff();
-  look.SetTitleHeight(0.02);
+  look.GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
+  look.GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
 }
 
-/// "latch  12.0 °"
-std::string title_of(const SceneSlider& slider) {
+/// "latch  12.0 °  (0.0 to 90.0)"
+std::string label_of(const SceneSlider& slider) {
   constexpr std::size_t kLongest = 32;
   char value[kLongest] = {};
   std::snprintf(value, kLongest, slider.format.c_str(), slider.value);
-  return slider.name + "  " + value;
+  std::string label = slider.name.empty() ? value : slider.name + "  " + value;
+  if (!slider.limits.empty()) label += "  (" + slider.limits + ")";
+  return label;
 }
 
-void update(vtkSliderRepresentation2D& look, const SceneSlider& slider) {
-  look.SetValue(std::clamp(slider.value, slider.lower, slider.upper));
-  look.SetTitleText(title_of(slider).c_str());
+/// Of UTF-8.
+double letters_in(const std::string& text) {
+  return static_cast<double>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
 }  // namespace
 
-Sliders::Handle Sliders::make(const SceneSlider& slider, double left, double right, double height) {
+Sliders::Handle Sliders::make(const SceneSlider& slider) {
   Handle handle{vtkSmartPointer<vtkSliderWidget>::New(),
-                vtkSmartPointer<vtkSliderRepresentation2D>::New()};
+                vtkSmartPointer<vtkSliderRepresentation2D>::New(),
+                vtkSmartPointer<vtkTextActor>::New()};
   style(*handle.look);
   handle.look->SetMinimumValue(slider.lower);
   handle.look->SetMaximumValue(slider.upper);
-  handle.look->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-  handle.look->GetPoint1Coordinate()->SetValue(left, height);
-  handle.look->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-  handle.look->GetPoint2Coordinate()->SetValue(right, height);
-  update(*handle.look, slider);
+  style(*handle.label->GetTextProperty(), scale_ * kLetters, 0.9);
+  handle.label->GetTextProperty()->SetVerticalJustificationToTop();
+  handle.label->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  renderer_.AddViewProp(handle.label);
   handle.widget->SetInteractor(&interactor_);
+  handle.widget->SetDefaultRenderer(&renderer_);
   handle.widget->SetRepresentation(handle.look);
   handle.widget->SetAnimationModeToJump();
   handle.widget->AddObserver(vtkCommand::InteractionEvent, this, &Sliders::note);
@@ -81,19 +87,38 @@ Sliders::Handle Sliders::make(const SceneSlider& slider, double left, double rig
   return handle;
 }
 
-void Sliders::make_all(const DisplayedScene& scene) {
+void Sliders::clear() {
+  for (const auto* const handles : {&column_, &seek_bar_}) {
+    for (const Handle& handle : *handles) renderer_.RemoveViewProp(handle.label);
+  }
   column_.clear();
   seek_bar_.clear();
-  const auto count = static_cast<double>(scene.sliders.size());
-  const double step = std::min(kFarthestStep, (kTop - kBottom) / std::max(count, 1.0));
-  double height = kTop;
-  for (const auto& slider : scene.sliders) {
-    column_.push_back(make(slider, kLeft, kRight, height));
-    height -= step;
-  }
-  if (scene.seek_bar) {
-    seek_bar_.push_back(make(*scene.seek_bar, kSeekLeft, kSeekRight, kSeekHeight));
-  }
+}
+
+void Sliders::make_all(const DisplayedScene& scene) {
+  clear();
+  for (const auto& slider : scene.sliders) column_.push_back(make(slider));
+  if (scene.seek_bar) seek_bar_.push_back(make(*scene.seek_bar));
+}
+
+/// Letters are as large as asked for where there is room for them.
+void Sliders::update(const Handle& handle, const SceneSlider& slider, const Place& place) const {
+  vtkSliderRepresentation2D& look = *handle.look;
+  look.SetMinimumValue(slider.lower);
+  look.SetMaximumValue(slider.upper);
+  look.SetValue(std::clamp(slider.value, slider.lower, slider.upper));
+  look.GetPoint1Coordinate()->SetValue(place.left, place.height);
+  look.GetPoint2Coordinate()->SetValue(place.right, place.height);
+  look.Modified();                                // it does not notice that by itself
+  const int* const window = renderer_.GetSize();  // pixels
+  const std::string label = label_of(slider);
+  const double across =
+      (place.right - place.left) * window[0] / (kLetterWidth * std::max(1.0, letters_in(label)));
+  const double down = (place.room - kHandleHeight) * window[1] / kLineHeight;
+  handle.label->GetTextProperty()->SetFontSize(
+      static_cast<int>(std::max(1.0, std::min({scale_ * kLetters, across, down}))));
+  handle.label->SetPosition(place.left, place.height - 0.5 * kHandleHeight);
+  show(*handle.label, label);
 }
 
 /// Those that are there stay as long as their number does: the mouse may hold one.
@@ -102,11 +127,18 @@ void Sliders::set(const DisplayedScene& scene) {
   if (scene.sliders.size() != column_.size() || scene.seek_bar.has_value() != has_seek_bar) {
     make_all(scene);
   }
-  for (std::size_t i = 0; i < column_.size(); ++i) update(*column_[i].look, scene.sliders[i]);
-  if (!scene.seek_bar) return;
-  auto& look = *seek_bar_.front().look;
-  look.SetMaximumValue(scene.seek_bar->upper);  // a recording may turn out to be shorter
-  update(look, *scene.seek_bar);
+  const double step = std::min(
+      kFarthestStep, (kTop - kBottom) / std::max(1.0, static_cast<double>(column_.size())));
+  const double right =
+      std::clamp(kLeft + scale_ * kColumn / renderer_.GetSize()[0], kRight, kFarthestRight);
+  for (std::size_t i = 0; i < column_.size(); ++i) {
+    const double height = kTop - step * static_cast<double>(i);
+    update(column_[i], scene.sliders[i], {kLeft, right, height, step});
+  }
+  // A recording may turn out to be shorter.
+  if (scene.seek_bar) {
+    update(seek_bar_.front(), *scene.seek_bar, {kSeekLeft, kSeekRight, kSeekHeight, kSeekHeight});
+  }
 }
 
 void Sliders::note(vtkObject* widget, unsigned long /*event*/, void* /*data*/) {

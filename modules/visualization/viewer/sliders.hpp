@@ -3,9 +3,11 @@
 
 #include <vtkObject.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
 #include <vtkSliderRepresentation2D.h>
 #include <vtkSliderWidget.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 
 #include <vector>
 
@@ -17,7 +19,9 @@ namespace lockbox {
 /// bottom.
 class Sliders {
  public:
-  explicit Sliders(vtkRenderWindowInteractor& interactor) : interactor_(interactor) {}
+  /// renderer: which draws them, and extends over the whole window. scale: of their texts.
+  Sliders(vtkRenderWindowInteractor& interactor, vtkRenderer& renderer, double scale)
+      : interactor_(interactor), renderer_(renderer), scale_(scale) {}
   Sliders(const Sliders&) = delete;
   Sliders& operator=(const Sliders&) = delete;
 
@@ -30,13 +34,25 @@ class Sliders {
   struct Handle {
     vtkSmartPointer<vtkSliderWidget> widget;
     vtkSmartPointer<vtkSliderRepresentation2D> look;
+    vtkSmartPointer<vtkTextActor> label;
+  };
+  /// As shares of the window's width and height.
+  struct Place {
+    double left;
+    double right;
+    double height;
+    double room;  ///< for the handle and the label below it
   };
 
-  Handle make(const SceneSlider& slider, double left, double right, double height);
+  Handle make(const SceneSlider& slider);
+  void update(const Handle& handle, const SceneSlider& slider, const Place& place) const;
   void make_all(const DisplayedScene& scene);
+  void clear();
   void note(vtkObject* widget, unsigned long event, void* data);
 
   vtkRenderWindowInteractor& interactor_;
+  vtkRenderer& renderer_;
+  double scale_;
   std::vector<Handle> column_;
   std::vector<Handle> seek_bar_;  ///< one or none
   std::vector<SliderMove> moves_;

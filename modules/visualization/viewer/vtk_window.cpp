@@ -8,7 +8,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 
 namespace lockbox {
 namespace {
@@ -24,12 +24,17 @@ VtkWindow::VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& o
       title_(options.title),
       left_(parts, options.scale),
       right_(parts, options.scale),
-      sliders_(*interactor_) {
+      sliders_(*interactor_, *front_, options.scale),
+      help_(*front_, options.scale) {
   right_.renderer().SetActiveCamera(left_.renderer().GetActiveCamera());
   window_->SetMultiSamples(options.visible ? 0 : kSamplesOfPictures);
   window_->SetOffScreenRendering(options.visible ? 0 : 1);
   choose_size(options);
   window_->AddRenderer(&left_.renderer());
+  front_->SetLayer(1);
+  front_->InteractiveOff();  // the mouse turns what is behind
+  window_->SetNumberOfLayers(2);
+  window_->AddRenderer(front_);
   if (options.visible) listen();
   aim();
   window_->Render();
@@ -83,14 +88,14 @@ void VtkWindow::aim() {
 void VtkWindow::show(const DisplayedScene& scene) {
   split(false);
   left_.set(scene);
-  draw(scene);
+  draw(scene, scene.overlay);
 }
 
 void VtkWindow::show_beside(const DisplayedScene& left, const DisplayedScene& right) {
   split(true);
   left_.set(left);
   right_.set(right);
-  draw(left);
+  draw(left, left.overlay.empty() ? right.overlay : left.overlay);
 }
 
 void VtkWindow::split(bool is_split) {
@@ -119,19 +124,23 @@ void VtkWindow::reset_clipping() {
   left_.renderer().ResetCameraClippingRange(bounds);
 }
 
-void VtkWindow::draw(const DisplayedScene& with_sliders) {
+void VtkWindow::draw(const DisplayedScene& with_sliders, const std::string& overlay) {
+  const auto begun = FrameRate::Clock::now();
   const bool is_visible = window_->GetOffScreenRendering() == 0;
+  help_.set(overlay);
   if (is_visible) sliders_.set(with_sliders);
   reset_clipping();
   window_->Render();
-  if (is_visible) tell_rate();
+  if (is_visible) tell_rate(begun);
 }
 
-void VtkWindow::tell_rate() {
-  const auto rate = rate_.add();
+void VtkWindow::tell_rate(FrameRate::Clock::time_point begun) {
+  const auto rate = rate_.add(begun);
   if (!rate) return;
-  const auto whole = static_cast<int>(std::lround(*rate));
-  window_->SetWindowName((title_ + " - " + std::to_string(whole) + " frames/s").c_str());
+  constexpr std::size_t kLongest = 32;
+  char text[kLongest] = {};
+  std::snprintf(text, kLongest, *rate < 5.0 ? "%.1f frames/s" : "%.0f frames/s", *rate);
+  window_->SetWindowName((title_ + " - " + text).c_str());
   tells_rate_ = true;
 }
 

@@ -8,6 +8,7 @@
 
 #include "display.hpp"
 #include "frame_rate.hpp"
+#include "help_panel.hpp"
 #include "key_style.hpp"
 #include "lockbox/visualization/scene_window.hpp"
 #include "scene_pane.hpp"
@@ -33,11 +34,11 @@ class VtkWindow : public SceneWindow {
   void aim();
   void choose_size(const WindowOptions& options);
   void split(bool is_split);
-  void draw(const DisplayedScene& with_sliders);
+  void draw(const DisplayedScene& with_sliders, const std::string& overlay);
   void reset_clipping();
   void listen();
   void note_exit();
-  void tell_rate();
+  void tell_rate(FrameRate::Clock::time_point begun);
 
   const std::function<void()> on_loss_;
   const std::string title_;
@@ -51,7 +52,9 @@ class VtkWindow : public SceneWindow {
   ScenePane left_;
   ScenePane right_;  ///< in the window only where two scenes are shown
   bool is_split_ = false;
+  vtkNew<vtkRenderer> front_;  ///< over all of the window
   Sliders sliders_;
+  HelpPanel help_;
 };
 
 }  // namespace lockbox

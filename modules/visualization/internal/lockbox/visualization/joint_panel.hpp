@@ -15,11 +15,20 @@ namespace lockbox {
 std::string joint_panel(const KinematicTree& tree, const Configuration& configuration,
                         const std::vector<double>& sigma);
 
-/// Sliders for the variables of these joints, in degrees and millimetres, in the order of the file.
-std::vector<SceneSlider> joint_sliders(const KinematicTree& tree,
-                                       const Configuration& configuration);
+/// How many pages the sliders of these joints need, as many a page as fit on a window; 0: there are
+/// none.
+std::size_t slider_pages(const KinematicTree& tree);
 
-/// Takes over where the user has moved a slider of joint_sliders().
-void move_joint(const KinematicTree& tree, const SliderMove& move, Configuration& configuration);
+/// "joints 1 to 14 of 39; page keys: the others"; empty where one page holds all.
+std::string slider_page_text(const KinematicTree& tree, std::size_t page);
+
+/// Sliders for the variables of the joints of a page, counted from 0, in degrees and millimetres,
+/// with their limits, in the order of the file.
+std::vector<SceneSlider> joint_sliders(const KinematicTree& tree,
+                                       const Configuration& configuration, std::size_t page);
+
+/// Takes over where the user has moved a slider of joint_sliders() of that page.
+void move_joint(const KinematicTree& tree, std::size_t page, const SliderMove& move,
+                Configuration& configuration);
 
 }  // namespace lockbox

@@ -14,8 +14,9 @@ namespace lockbox {
 /// newest frame whenever it is done with the one before: it holds nobody up.
 class LiveView {
  public:
-  /// The model must outlive it. Throws InputError if no window can be opened.
-  explicit LiveView(const ArticulatedModel& model);
+  /// The model must outlive it. shown: what the title names beside it, the source for instance.
+  /// Throws InputError if no window can be opened.
+  LiveView(const ArticulatedModel& model, const std::string& shown);
 
   /// Closes the window.
   ~LiveView();

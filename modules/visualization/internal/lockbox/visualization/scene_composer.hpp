@@ -30,19 +30,34 @@ struct SceneChoices {
   SceneChoices measured_only() const;
 };
 
-/// Explains the keys of SceneChoices and of the window.
-inline constexpr char kSceneHelp[] =
+/// Explains the keys of SceneChoices for what was measured.
+inline constexpr char kPointHelp[] =
     "  e             errors: colours say how far points are from the model\n"
     "  b             bodies: which one is nearest to each point\n"
     "  t             terms: which term of the registration points enter\n"
+    "  p             points on and off\n";
+
+/// Explains those for estimates.
+inline constexpr char kEstimateHelp[] =
     "  u             uncertainty of where the model's surface is\n"
     "  s             side by side\n"
-    "  m, p          model, points on and off\n"
-    "  a             alternatives on and off: where the object may be as well\n"
-    "  r             the view from near the sensor\n"
+    "  a             alternatives on and off: where the object may be as well\n";
+
+/// Explains those for any scene, and those of the window.
+inline constexpr char kWindowHelp[] =
+    "  m             model on and off\n"
+    "  r             the view as at the beginning\n"
     "  mouse         turns; with shift it moves, the wheel zooms\n"
     "  h             this help on and off\n"
     "  q             close\n";
+
+/// All of it.
+inline std::string scene_help() {
+  return std::string(kPointHelp) + kEstimateHelp + kWindowHelp;
+}
+
+/// "lockbox - cabinet - out/run": the model, and what of it is shown; empty: the model alone.
+std::string window_title(const std::string& model, const std::string& shown);
 
 /// The status of a scene of measured_only().
 inline constexpr char kMeasuredTitle[] = "as it was measured";

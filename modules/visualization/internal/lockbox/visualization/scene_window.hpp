@@ -42,6 +42,7 @@ struct SceneSlider {
   double lower = 0.0;
   double upper = 1.0;
   double value = 0.0;
+  std::string limits;  ///< in words; empty: nothing is said of them
 };
 
 /// Where the user has moved a slider.
@@ -68,7 +69,7 @@ struct DisplayedScene {
   std::vector<SceneGhost> ghosts;
   std::string status;                   ///< lines for the upper left corner
   std::string help;                     ///< a line for the lower left corner
-  std::string overlay;                  ///< lines over the middle of the picture
+  std::string overlay;                  ///< lines over the middle of the window
   std::string scale_title;              ///< of the colour scale
   std::vector<ScaleColor> scale;        ///< values at equal steps; empty: no scale is shown
   bool is_scale_logarithmic = false;    ///< then its values are at equal ratios
@@ -96,7 +97,8 @@ class SceneWindow {
   /// Draws the scene, which may change or go afterwards.
   virtual void show(const DisplayedScene& scene) = 0;
 
-  /// Draws two side by side, seen from the same place. Sliders are those of the left one.
+  /// Draws two side by side, seen from the same place. Sliders are those of the left one,
+  /// the overlay that of either.
   virtual void show_beside(const DisplayedScene& left, const DisplayedScene& right) = 0;
 
   /// Handles what the user did since the last call (the mouse turns, shifts and zooms the view) and
