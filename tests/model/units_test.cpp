@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "urdf_test.hpp"
+#include "units_fixture.hpp"
 
 namespace lockbox {
 namespace {
@@ -14,48 +14,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-class Units : public UrdfTest {
- protected:
-  /// All warnings, a line each.
-  std::string warnings_of(const std::string& body, double mesh_scale = 1.0) const {
-    std::string warnings;
-    load_robot(body, listening(warnings, mesh_scale));
-    return warnings;
-  }
-  std::string warnings_of_mesh(const std::filesystem::path& file, double mesh_scale = 1.0) const {
-    std::string warnings;
-    load_kinematic_tree(file, listening(warnings, mesh_scale));
-    return warnings;
-  }
-  std::string refusal_of(const std::string& body, double mesh_scale = 1.0) const {
-    return message_of<InputError>([&] { warnings_of(body, mesh_scale); });
-  }
-
-  /// A tetrahedron that is so large, in numbers of the file.
-  std::filesystem::path mesh_of(double size) const {
-    const std::string x = std::to_string(size);
-    return folder_.write("part.obj", "v 0 0 0\nv " + x + " 0 0\nv 0 " + x + " 0\nv 0 0 " + x +
-                                         "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-  }
-  static std::string mesh_link(const std::string& name, const std::string& scale = "") {
-    const std::string attribute = scale.empty() ? "" : " scale=\"" + scale + "\"";
-    return link(name, "<visual><geometry><mesh filename=\"part.obj\"" + attribute +
-                          "/></geometry></visual>");
-  }
-
- private:
-  static LoadOptions listening(std::string& warnings, double mesh_scale) {
-    LoadOptions options;
-    options.on_warning = [&](const std::string& text) { warnings += text + "\n"; };
-    options.mesh_scale = mesh_scale;
-    return options;
-  }
-};
-
-std::string limits(const std::string& lower, const std::string& upper) {
-  return "<limit lower=\"" + lower + "\" upper=\"" + upper + "\"/>";
-}
 
 /// A box of that size and a part that a hinge moves upon it, 0.3 m aside.
 std::string hinged(const std::string& part) {
@@ -110,6 +68,22 @@ TEST_F(Units, AreGuessedByTheOtherLinks) {
   mesh_of(30.0);
   EXPECT_THAT(refusal_of(large + mesh_link("part")),
               AllOf(HasSubstr("centimetres (then it is 300 mm"), HasSubstr("--mesh-scale 0.01 ")));
+}
+
+/// A cabinet of half a metre, or a matchbox: only who drew it knows.
+TEST_F(Units, AreBothNamedWhereTheyCannotBeTold) {
+  EXPECT_THAT(message_of<InputError>([&] { load_kinematic_tree(mesh_of(50.0)); }),
+              AllOf(HasSubstr("in millimetres (then it is 50 mm large): give --mesh-scale 0.001"),
+                    HasSubstr("or it is in centimetres (then it is 500 mm large): "
+                              "--mesh-scale 0.01")));
+  const std::string drawer = mesh_link("base") + mesh_link("drawer") +
+                             joint("slide", "prismatic", "base", "drawer",
+                                   "<origin xyz=\"0.2 0 0.15\"/>" + limits("0", "0.3"));
+  EXPECT_THAT(refusal_of(drawer), AllOf(HasSubstr("millimetres"),
+                                        HasSubstr("or it is in centimetres (then it is 500 mm "
+                                                  "large): scale=\"0.01 0.01 0.01\"")));
+  EXPECT_THAT(message_of<InputError>([&] { load_kinematic_tree(mesh_of(380.0)); }),
+              Not(HasSubstr("centimetres")));
 }
 
 TEST_F(Units, OfAMeshScaledThoughItIsInMetresAreToldTheOpposite) {
@@ -242,45 +216,6 @@ TEST_F(Units, OrNotJointsThatCannotMoveAreNamed) {
   EXPECT_THAT(warnings_of(link("a", box("1 1 1")) + link("b") +
                           joint("h", "revolute", "a", "b", limits("0", "0"))),
               HasSubstr("model.urdf:4: joint 'h': it cannot move: its limits are 0 to 0"));
-}
-
-/// Joints that mimic with limits that were copied from what they mimic.
-class MimicLimits : public Units {
- protected:
-  std::string fingers(const std::string& limit, const std::string& multiplier = "-1") const {
-    return link("palm", box("0.24 0.12 0.08")) + link("left") + link("right") +
-           joint("l", "prismatic", "palm", "left", limits("0", "0.05")) +
-           joint("r", "prismatic", "palm", "right",
-                 limit + "<mimic joint=\"l\" multiplier=\"" + multiplier + "\"/>");
-  }
-};
-
-TEST_F(MimicLimits, ThatWouldFreezeItDoNotCountAndAreNamed) {
-  const std::string copied = fingers(limits("0", "0.05"));
-  const KinematicTree tree = load_robot(copied);
-  EXPECT_EQ(variable_limits(tree, 0).lower, 0.0);
-  EXPECT_EQ(variable_limits(tree, 0).upper, 0.05);
-  const Joint& right = tree.joints[static_cast<std::size_t>(joint_index(tree, "r"))];
-  EXPECT_EQ(right.lower, -0.05);
-  EXPECT_EQ(right.upper, 0.0);
-  EXPECT_THAT(warnings_of(copied),
-              AllOf(HasSubstr("joint 'r': it mimics 'l', and moves with it from -0.05 to 0"),
-                    HasSubstr("its own limits, 0 to 0.05, are not enforced")));
-}
-
-TEST_F(MimicLimits, ThatAreJunkOrMissingStopNothing) {
-  for (const std::string& limit :
-       {std::string(), limits("0.05", "0"), limits("x", ""), limits("7", "9"),
-        std::string("<limit effort=\"1\"/>"), limits("0", "0.05") + limits("0", "1")}) {
-    EXPECT_EQ(variable_limits(load_robot(fingers(limit)), 0).upper, 0.05) << limit;
-  }
-  EXPECT_EQ(warnings_of(fingers("")), "");
-  EXPECT_EQ(warnings_of(fingers(limits("-0.05", "0"))), "");
-  EXPECT_EQ(warnings_of(fingers(limits("-0.0499", "0"))), "");
-}
-
-TEST_F(MimicLimits, OfAMultiplierOfZeroAreNamed) {
-  EXPECT_THAT(warnings_of(fingers("", "0")), HasSubstr("joint 'r': it cannot move"));
 }
 
 TEST(ModelFolder, IsAnsweredWithTheModelsInIt) {

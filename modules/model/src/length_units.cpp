@@ -24,6 +24,27 @@ double log_probability(const UnitShare& candidate, double number, double usual) 
   return std::log(candidate.share) - 0.5 * off * off;
 }
 
+/// Logarithm of twenty: what is that much less probable is not worth a word.
+constexpr double kToldApart = 3.0;
+
+struct PossibleUnit {
+  LengthUnit unit;
+  double logarithm;  ///< of its probability, but for a constant
+};
+
+/// Those that make the number the size of a thing, the most probable first.
+std::vector<PossibleUnit> possible_units(double number, double usual) {
+  std::vector<PossibleUnit> units;
+  for (const UnitShare& candidate : kUnits) {
+    if (!is_size_of_things(number * candidate.unit.metres)) continue;
+    units.push_back({candidate.unit, log_probability(candidate, number, usual)});
+  }
+  std::stable_sort(units.begin(), units.end(), [](const auto& one, const auto& other) {
+    return one.logarithm > other.logarithm;
+  });
+  return units;
+}
+
 }  // namespace
 
 bool is_size_of_things(double metres) {
@@ -40,15 +61,14 @@ double usual_length(std::vector<double> lengths) {
 }
 
 std::optional<LengthUnit> probable_unit(double number, double usual) {
-  const UnitShare* best = nullptr;
-  for (const UnitShare& candidate : kUnits) {
-    if (!is_size_of_things(number * candidate.unit.metres)) continue;
-    if (best == nullptr ||
-        log_probability(candidate, number, usual) > log_probability(*best, number, usual)) {
-      best = &candidate;
-    }
-  }
-  return best == nullptr ? std::nullopt : std::optional(best->unit);
+  const auto units = possible_units(number, usual);
+  return units.empty() ? std::nullopt : std::optional(units.front().unit);
+}
+
+std::optional<LengthUnit> other_unit(double number, double usual) {
+  const auto units = possible_units(number, usual);
+  const bool is_told = units.size() < 2 || units[0].logarithm - units[1].logarithm > kToldApart;
+  return is_told ? std::nullopt : std::optional(units[1].unit);
 }
 
 }  // namespace lockbox

@@ -33,4 +33,8 @@ double usual_length(std::vector<double> lengths);
 /// (metres). Nothing if no unit makes it the size of a thing.
 std::optional<LengthUnit> probable_unit(double number, double usual);
 
+/// What it may as well be: the next probable unit, where that is no less than a twentieth as
+/// probable.
+std::optional<LengthUnit> other_unit(double number, double usual);
+
 }  // namespace lockbox

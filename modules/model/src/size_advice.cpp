@@ -55,6 +55,19 @@ std::string meant(const LengthUnit& unit, const std::string& what, double number
          readable_length(unit.metres * number) + " large)";
 }
 
+/// The unit that the number may be in as well, with what to write then; empty if it is told apart.
+std::string or_meant(const VisualExtent& visual, const SizeContext& context, double number,
+                     double per_metre) {
+  const auto other = other_unit(number, context.usual);
+  if (!other) return "";
+  const double factor = other->metres / per_metre;
+  return std::string("; or it is in ") + other->name + " (then it is " +
+         readable_length(other->metres * number) + " large): " +
+         (context.is_bare || context.mesh_scale != 1.0
+              ? "--mesh-scale " + factor_text(context.mesh_scale * factor)
+              : scale_text(visual, factor));
+}
+
 /// By how much the numbers of the file were multiplied.
 double total_scale(const VisualExtent& visual, const SizeContext& context) {
   return std::cbrt(visual.scale.cwiseAbs().prod()) * context.mesh_scale;
@@ -83,7 +96,7 @@ std::string advice_on_large(const VisualExtent& visual, const SizeContext& conte
            factor_text(unit->metres) + " times as large";
   }
   return size + "; " + meant(*unit, "it", visual.size()) + ": " +
-         remedy(visual, context, unit->metres);
+         remedy(visual, context, unit->metres) + or_meant(visual, context, visual.size(), 1.0);
 }
 
 std::string advice_on_small(const VisualExtent& visual, const SizeContext& context) {
@@ -98,7 +111,8 @@ std::string advice_on_small(const VisualExtent& visual, const SizeContext& conte
   }
   if (const auto unit = probable_unit(in_file, context.usual); unit && scale < kClearlyScaled) {
     return size + "; " + meant(*unit, "its file", in_file) + ": " +
-           remedy(visual, context, unit->metres / scale);
+           remedy(visual, context, unit->metres / scale) +
+           or_meant(visual, context, in_file, scale);
   }
   if (!is_size_of_things(kTwice * visual.size())) return size + "; lengths are in metres";
   return size + "; lengths are in metres: if it was converted from millimetres twice, " +
