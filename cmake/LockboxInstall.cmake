@@ -6,6 +6,14 @@ include(CMakePackageConfigHelpers)
 install(DIRECTORY share/models share/peers share/scenes share/sensors
         DESTINATION ${CMAKE_INSTALL_DATADIR}/lockbox COMPONENT data)
 
+# Messages name documents, and documents each other. The build folder has them in the same place.
+set(documents_folder ${CMAKE_INSTALL_DATADIR}/doc/lockbox)
+install(FILES README.md CHANGELOG.md CITATION.cff CONTRIBUTING.md DESTINATION ${documents_folder} COMPONENT data)
+install(DIRECTORY docs DESTINATION ${documents_folder} COMPONENT data
+        FILES_MATCHING PATTERN *.md PATTERN *.png)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/${documents_folder})
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/docs ${PROJECT_BINARY_DIR}/${documents_folder}/docs SYMBOLIC)
+
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lockbox)
 install(EXPORT lockboxTargets NAMESPACE lockbox:: DESTINATION ${package_folder}
         COMPONENT development)

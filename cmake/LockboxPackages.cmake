@@ -4,8 +4,9 @@
 set(LOCKBOX_PACKAGE_CONTACT "The lockbox authors <lockbox@packages.invalid>"
     CACHE STRING "Maintainer of the Debian packages: who builds and hands them out")
 
-# The libraries' version of the interface is a part of their name: those of two can be installed.
-set(interface ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+# The libraries' version of the interface is a part of their name, and of the folder of what they load:
+# those of two can be installed.
+set(interface ${LOCKBOX_INTERFACE})
 set(library_package liblockbox${interface})
 set(package_of_tool lockbox)
 set(package_of_libraries ${library_package})

@@ -41,8 +41,10 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}
 file(RELATIVE_PATH library_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${library_folder})
 # Components are loaded when they are asked for, from this folder beside the libraries
-# (lockbox/core/component.hpp).
-set(LOCKBOX_COMPONENTS ${CMAKE_INSTALL_LIBDIR}/lockbox)
+# (lockbox/core/component.hpp). Those of two versions can be installed, as their libraries can.
+set(LOCKBOX_INTERFACE ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(LOCKBOX_COMPONENT_FOLDER lockbox/${LOCKBOX_INTERFACE})
+set(LOCKBOX_COMPONENTS ${CMAKE_INSTALL_LIBDIR}/${LOCKBOX_COMPONENT_FOLDER})
 
 # lockbox_add_module(<name> [PUBLIC_HEADERS ...] [INTERNAL_HEADERS_FOR modules...] SOURCES ...
 #                    [PUBLIC targets...] [PRIVATE targets...])
@@ -72,7 +74,7 @@ function(lockbox_add_module name)
                                          $<BUILD_INTERFACE:lockbox_options>)
   # Before 1.0 each minor version may break programs that were linked with the one before.
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} VERSION ${PROJECT_VERSION}
-                        SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+                        SOVERSION ${LOCKBOX_INTERFACE})
   set_property(GLOBAL APPEND PROPERTY LOCKBOX_MODULES ${name})
   lockbox_ship(${target})
   install(TARGETS ${target} EXPORT lockboxTargets

@@ -71,4 +71,8 @@ fs::path shipped_file(const std::string& name) {
   return file;
 }
 
+fs::path shipped_documents() {
+  return documents_folder(reinterpret_cast<const void*>(&find_model));
+}
+
 }  // namespace lockbox::app

@@ -21,4 +21,7 @@ std::filesystem::path find_scene(const std::string& file_or_name);
 /// A shipped file by its name below share/lockbox. Throws InputError if it is missing.
 std::filesystem::path shipped_file(const std::string& name);
 
+/// The folder with README.md and docs/; empty if none is installed.
+std::filesystem::path shipped_documents();
+
 }  // namespace lockbox::app

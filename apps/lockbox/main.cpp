@@ -7,6 +7,7 @@
 #include "command_line/nearest_name.hpp"
 #include "command_line/program.hpp"
 #include "command_line/run_command.hpp"
+#include "command_line/shipped_files.hpp"
 #include "command_line/version.hpp"
 #include "commands.hpp"
 
@@ -21,6 +22,8 @@ void print_overview(std::ostream& out) {
   }
   out << "\n`lockbox COMMAND --help` (or `lockbox help COMMAND`) explains the options of a "
          "command, with an example.\n";
+  const auto documents = shipped_documents();
+  if (!documents.empty()) out << "Tutorial, how-tos and reference: " << documents.string() << '\n';
 }
 
 bool asks_for_help(const std::string& argument) {

@@ -17,8 +17,16 @@ constexpr char kHere = 0;
 
 TEST(FindComponent, NamesWhatIsMissingAndWhere) {
   EXPECT_THAT([] { find_component("libno_such_component.so", &kHere); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("lockbox/libno_such_component.so"),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("/libno_such_component.so"),
                                               HasSubstr("install lockbox completely"))));
+}
+
+TEST(Documents, AreNamedWhereTheyAre) {
+  const std::filesystem::path folder = documents_folder(&kHere);
+  ASSERT_FALSE(folder.empty()) << "the build folder has them, too";
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder / "docs/sensors.md"));
+  EXPECT_EQ(with_documents("see docs/how-to/live.md, or 'mydocs/a.md'", &kHere),
+            "see " + folder.string() + "/docs/how-to/live.md, or 'mydocs/a.md'");
 }
 
 TEST(FindSymbol, SaysWhyALibraryCannotBeLoaded) {

@@ -43,14 +43,17 @@ lockbox=$root/usr/bin/lockbox
 [[ $(wc --lines <"$folder/run/states.csv") == 4 ]] || fail "not a row for each frame"
 [[ $("$lockbox" experiment --help) == *convergence* ]] || fail "there are no experiments"
 gzip --test "$root"/usr/share/man/man1/lockbox{,-track}.1.gz
+[[ -s $root/usr/share/doc/lockbox/docs/how-to/live.md ]] || fail "there are no documents"
+# What two versions could not share.
+[[ -d $root/usr/lib/lockbox/${libraries#liblockbox} ]] || fail "components without a version"
+[[ $(ls "$root/usr/lib/lockbox") == "${libraries#liblockbox}" ]] || fail "components beside their folder"
 [[ -s $root/usr/share/bash-completion/completions/lockbox ]] || fail "there is no completion"
 if [[ -d $root/usr/lib/python3 ]]; then
   PYTHONPATH=$root/usr/lib/python3/dist-packages "$python" -B -c \
     'import lockbox; print(lockbox.load_model("rigid_block"))'
 fi
 
-# Debian's own checks, where it is installed.
-if command -v lintian >/dev/null; then
-  lintian --allow-root --fail-on error,warning "${packages[@]}" || fail "lintian complains"
-fi
+# Debian's own checks.
+command -v lintian >/dev/null || fail "there is no lintian; scripts/setup installs it"
+lintian --allow-root --fail-on error,warning "${packages[@]}" || fail "lintian complains"
 printf '%s\n' "${packages[@]##*/}"

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "lockbox/core/component.hpp"
 #include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/file_kind.hpp"
 
@@ -82,14 +83,15 @@ std::optional<std::string> foreign_file(const std::filesystem::path& file) {
   if (kind == nullptr) {
     return std::nullopt;
   }
-  return std::string("is ") + kind->what + ", not a recording of OpenNI; " + kind->advice;
+  return std::string("is ") + kind->what + ", not a recording of OpenNI; " +
+         with_documents(kind->advice, &kKinds);
 }
 
 std::string foreign_folder(const std::filesystem::path& folder) {
   std::string text =
       "this folder holds neither a depth.txt (a depth image sequence) nor .pcd files";
   if (is_there(folder / "metadata.yaml")) {
-    return text + "; it looks like a ROS 2 bag: " + kBagAdvice;
+    return text + "; it looks like a ROS 2 bag: " + with_documents(kBagAdvice, &kKinds);
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string extension = lower_extension(entry.path());

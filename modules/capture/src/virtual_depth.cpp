@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lockbox/capture/virtual_depth_protocol.hpp"
+#include "lockbox/core/component.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/core/readable_text.hpp"
@@ -35,7 +36,7 @@ std::uint32_t unit_of(float metres_per_unit, const std::string& where) {
   }
   throw InputError(where, "an .oni file holds depths in units of 1 mm and 0.1 mm, not of " +
                               number_text(std::round(1e9 * metres_per_unit) / 1e6) + " mm" +
-                              kHeldByFolders);
+                              with_documents(kHeldByFolders, &kCamera));
 }
 
 /// Pixels by which a principal point may be beside the middle, and is taken for it: of clouds whose

@@ -56,8 +56,9 @@ SensorProfile find_sensor_profile(const std::string& name_or_file) {
   if (is_file(name_or_file)) return read_sensor_profile(name_or_file);
   if (const auto shipped = shipped_profile(name_or_file)) return read_sensor_profile(*shipped);
   throw InputError("sensor '" + name_or_file + "'",
-                   "there is no such profile; choose " + sensor_names() +
-                       ", or give a file (docs/sensors.md says what it holds)");
+                   with_documents("there is no such profile; choose " + sensor_names() +
+                                      ", or give a file (docs/sensors.md says what it holds)",
+                                  &kExtension));
 }
 
 }  // namespace lockbox

@@ -117,7 +117,7 @@ void Sliders::update(const Handle& handle, const SceneSlider& slider, const Plac
   const double down = (place.room - kHandleHeight) * window[1] / kLineHeight;
   handle.label->GetTextProperty()->SetFontSize(
       static_cast<int>(std::max(1.0, std::min({scale_ * kLetters, across, down}))));
-  handle.label->SetPosition(place.left, place.height - 0.5 * kHandleHeight);
+  handle.label->SetPosition(place.left, place.height - 0.75 * kHandleHeight);
   show(*handle.label, label);
 }
 

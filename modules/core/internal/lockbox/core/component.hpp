@@ -8,8 +8,9 @@
 
 namespace lockbox {
 
-/// Path of a component: in the folder `lockbox` beside the library that holds the code or data at
-/// this address, or, where that is linked into a program, in `../lib/lockbox` beside the program.
+/// Path of a component: in the folder `lockbox/VERSION` beside the library that holds the code or
+/// data at this address, or, where that is linked into a program, in `../lib/lockbox/VERSION`
+/// beside the program.
 /// Throws InputError if it is not installed.
 std::filesystem::path find_component(const std::string& name, const void* address_in_library);
 
@@ -17,6 +18,13 @@ std::filesystem::path find_component(const std::string& name, const void* addres
 /// holds the code or data at this address: in the nearest folder above it that has one. Empty if
 /// none has.
 std::filesystem::path share_folder(const void* address_in_library);
+
+/// Likewise the folder `share/doc/lockbox`, which holds README.md and docs/.
+std::filesystem::path documents_folder(const void* address_in_library);
+
+/// A text of messages, whose `docs/NAME.md` becomes the path of the document that is installed; as
+/// it is where none is.
+std::string with_documents(const std::string& text, const void* address_in_library);
 
 /// Loads a library and returns what it exports under this name. It stays loaded: static objects of
 /// VTK and the like do not survive it otherwise. Throws InputError with the loader's reason.
