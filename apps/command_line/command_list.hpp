@@ -10,6 +10,7 @@ namespace lockbox::app {
 struct CommandEntry {
   std::string name;
   std::string summary;
+  std::string description;  ///< sentences, for the manual page
   std::string example;
 };
 

@@ -15,6 +15,19 @@ std::string readable_text(const std::string& file) {
   return {};
 }
 
+/// CLI11 names values by types of C++ where nothing else is said.
+void name_values(CLI::App& options) {
+  for (CLI::Option* option : options.get_options()) {
+    const std::string type = option->get_type_name();
+    if (type.starts_with("UINT") || type.starts_with("INT")) option->type_name("N");
+    if (type.starts_with("FLOAT")) option->type_name("NUMBER");
+    if (type.starts_with("TEXT")) option->type_name("NAME");
+  }
+  for (CLI::App* subcommand : options.get_subcommands([](const CLI::App*) { return true; })) {
+    name_values(*subcommand);
+  }
+}
+
 }  // namespace
 
 DeclaredCommand declare(const CommandEntry& entry, std::unique_ptr<Command> command) {
@@ -30,6 +43,7 @@ DeclaredCommand declare(const CommandEntry& entry, std::unique_ptr<Command> comm
   options.option_defaults()->always_capture_default();
   DeclaredCommand declared{std::move(command), std::move(owned), option_file};
   declared.command->add_options(options);
+  name_values(options);
   return declared;
 }
 

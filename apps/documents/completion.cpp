@@ -31,6 +31,7 @@ _lockbox() {
   done
   [[ -n ${_lockbox_words["$key $option"]+known} && $option == -* ]] && key+=" $option"
   mapfile -t COMPREPLY < <(compgen -W "${_lockbox_words["$key"]}" -- "$word")
+  [[ ${COMPREPLY[0]-} == *: ]] && compopt -o nospace 2>/dev/null
   local list
   case ${_lockbox_paths["$key"]} in
     file) list=-f ;;

@@ -137,6 +137,8 @@ void write_overview_page(std::ostream& out) {
   }
   out << ".SH FILES\n.TP\n.I share/lockbox/models\n"
       << paragraph("Models that are shipped, beside the folder of the program")
+      << ".TP\n.I share/doc/lockbox/docs\n"
+      << paragraph("Tutorial, how-tos and reference: what other pages call `docs`")
       << ".TP\n.I ~/.cache/lockbox\n"
       << paragraph("Distance fields of models that were used; it can be deleted");
   write_see_also(out, "lockbox");
@@ -150,7 +152,7 @@ void write_manual_page(std::ostream& out, const CommandEntry& entry) {
   write_title(out, page, entry.summary);
   out << ".SH SYNOPSIS\n.B lockbox " << entry.name << "\n[\\fIOPTIONS\\fR]\n";
   if (!subcommands.empty()) out << ".I SUBCOMMAND\n[\\fIOPTIONS\\fR]\n";
-  out << ".SH OPTIONS\n";
+  out << ".SH DESCRIPTION\n" << paragraph(entry.description) << ".SH OPTIONS\n";
   write_options(out, options);
   if (!subcommands.empty()) out << ".SH SUBCOMMANDS\n";
   for (CLI::App* subcommand : subcommands) write_subcommand(out, *subcommand);

@@ -56,6 +56,7 @@ CLI::Option* SourceArguments::add_source(CLI::App& options) {
           "Of a live device: WIDTHxHEIGHT@RATE, with ,1mm or ,100um behind it where the "
           "unit matters, such as 320x240@60; default: as near to 640x480@30,1mm as there is")
       ->check(readable(parse_depth_mode))
+      ->check(suggested({"640x480@30", "320x240@30", "320x240@60"}))
       ->type_name("MODE");
   return source;
 }

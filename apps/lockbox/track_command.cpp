@@ -192,6 +192,7 @@ class TrackCommand : public Command {
                     "Also give each frame's state to other programs, as one line of JSON: stdout, "
                     "tcp:PORT, tcp:HOST:PORT, unix:PATH or udp:HOST:PORT (repeatable)")
         ->check(readable(parse_publish_target))
+        ->check(suggested({"stdout", "tcp:", "unix:", "udp:"}))
         ->type_name("TARGET")
         ->default_str("");
     options.add_option("--max-frames", settings_.max_frames, "Stop after so many frames; 0: never")

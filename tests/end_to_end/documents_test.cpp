@@ -19,8 +19,8 @@ using testing::IsSupersetOf;
 using testing::Not;
 using testing::UnorderedElementsAre;
 
-const std::vector<std::string> kCommands = {"track",      "simulate", "record", "evaluate",
-                                            "experiment", "inspect",  "view",   "devices"};
+const std::vector<std::string> kCommands = {
+    "track", "simulate", "record", "evaluate", "experiment", "inspect", "view", "devices", "cache"};
 
 /// Runs it in bash; fails the test that expects success.
 ToolResult run_shell(const std::string& script) {
@@ -83,6 +83,8 @@ TEST(ManualPage, OfEachCommandHasAllItsOptionsAndItsExample) {
     const auto options = options_in(help);
     EXPECT_THAT(options, Contains("--help"));
     for (const auto& option : options) EXPECT_THAT(page.output, HasSubstr(option)) << command;
+    EXPECT_THAT(page.output, ContainsRegex("DESCRIPTION\n +[A-Z][^\n]{30}")) << command;
+    EXPECT_THAT(page.output, Not(ContainsRegex("\\b(UINT|INT|FLOAT|TEXT)\\b"))) << command;
     const std::size_t example = help.find("lockbox " + command, help.find("Example:"));
     EXPECT_THAT(page.output, HasSubstr(help.substr(example, help.find('\n', example) - example)));
   }
@@ -139,6 +141,10 @@ TEST(Completion, ProposesNamesThatValuesMayBe) {
   EXPECT_THAT(proposed({"track", "-m", "rigid"}), UnorderedElementsAre("rigid_block"));
   EXPECT_THAT(proposed({"track", "--initial-state", "au"}), UnorderedElementsAre("auto"));
   EXPECT_THAT(proposed({"track", "--max-frames", ""}), IsEmpty());
+  EXPECT_THAT(proposed({"track", "--publish", ""}),
+              UnorderedElementsAre("stdout", "tcp:", "unix:", "udp:"));
+  EXPECT_THAT(proposed({"record", "--mode", "320"}),
+              UnorderedElementsAre("320x240@30", "320x240@60"));
 }
 
 TEST(Completion, ProposesFilesAndFolders) {
