@@ -61,6 +61,33 @@ def test_commands_and_their_options_are_known(document, help_of):
             assert re.search(rf"(?<![\w-]){option}(?![\w-])", known), (option, words)
 
 
+PLACEHOLDERS = {"N": "2000", "NAME": "rigid"}
+
+
+@pytest.mark.parametrize("document", ["README.md", "docs/benchmarks.md", "docs/experiments.md"])
+def test_experiments_are_taken_as_they_stand(document, tool, tmp_path):
+    """With --help behind them the program reads and judges every value, and runs nothing."""
+    count = 0
+    for words in told_commands(ROOT / document):
+        if words[0] != "experiment":
+            continue
+        words = [PLACEHOLDERS.get(word, word) for word in words]
+        if "--rows" in words:  # what an experiment before it has written
+            rows = tmp_path / words[words.index("--rows") + 1]
+            rows.parent.mkdir(parents=True)
+            rows.touch()
+        parsed = subprocess.run([tool, *words, "--help"], cwd=tmp_path, capture_output=True, text=True)
+        assert parsed.returncode == 0, (words, parsed.stderr)
+        count += 1
+    assert count > 0
+
+
+def test_a_value_that_is_wrong_would_be_noticed(tool):
+    for words in (["experiment", "peers", "--trials", "x"], ["experiment", "mismatch", "--kind", "any"]):
+        parsed = subprocess.run([tool, *words, "--help"], capture_output=True, text=True)
+        assert parsed.returncode == 2, words
+
+
 def run(command, folder, environment):
     ran = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, capture_output=True,
                          text=True)

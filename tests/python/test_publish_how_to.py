@@ -40,6 +40,25 @@ def program(docs, number, port):
     return [sys.executable, "-c", code.replace("5555", str(port))]
 
 
+def test_commands_run(tool, recording, docs, free_port, tmp_path):
+    pipe, socket = (block.strip() for block in code_blocks(docs / "how-to" / "publish.md", "sh"))
+    assert "--publish stdout |" in pipe and "--publish tcp:" in socket
+    (tmp_path / "lockbox").symlink_to(tool)
+    (tmp_path / "my_program.py").write_text("import sys\nprint(len(list(sys.stdin)))\n")
+    environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
+
+    def run(command):
+        own = {"openni2:": str(recording), "cabinet": "rigid_block", "5555": str(free_port)}
+        for told, given in own.items():
+            command = command.replace(told, given)
+        return subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=tmp_path, text=True,
+                              env=environment, capture_output=True)
+
+    read, served = run(pipe), run(socket)
+    assert read.returncode == 0 and int(read.stdout) == 30, read.stderr
+    assert served.returncode == 0 and f"{free_port}" in served.stderr, served.stderr
+
+
 def test_client_reads_every_frame_once_it_is_connected(tool, recording, docs, free_port, tmp_path):
     run = track(tool, recording, tmp_path / "run", free_port)
     wait_for_server(run)
