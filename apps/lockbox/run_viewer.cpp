@@ -166,7 +166,7 @@ void RunViewer::draw(SceneWindow& window, Composers& composers) {
 }
 
 void RunViewer::add_sliders(const RecordedRun::Moment& now, DisplayedScene& scene) const {
-  if (posed_) {
+  if (posed_ && !choices_.help) {  // which would lie below them
     scene.sliders = joint_sliders(model_.tree, *posed_, slider_page_);
     if (!scene.sliders.empty()) scene.status = title(now);
     const std::string page = slider_page_text(model_.tree, slider_page_);
