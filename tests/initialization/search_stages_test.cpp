@@ -161,8 +161,8 @@ TEST_F(SearchStages, NorDoesOneTurnCrowdOutTheOthersInItsPlace) {
   std::vector<Hypothesis> hypotheses;
   for (int turn = 0; turn < 4; ++turn) {
     for (int i = 0; i < 4; ++i) {  // 5 cm from the next
-      Hypothesis& there = hypotheses.emplace_back(displaced(0.05 * i), all_, 100.0 - 10 * turn - i);
-      there.configuration.T_camera_base.rotate(
+      hypotheses.push_back({displaced(0.05 * i), all_, 100.0 - 10 * turn - i});
+      hypotheses.back().configuration.T_camera_base.rotate(
           Eigen::AngleAxisd(turn * M_PI_2, Eigen::Vector3d::UnitZ()));
     }
   }
