@@ -84,6 +84,24 @@ TEST(HardScenes, ATableDoesNotPullWhatStandsOnIt) {
   expect_found(first_answer(model, truth, scene), truth);
 }
 
+/// A box of its height and depth, nearer, of which the image's edge hides how long it is.
+TEST(HardScenes, ALargeBoxThatIsCutOffDoesNotEndTheSearch) {
+  const ArticulatedModel& model = shipped("cabinet");
+  Configuration truth = rest_configuration(model.tree);
+  truth.T_camera_base = Eigen::Translation3d(-0.4326, 0.2018, 2.1273) *
+                        Eigen::Quaterniond(0.1326, 0.7042, -0.6525, 0.2467).normalized();
+  set_joint_position(model.tree, truth, "door", 1.364);
+  set_joint_position(model.tree, truth, "inner_drawer", 0.056);
+  Scene scene;
+  scene.boxes.push_back(  // that it stands on
+      box_in(SceneFrame::base, {1.572, 0.04, 0.812}, {0.154, -0.27, -0.02}));
+  scene.planes.push_back({SceneFrame::base, {0.0, 0.0, -0.955}, Eigen::Vector3d::UnitZ()});
+  SceneBox box = box_in(SceneFrame::base, {0.400, 0.492, 0.478}, {0.195, -0.550, 1.042});
+  box.pose.linear() = Eigen::Quaterniond(0.5531, 0.2628, -0.1032, -0.7838).normalized().matrix();
+  scene.boxes.push_back(box);
+  expect_found(first_answer(model, truth, scene), truth);
+}
+
 TEST(HardScenes, WhatAnOpenDoorShowsIsNoReasonToDoubtIt) {
   const ArticulatedModel& model = shipped("cabinet");
   Configuration truth = facing(model, 1.3, -0.3, 0.0);

@@ -62,7 +62,7 @@ TEST_F(PixelScoresTest, WhatStandsBeforeCountsLessThanWhatIsSeenThrough) {
   measured[30] = nearest[30] = 1.5F;
   measured[40] = 1.5F;  // with a neighbour that is near enough
   EXPECT_FLOAT_EQ(score(20), scoring.occluded);
-  EXPECT_FLOAT_EQ(score(30), scoring.seen_through);
+  EXPECT_FLOAT_EQ(score(30), scoring.violating);
   EXPECT_FLOAT_EQ(score(40), 0.0F);
 }
 

@@ -10,9 +10,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace lockbox::kernels::HWY_NAMESPACE {
 
-constexpr float kFallOff = 0.22F;  // a deviation of three standard deviations costs two
-constexpr float kSteepest = 5.0F;  // tangent of the incidence beyond which surfaces count alike
-constexpr float kDoubt = 3.0F;     // standard deviations
+/// What a pixel loses with the square of its deviation in standard deviations: three cost two.
+/// Source: not recorded. Doubled, two deviations cost as much as three do.
+constexpr float kFallOff = 0.22F;
+/// Tangent of the incidence beyond which surfaces count alike: of 79 degrees. Source: not recorded.
+/// Doubled, what is seen at a graze may be twice as far off.
+constexpr float kSteepest = 5.0F;
+/// Standard deviations. Source: of normal errors one in 370 is beyond it. Doubled, pixels of an
+/// edge are free-space violations only where the gap behind is twice as deep.
+constexpr float kDoubt = 3.0F;
 
 /// Of what is drawn at a pixel and one beside it, of the same body; infinite where it is another.
 template <typename D>
@@ -68,9 +74,9 @@ void score_pixels_of_row(const DepthRows& depths, const LabelRows& labels,
     // Where a neighbour is near enough, it is a matter of a pixel more or less.
     const auto is_beside = hn::Lt(hn::Sub(hn::LoadU(df, measured.nearest + u), z),
                                   hn::Mul(hn::Set(df, kDoubt), hn::Sqrt(variance)));
-    const auto seen_through = hn::IfThenZeroElse(is_beside, hn::Set(df, scoring.seen_through));
+    const auto violating = hn::IfThenZeroElse(is_beside, hn::Set(df, scoring.violating));
     const auto is_before = hn::Lt(difference, hn::Zero(df));
-    const auto least = hn::IfThenElse(is_before, hn::Set(df, scoring.occluded), seen_through);
+    const auto least = hn::IfThenElse(is_before, hn::Set(df, scoring.occluded), violating);
 
     const auto doubt = hn::Mul(hn::Set(df, kDoubt), hn::Mul(noise, hn::Mul(m, m)));
     const auto is_in_reach = hn::Ge(hn::Add(m, doubt), hn::Set(df, scoring.reach));

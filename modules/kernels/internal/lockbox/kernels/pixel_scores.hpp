@@ -17,24 +17,22 @@ struct MeasuredRow {
   const float* nearest;  ///< of a pixel and its eight neighbours
 };
 
+/// What a view errs by, and what its pixels count.
 struct PixelScoring {
   float noise;             ///< of 1 / depth, standard deviation, 1 / metre
   float slack;             ///< metres that surfaces may be off
   float pixels_per_metre;  ///< at a depth of one metre
   /// What stands before it, metres, by more than three standard deviations says nothing.
   float reach;
-  /// A pixel that is explained counts 1. This is what one counts at least before which something
-  /// stands,
-  float occluded;
-  /// and what one counts that the camera saw through.
-  float seen_through;
+  float occluded;   ///< what a pixel counts with something in front, where one explained counts 1
+  float violating;  ///< the same of one through which the camera saw
 };
 
 /// Writes the scores of the pixels [first, end), which have neighbours to all sides; scores[0] is
 /// that of `first`. It is 0 where nothing is drawn (a negative label) or was measured. Where the
 /// difference of both depths is d, and its standard deviation s, it is 1 - 0.22 (d / s)^2, but for
-/// what stands before, or was seen through. s grows with the slope of what is drawn, which is taken
-/// from those neighbours that show the same body.
+/// what stands in front, or was seen through. s grows with the slope of what is drawn, which is
+/// taken from those neighbours that show the same body.
 void score_pixels(const DepthRows& depths, const LabelRows& labels, const MeasuredRow& measured,
                   std::size_t first, std::size_t end, const PixelScoring& scoring, float* scores);
 
