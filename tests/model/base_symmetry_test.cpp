@@ -26,7 +26,7 @@ TEST(BaseSymmetries, OfALampAreThoseOfItsFoot) {
                                             {});
   EXPECT_EQ(find_symmetries(model).size(), 1U);
   // Steps of 15 degrees about its axis, and upside down.
-  EXPECT_GE(find_base_symmetries(model).size(), 24U);
+  EXPECT_GE(find_body_symmetries(model, 0).size(), 24U);
 }
 
 TEST(RoundAxes, AreOneOfACanAndAllOfABallOrOfNothing) {
@@ -59,7 +59,7 @@ TEST(BaseSymmetries, OfACubeAreTwentyFour) {
   <geometry><box size=")" + edge + ' ' + edge +
                                           ' ' + edge + R"("/></geometry></visual></link></robot>)"),
             {});
-    EXPECT_EQ(find_base_symmetries(model).size(), 24U) << edge;
+    EXPECT_EQ(find_body_symmetries(model, 0).size(), 24U) << edge;
   }
 }
 
@@ -72,8 +72,8 @@ TEST(BaseSymmetries, OfAMugAreThoseOfMostOfIt) {
   <visual><origin xyz="0.055 0 0"/><geometry><box size="0.03 0.01 0.06"/></geometry></visual>
 </link></robot>)"),
                  {});
-  EXPECT_EQ(find_base_symmetries(model).size(), 2U);  // upside down
-  EXPECT_GE(find_base_symmetries(model, 0.75).size(), 24U);
+  EXPECT_EQ(find_body_symmetries(model, 0).size(), 2U);  // upside down
+  EXPECT_GE(find_body_symmetries(model, 0, 0.75).size(), 24U);
 }
 
 }  // namespace

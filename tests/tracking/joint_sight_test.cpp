@@ -73,5 +73,37 @@ TEST_F(JointSightTest, DoesNotSeekAPartThatIsFlushWithWhatIsAroundIt) {
   EXPECT_EQ(sight.sought(), (std::vector<int>{1, 2})) << "of a hidden one nobody knows";
 }
 
+/// A chain of twelve bodies in view of which nothing is known.
+TEST(JointSightOfAChain, SeeksEightJointsAFrameAndAllInTurn) {
+  KinematicTree chain;
+  chain.bodies.resize(13);
+  for (int j = 0; j < 12; ++j) {
+    Joint joint;
+    joint.parent_body = j;
+    joint.child_body = j + 1;
+    joint.variable = j;
+    chain.joints.push_back(joint);
+    chain.variable_joint.push_back(j);
+  }
+  JointSight sight(chain);
+  Answer answer;
+  answer.observable.assign(18, true);
+  answer.body_agreement.resize(13);
+  for (Agreement& body : answer.body_agreement) body.explained = 0.9;
+  answer.flush_bodies.resize(13, false);
+  EXPECT_EQ(sight.sought(), (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
+  sight.count(answer, {}, {});
+  EXPECT_EQ(sight.sought(), (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8}));
+  sight.count(answer, {}, {});
+  EXPECT_TRUE(sight.is_known(7));
+  EXPECT_FALSE(sight.is_known(0)) << "it was sought in one frame only";
+  EXPECT_FALSE(sight.is_known(11)) << "it was not sought yet";
+  for (int frame = 0; frame < 5; ++frame) {
+    sight.sought();
+    sight.count(answer, {}, {});
+  }
+  EXPECT_TRUE(sight.sought().empty());
+}
+
 }  // namespace
 }  // namespace lockbox

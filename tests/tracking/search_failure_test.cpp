@@ -31,6 +31,13 @@ TEST_F(SearchFailureTest, AFrameThatIsSoundExplainsNothing) {
   EXPECT_THAT(said(failure()), HasSubstr("it is 0.32 m across"));
 }
 
+TEST_F(SearchFailureTest, TheModelLooksTheSameInOtherConfigurations) {
+  SearchFailure same = failure();
+  same.look_alikes = 3;
+  EXPECT_THAT(said(same), HasSubstr("in at least 3 other ways"));
+  EXPECT_THAT(said(same), HasSubstr("--initial-state"));
+}
+
 TEST_F(SearchFailureTest, NoPixelHasADepth) {
   look_at_wall(0);
   EXPECT_TRUE(is_explained(failure()));

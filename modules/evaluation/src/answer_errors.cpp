@@ -19,7 +19,7 @@ bool determines_base(const Eigen::VectorXd& bound) {
 }
 
 AnswerComparison::AnswerComparison(const ArticulatedModel& model, const Tolerances& tolerances)
-    : model_(model), tolerances_(tolerances), symmetries_(find_symmetries(model)) {}
+    : model_(model), tolerances_(tolerances), symmetries_(find_lasting_symmetries(model)) {}
 
 AnswerErrors AnswerComparison::compare(const TrackingResult& answer, const State& truth,
                                        const Eigen::VectorXd& bound) const {

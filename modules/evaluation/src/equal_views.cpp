@@ -9,7 +9,6 @@
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/symmetry.hpp"
 #include "lockbox/rendering/body_item.hpp"
-#include "lockbox/sdf/build_field.hpp"
 #include "lockbox/simulation/simulator.hpp"
 
 namespace lockbox {
@@ -28,17 +27,6 @@ RenderedDepth drawn(const KinematicTree& tree, const Configuration& configuratio
   RenderedDepth image;
   renderer.render(items, image);
   return image;
-}
-
-/// What moves the base alone onto itself.
-std::vector<Eigen::Isometry3d> symmetries_of_base(const ArticulatedModel& model,
-                                                  const Executor& executor) {
-  ArticulatedModel base;
-  base.tree.bodies = {model.tree.bodies.front()};
-  FieldOptions options;
-  options.voxel = model.fields.front()->voxel();
-  base.fields.emplace_back(build_field(base.tree.bodies.front().mesh, options, executor));
-  return find_symmetries(base);
 }
 
 }  // namespace
@@ -73,7 +61,7 @@ bool EqualViews::any() {
   options.registration = options_.registration;
   Initializer initializer(model_, options, executor_);
   const std::vector<int> all = options.registration.free_variables(model_.tree.variables());
-  const std::vector<Eigen::Isometry3d> turns = symmetries_of_base(model_, executor_);
+  const std::vector<Eigen::Isometry3d> turns = find_body_symmetries(model_, 0);
   return std::any_of(turns.begin() + 1, turns.end(), [&](const Eigen::Isometry3d& turn) {
     TrackingResult other;
     other.configuration = truth_.configuration;

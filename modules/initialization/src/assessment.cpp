@@ -59,7 +59,26 @@ void Assessment::add_answers(SearchImage& image, const std::vector<Hypothesis>& 
     answers.push_back(std::move(candidate));
   }
   sort_best_first(answers);
-  compare(sought_.extent, sought_.symmetries, answers);
+  compare(sought_, answers);
+}
+
+void Assessment::add_look_alikes(const TiledCloud& cloud, std::vector<Candidate>& answers) {
+  if (answers.empty()) return;
+  const Configuration best = answers.front().configuration;
+  for (Configuration& other : sought_.look_alikes.of(best)) {
+    // One that the search has found by itself is not as exact.
+    std::erase_if(answers, [&](const Candidate& answer) {
+      return are_one(sought_, answer.configuration, other) &&
+             !are_one(sought_, answer.configuration, best);
+    });
+    Candidate candidate;
+    candidate.configuration = std::move(other);
+    candidate.agreement = exact_.compare(cloud, candidate.configuration).agreement;
+    set_evidence(verifier_.evidence(candidate.configuration), candidate);
+    answers.push_back(std::move(candidate));
+  }
+  sort_best_first(answers);
+  compare(sought_, answers);
 }
 
 }  // namespace lockbox

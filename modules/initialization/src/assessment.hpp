@@ -29,6 +29,9 @@ class Assessment {
   void add_answers(SearchImage& image, const std::vector<Hypothesis>& hypotheses,
                    const Selection& ranked, std::vector<Candidate>& answers);
 
+  /// What no image tells from the best answer, as it is.
+  void add_look_alikes(const TiledCloud& cloud, std::vector<Candidate>& answers);
+
  private:
   const SoughtModel& sought_;
   ExactFit& exact_;

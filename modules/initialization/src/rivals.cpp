@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "hypothesis.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/verification/belief.hpp"
 
 namespace lockbox {
@@ -24,22 +25,61 @@ double least_apart(const ModelExtent& extent) {
   return std::min(kAnotherAnswer * extent.radius, kMostOfOneAnswer);
 }
 
+/// Metres that the farthest corner of the box moves.
+double farthest_corner(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& from,
+                       const Eigen::Isometry3d& to) {
+  double farthest = 0.0;
+  for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
+    const Eigen::Vector3d p = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+    farthest = std::max(farthest, (to * p - from * p).norm());
+  }
+  return farthest;
+}
+
+/// Whether a base that is round is turned about its axis, and all that it carries is where it was.
+bool is_turn_of_round_base(const SoughtModel& sought, const Configuration& a,
+                           const Configuration& b) {
+  const ArticulatedModel& model = sought.model;
+  if (model.round_axes.empty()) return false;
+  const double least = least_apart(sought.extent);
+  const Eigen::Isometry3d turn = a.T_camera_base.inverse() * b.T_camera_base;
+  const bool is_turned = std::any_of(
+      model.round_axes.begin(), model.round_axes.end(), [&](const Eigen::Vector3d& axis) {
+        const Eigen::AlignedBox3d box = bounds(model.tree.bodies.front().mesh);
+        const Eigen::Vector3d end =
+            box.isEmpty() ? axis : Eigen::Vector3d(box.diagonal().norm() * axis);
+        return (turn * end - end).norm() < least && turn.translation().norm() < least;
+      });
+  if (!is_turned) return false;
+  BodyPoses poses_a;
+  BodyPoses poses_b;
+  forward_kinematics(model.tree, a, poses_a);
+  forward_kinematics(model.tree, b, poses_b);
+  for (std::size_t body = 1; body < poses_a.size(); ++body) {
+    const Eigen::AlignedBox3d box = bounds(model.tree.bodies[body].mesh);
+    if (farthest_corner(box, poses_a[body], poses_b[body]) >= least) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 double farthest_move(const ModelExtent& extent, std::span<const Eigen::Isometry3d> symmetries,
                      const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
+  const Eigen::AlignedBox3d box(extent.centre - 0.5 * extent.sides,
+                                extent.centre + 0.5 * extent.sides);
   double least = std::numeric_limits<double>::infinity();
   for (const Eigen::Isometry3d& symmetry : symmetries) {
     const Eigen::Isometry3d move = to.inverse() * from * symmetry;
-    double farthest = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Eigen::Array3d way((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5);
-      const Eigen::Vector3d p = extent.centre + (way * extent.sides.array()).matrix();
-      farthest = std::max(farthest, (move * p - p).norm());
-    }
-    least = std::min(least, farthest);
+    least = std::min(least, farthest_corner(box, Eigen::Isometry3d::Identity(), move));
   }
   return least;
+}
+
+bool are_one(const SoughtModel& sought, const Configuration& a, const Configuration& b) {
+  const double move =
+      farthest_move(sought.extent, sought.symmetries, a.T_camera_base, b.T_camera_base);
+  return move < least_apart(sought.extent) || is_turn_of_round_base(sought, a, b);
 }
 
 void sort_best_first(std::vector<Candidate>& candidates) {
@@ -47,28 +87,29 @@ void sort_best_first(std::vector<Candidate>& candidates) {
                    [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
 }
 
-void compare(const ModelExtent& extent, std::span<const Eigen::Isometry3d> symmetries,
-             std::vector<Candidate>& candidates) {
+void compare(const SoughtModel& sought, std::vector<Candidate>& candidates) {
   std::vector<double> others;
   for (Candidate& candidate : candidates) {
-    const Eigen::Isometry3d& pose = candidate.configuration.T_camera_base;
+    const Configuration& here = candidate.configuration;
     others.clear();
     // What is not in view may be as far away as what is.
-    double squares =
-        std::exp(log_odds(least_evidence(), candidate.evidence)) * pose.translation().squaredNorm();
+    double squares = std::exp(log_odds(least_evidence(), candidate.evidence)) *
+                     here.T_camera_base.translation().squaredNorm();
     for (const Candidate& other : candidates) {
-      const double move =
-          farthest_move(extent, symmetries, pose, other.configuration.T_camera_base);
-      if (move < least_apart(extent)) continue;
+      if (are_one(sought, here, other.configuration)) continue;
+      const double move = farthest_move(sought.extent, sought.symmetries, here.T_camera_base,
+                                        other.configuration.T_camera_base);
       others.push_back(other.evidence);
       squares += std::exp(log_odds(other.evidence, candidate.evidence)) * move * move;
     }
     candidate.belief = belief(candidate.evidence, others);
     candidate.rival_distance = std::sqrt(candidate.belief * squares);
     const Configuration& first = candidates.front().configuration;
-    const double move = farthest_move(extent, symmetries, first.T_camera_base, pose);
-    candidate.distance = move < least_apart(extent) ? 0.0 : move;
-    candidate.is_in_place_of_first = place_distance(extent, first, candidate.configuration) < 1.0;
+    candidate.distance = are_one(sought, first, here)
+                             ? 0.0
+                             : farthest_move(sought.extent, sought.symmetries, first.T_camera_base,
+                                             here.T_camera_base);
+    candidate.is_in_place_of_first = place_distance(sought.extent, first, here) < 1.0;
   }
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lockbox/initialization/initializer.hpp"
-#include "model_extent.hpp"
+#include "sought_model.hpp"
 
 namespace lockbox {
 
@@ -16,12 +16,15 @@ namespace lockbox {
 double farthest_move(const ModelExtent& extent, std::span<const Eigen::Isometry3d> symmetries,
                      const Eigen::Isometry3d& from, const Eigen::Isometry3d& to);
 
+/// Whether they are hardly apart, or look the same: where it is that moves, or a base that is round
+/// turns about its axis.
+bool are_one(const SoughtModel& sought, const Configuration& a, const Configuration& b);
+
 /// Puts the candidates with most evidence first.
 void sort_best_first(std::vector<Candidate>& candidates);
 
 /// Sets belief, rival_distance, distance and is_in_place_of_first of each: one of them is right, or
-/// the object is not in view. Those that are hardly apart are one answer.
-void compare(const ModelExtent& extent, std::span<const Eigen::Isometry3d> symmetries,
-             std::vector<Candidate>& candidates);
+/// the object is not in view.
+void compare(const SoughtModel& sought, std::vector<Candidate>& candidates);
 
 }  // namespace lockbox

@@ -246,11 +246,12 @@ std::vector<Candidate> SearchRounds::seek(SearchImage& image, const Configuratio
     }
     is_convinced |= !answers.empty() && answers.front().belief >= round.enough;
   }
-  answers.resize(std::min(answers.size(), most_candidates_));
   progress.answers.clear();
   // What is merely possible is looked at closer in the next image.
   const bool is_over =
       !answers.empty() && (is_clear(answers.front()) || answers.front().belief >= kConvincing);
+  assessment_.add_look_alikes(image.cloud(), answers);
+  answers.resize(std::min(answers.size(), most_candidates_));
   if (is_over || progress.rounds == std::ssize(rounds)) {
     progress.rounds = 0;
   } else {

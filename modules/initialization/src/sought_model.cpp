@@ -43,13 +43,14 @@ SoughtModel::SoughtModel(const ArticulatedModel& articulated_model,
       from_afar(seen_from_afar(articulated_model)),
       is_flat(flat_share(model.tree) > kMostlyFlat),
       extent(model_extent(model.tree)),
-      symmetries(find_symmetries(model)),
+      symmetries(find_lasting_symmetries(model)),
       turns(box_turns(extent, symmetries)),
+      look_alikes(model, options.locked),
       variables(options.free_variables(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1) {
   // What is mostly flat is told by its contour.
   const double alike = is_flat ? 1.0 : kMostlyAlike;
-  add_turns_of_base(find_base_symmetries(model, alike), symmetries, turns);
+  add_turns_of_base(find_body_symmetries(model, 0, alike), symmetries, turns);
 }
 
 std::vector<Hypothesis> with_body_at(const SoughtModel& sought, const Configuration& held,

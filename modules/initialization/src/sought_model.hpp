@@ -7,6 +7,7 @@
 
 #include "hypothesis.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/model/look_alikes.hpp"
 #include "lockbox/registration/registration_options.hpp"
 #include "model_extent.hpp"
 
@@ -20,10 +21,11 @@ struct SoughtModel {
   KinematicTree from_afar;  ///< the model in fewer triangles, for views of few pixels
   bool is_flat;             ///< most of its surface
   ModelExtent extent;
-  std::vector<Eigen::Isometry3d> symmetries;  ///< of the model
+  std::vector<Eigen::Isometry3d> symmetries;  ///< of the model, wherever its joints stand
   std::vector<Eigen::Isometry3d> turns;       ///< of its box, or its base, that are none of it
-  std::vector<int> variables;                 ///< of joints that are not locked
-  std::vector<std::uint8_t> all_bodies;       ///< 1 for each, as drawings take them
+  LookAlikes look_alikes;
+  std::vector<int> variables;            ///< of joints that are not locked
+  std::vector<std::uint8_t> all_bodies;  ///< 1 for each, as drawings take them
 };
 
 /// The configurations in which that body is there; of one that a free joint moves, several along

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/variable_range.hpp"
 
 namespace lockbox {
 namespace {
@@ -16,28 +18,20 @@ namespace {
 constexpr double kSamples = 3000.0;
 constexpr int kTurns = 24;  // steps of a full turn
 
-/// The surface of the model, or of its first bodies, in the base's frame.
+/// The surface of the model in the base's frame, or of one of its bodies in its own.
 class ModelSurface {
  public:
-  ModelSurface(const ArticulatedModel& model, Configuration configuration, std::size_t bodies)
-      : model_(model), bodies_(bodies) {
+  ModelSurface(const ArticulatedModel& model, Configuration configuration)
+      : model_(model), bodies_(model.tree.bodies.size()) {
+    std::iota(bodies_.begin(), bodies_.end(), std::size_t{0});
     configuration.T_camera_base.setIdentity();
     forward_kinematics(model.tree, configuration, poses_);
-    double area = 0.0;
-    for (std::size_t b = 0; b < bodies_; ++b) area += surface_area(model.tree.bodies[b].mesh);
-    for (std::size_t b = 0; b < bodies_; ++b) {
-      if (!model.fields[b]) continue;
-      resolution_ = std::max(resolution_, model.fields[b]->voxel());
-      add_moments(transformed(model.tree.bodies[b].mesh, poses_[b]));
-      for (const auto& sample :
-           sample_surface(model.tree.bodies[b].mesh, std::sqrt(area / kSamples))) {
-        const Eigen::Vector3d p = poses_[b] * sample.position;
-        // Surface inside another body is none.
-        if (!(distance(p) > -1e-4)) continue;
-        points_.push_back(p);
-        normals_.push_back(poses_[b].linear() * sample.normal);
-      }
-    }
+    sample();
+  }
+
+  ModelSurface(const ArticulatedModel& model, std::size_t body)
+      : model_(model), bodies_{body}, poses_(body + 1, Eigen::Isometry3d::Identity()) {
+    sample();
   }
 
   /// Of the area.
@@ -87,10 +81,28 @@ class ModelSurface {
   }
 
  private:
+  void sample() {
+    double area = 0.0;
+    for (const std::size_t b : bodies_) area += surface_area(model_.tree.bodies[b].mesh);
+    for (const std::size_t b : bodies_) {
+      if (!model_.fields[b]) continue;
+      const TriangleMesh& mesh = model_.tree.bodies[b].mesh;
+      resolution_ = std::max(resolution_, model_.fields[b]->voxel());
+      add_moments(transformed(mesh, poses_[b]));
+      for (const auto& sample : sample_surface(mesh, std::sqrt(area / kSamples))) {
+        const Eigen::Vector3d p = poses_[b] * sample.position;
+        // Surface inside another body is none.
+        if (!(distance(p) > -1e-4)) continue;
+        points_.push_back(p);
+        normals_.push_back(poses_[b].linear() * sample.normal);
+      }
+    }
+  }
+
   /// To the union of the bodies, negative inside, metres.
   double distance(const Eigen::Vector3d& p) const {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t b = 0; b < bodies_; ++b) {
+    for (const std::size_t b : bodies_) {
       if (!model_.fields[b]) continue;
       const Eigen::Vector3f p_body = (poses_[b].inverse() * p).cast<float>();
       least = std::min(least, static_cast<double>(model_.fields[b]->sample(p_body).distance));
@@ -113,7 +125,7 @@ class ModelSurface {
   }
 
   const ArticulatedModel& model_;
-  std::size_t bodies_;
+  std::vector<std::size_t> bodies_;
   double resolution_ = 0.0;  // of the fields, metres
   double area_ = 0.0;
   Eigen::Vector3d first_ = Eigen::Vector3d::Zero();
@@ -177,23 +189,46 @@ std::vector<Eigen::Isometry3d> symmetries_of(const ModelSurface& surface, double
   return symmetries;
 }
 
+/// Joints each at a share of their range, those that stand alike at rest not alike.
+Configuration anywhere(const KinematicTree& tree) {
+  Configuration configuration = rest_configuration(tree);
+  for (int v = 0; v < tree.variables(); ++v) {
+    const VariableRange range = variable_range(tree, v);
+    const double golden = std::fmod((v + 1) * std::numbers::phi, 1.0);
+    configuration.q[v] = range.lower + (0.2 + 0.6 * golden) * range.extent();
+  }
+  return configuration;
+}
+
 }  // namespace
 
 std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model, double tolerance) {
   const Configuration rest = rest_configuration(model.tree);
-  return symmetries_of(ModelSurface(model, rest, model.tree.bodies.size()), tolerance, 1.0);
+  return symmetries_of(ModelSurface(model, rest), tolerance, 1.0);
 }
 
-std::vector<Eigen::Isometry3d> find_base_symmetries(const ArticulatedModel& model, double share,
-                                                    double tolerance) {
-  return symmetries_of(ModelSurface(model, rest_configuration(model.tree), 1), tolerance, share);
+std::vector<Eigen::Isometry3d> find_lasting_symmetries(const ArticulatedModel& model,
+                                                       double tolerance) {
+  std::vector<Eigen::Isometry3d> symmetries = find_symmetries(model, tolerance);
+  if (symmetries.size() == 1 || model.tree.variables() == 0) return symmetries;
+  const ModelSurface moved(model, anywhere(model.tree));
+  std::erase_if(symmetries, [&](const Eigen::Isometry3d& motion) {
+    return !moved.is_kept_by(motion, tolerance);
+  });
+  return symmetries;
+}
+
+std::vector<Eigen::Isometry3d> find_body_symmetries(const ArticulatedModel& model, std::size_t body,
+                                                    double share, double tolerance) {
+  if (!model.fields[body]) return {Eigen::Isometry3d::Identity()};
+  return symmetries_of(ModelSurface(model, body), tolerance, share);
 }
 
 std::vector<Eigen::Vector3d> find_round_axes(const ArticulatedModel& model, double tolerance) {
   if (!model.fields.front()) {
     return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
   }
-  const ModelSurface surface(model, rest_configuration(model.tree), 1);
+  const ModelSurface surface(model, 0);
   const Eigen::Vector3d centre = surface.centre();
   std::vector<Eigen::Vector3d> round;
   const Eigen::Matrix<double, 3, 6> axes = surface.axes();
@@ -213,7 +248,7 @@ std::vector<Eigen::Vector3d> find_round_axes(const ArticulatedModel& model, doub
 
 bool is_own_mirror_image(const ArticulatedModel& model, const Configuration& configuration,
                          double tolerance) {
-  const ModelSurface surface(model, configuration, model.tree.bodies.size());
+  const ModelSurface surface(model, configuration);
   const Eigen::Vector3d centre = surface.centre();
   const Eigen::Matrix<double, 3, 6> axes = surface.axes();
   for (const auto& axis : axes.colwise()) {

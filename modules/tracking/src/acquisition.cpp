@@ -7,6 +7,7 @@
 
 #include "lockbox/cloud/segmentation.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/look_alikes.hpp"
 #include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/verification/belief.hpp"
 
@@ -137,10 +138,15 @@ bool Acquisition::is_found() const {
 SearchFailure Acquisition::explain(const DepthFrame& frame) {
   const RegistrationResult* const best = best_ ? &*best_ : nullptr;
   SearchFailure failure = search_failure(frame, model_.tree, options_, best);
+  if (best_) {
+    const LookAlikes look_alikes(model_, options_.registration.locked);
+    failure.look_alikes = look_alikes.of(best_->configuration).size();
+  }
   if (failure_) {
     failure.is_mirrored = failure_->is_mirrored;
     failure.depth_factor = failure_->depth_factor;
   }
+  if (failure.look_alikes > 0) return failure;
   if (!may_be_misread_ || (options_.background_search && ++failures_ < kFailuresWhileAiming)) {
     return failure;
   }

@@ -138,6 +138,14 @@ std::string nothing_resembles(const SearchFailure& failure) {
          number(failure.min_depth) + " and " + number(failure.max_depth) + " m from the camera?";
 }
 
+std::string looks_the_same(std::size_t others) {
+  return "It is found, but looks the same with its base turned and its joints moved to suit, in at "
+         "least " +
+         number(static_cast<double>(others)) + (others == 1 ? " other way" : " other ways") +
+         ", which no image tells apart (column alternatives of states.csv). Say how it stands in "
+         "the first frame (--initial-state), hold a joint (--lock-joint), or narrow its limits.";
+}
+
 /// What may be wrong and an image cannot tell, each with the figure to compare.
 void add_what_to_check(const SearchFailure& failure, std::vector<std::string>& all) {
   all.emplace_back("If the object is in view, and mostly unhidden, check these:");
@@ -183,6 +191,7 @@ std::vector<std::string> reasons(const SearchFailure& failure) {
         number(failure.units_per_metre / failure.depth_factor) + " the camera's?");
   }
   add_reasons_of_frame(failure, all);
+  if (failure.look_alikes > 0) all.push_back(looks_the_same(failure.look_alikes));
   if (!all.empty()) return all;
   if (failure.measured < kLittleDepth) {
     all.push_back("Only " + percent(failure.measured) +

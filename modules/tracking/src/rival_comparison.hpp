@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image_belief.hpp"
+#include "lockbox/model/look_alikes.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
 #include "lockbox/tracking/answer.hpp"
 #include "lockbox/tracking/tracker.hpp"
@@ -16,9 +17,11 @@ namespace lockbox {
 /// takes a hundred times as long. All that is given must outlive it.
 class RivalComparison {
  public:
-  RivalComparison(const TrackerOptions& options, ArticulatedRegistration& registration,
-                  const TiledCloud& cloud, ImageBelief& image_belief)
-      : options_(options),
+  RivalComparison(const ArticulatedModel& model, const TrackerOptions& options,
+                  ArticulatedRegistration& registration, const TiledCloud& cloud,
+                  ImageBelief& image_belief)
+      : look_alikes_(model, options.registration.locked),
+        options_(options),
         registration_(registration),
         cloud_(cloud),
         image_belief_(image_belief) {}
@@ -37,6 +40,11 @@ class RivalComparison {
   /// Nothing is left to be compared, or the frames before have not told.
   bool has_ended() const;
 
+  /// Whether something else looks the same, whatever an image shows.
+  bool is_hopeless(const Answer& followed) const {
+    return !look_alikes_.of(followed.configuration).empty();
+  }
+
   /// In the next frame, which the cloud shows. followed: the answer in it, as an alignment has
   /// found it. Nothing as long as the frames do not tell.
   std::optional<Outcome> compare(const Answer& followed);
@@ -47,6 +55,7 @@ class RivalComparison {
     double evidence = 0.0;  ///< nats, the sum over the frames
   };
 
+  LookAlikes look_alikes_;
   const TrackerOptions& options_;
   ArticulatedRegistration& registration_;
   const TiledCloud& cloud_;

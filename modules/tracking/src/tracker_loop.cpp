@@ -33,7 +33,7 @@ Tracker::Loop::Loop(const ArticulatedModel& model, const TrackerOptions& options
       acquisition_(model, options, executor_, registration_, cloud_),
       search_(model, options_, registration_, acquisition_, cloud_),
       image_belief_(model.tree, cloud_, options_, executor_),
-      rivals_(options_, registration_, cloud_, image_belief_),
+      rivals_(model, options_, registration_, cloud_, image_belief_),
       report_(model.tree, options_, image_belief_),
       predictor_(model.tree),
       joint_sight_(model.tree),
@@ -209,11 +209,12 @@ Tracker::Loop::Followed Tracker::Loop::with_leap_followed(const DepthFrame& fram
 Tracker::Loop::Followed Tracker::Loop::with_rival_sought(const DepthFrame& frame,
                                                          const Followed& followed) {
   Followed best = followed;
-  if (!followed.is_found_anew && !rivals_.has_ended()) {
+  const bool is_hopeless = rivals_.is_hopeless(best.answer);
+  if (!followed.is_found_anew && !is_hopeless && !rivals_.has_ended()) {
     if (const auto told = rivals_.compare(best.answer)) return {told->answer, told->is_rival};
   }
   if (!(best.answer.rival_distance > 0.0)) doubt_base(judgement_.rival_distance, best.answer);
-  if (!rivals_.has_ended()) return best;
+  if (is_hopeless || !rivals_.has_ended()) return best;
   const auto found = search_.seek(frame, SearchScope::anywhere, is_kept_);
   if (found && (classify(*found, options_) == TrackingStatus::tracking ||
                 found->belief > report_.result().belief)) {

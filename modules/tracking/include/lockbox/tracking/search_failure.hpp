@@ -2,6 +2,7 @@
 // Why a search of the whole frame has found nothing to believe in, as far as it is known.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,8 @@ struct SearchFailure {
   double model_pixels = 0.0;  ///< so long the model would be at the nearest depth in use; 0: none
   bool is_mirrored = false;   ///< the model is found in the frame's mirror image
   double depth_factor = 1.0;  ///< the model is found if all depths are so many times as large
+  /// Of other configurations the model looks the same in as in the best place (LookAlikes).
+  std::size_t look_alikes = 0;
   std::optional<Place> best;  ///< none: nothing in view resembles the model
 };
 

@@ -16,10 +16,11 @@ class JointSight {
  public:
   explicit JointSight(const KinematicTree& tree);
 
-  /// The joint variables that are to be sought over their whole range, in order: those that are not
-  /// known, but for those whose parts lie flush with what is around them, where seeking would find
-  /// nothing.
-  std::vector<int> sought() const;
+  /// Returns the joint variables that are to be sought over their whole range in this frame, in
+  /// order: those that are not known, but for those whose parts lie flush with what is around them,
+  /// where seeking would find nothing. At most eight; of more, one after the other comes in turn,
+  /// and those that wait are not known meanwhile.
+  std::vector<int> sought();
 
   /// Whether the joint variable has been in sight for long enough to be reported.
   bool is_known(int variable) const;
@@ -39,6 +40,8 @@ class JointSight {
   bool is_flush(const Answer& found, int variable, const TrackerOptions& options) const;
 
   const KinematicTree& tree_;
+  int next_ = 0;                      ///< the variable whose turn it is
+  std::vector<bool> waits_;           ///< by variable: not known, and not sought in this frame
   std::vector<int> frames_in_sight_;  ///< by variable: consecutive, up to the present
   std::vector<bool> is_flush_;        ///< by variable
 };
