@@ -81,7 +81,7 @@ TEST(OrientedPoints, OfAPlaneHaveItsNormal) {
 
 TEST(PointPairs, VoteForWhereTheBodyIs) {
   const KinematicTree tree = animal();
-  const BodyPairs body = make_body_pairs(tree, Executor(1));
+  const BodyPairs body = make_body_pairs(tree, telling_bodies(tree).front(), Executor(1));
   const Eigen::Isometry3d truth = turned_pose();
   const auto depth = drawn_depth(tree, truth);
   const auto points = points_of_view({kSmallCamera, depth}, body.pairs.spacing());
@@ -93,7 +93,7 @@ TEST(PointPairs, VoteForWhereTheBodyIs) {
 
 TEST(PointPairs, VoteTheSameWithAnyNumberOfThreads) {
   const KinematicTree tree = animal();
-  const BodyPairs body = make_body_pairs(tree, Executor(1));
+  const BodyPairs body = make_body_pairs(tree, telling_bodies(tree).front(), Executor(1));
   const auto depth = drawn_depth(tree, turned_pose());
   const auto points = points_of_view({kSmallCamera, depth}, body.pairs.spacing());
   const auto one = body.pairs.vote(points, 20, Executor(1), nullptr);
@@ -107,14 +107,14 @@ TEST(PointPairs, VoteTheSameWithAnyNumberOfThreads) {
 
 TEST(PointPairs, StopWhenTheyAreAskedTo) {
   const KinematicTree tree = animal();
-  const BodyPairs body = make_body_pairs(tree, Executor(1));
+  const BodyPairs body = make_body_pairs(tree, telling_bodies(tree).front(), Executor(1));
   const auto depth = drawn_depth(tree, turned_pose());
   const auto points = points_of_view({kSmallCamera, depth}, body.pairs.spacing());
   EXPECT_THROW(body.pairs.vote(points, 20, Executor(1), [] { return true; }), Stopped);
 }
 
 TEST(PointPairs, VoteForNothingWhereNothingIsSeen) {
-  const BodyPairs body = make_body_pairs(animal(), Executor(1));
+  const BodyPairs body = make_body_pairs(animal(), 0, Executor(1));
   EXPECT_TRUE(body.pairs.vote({}, 20, Executor(1), nullptr).empty());
 }
 

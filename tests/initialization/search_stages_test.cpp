@@ -11,6 +11,7 @@
 #include "hypothesis.hpp"
 #include "lockbox/core/lie.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/moved_bodies.hpp"
 #include "model_extent.hpp"
 #include "planar_regions.hpp"
 #include "seen_model.hpp"
@@ -119,7 +120,7 @@ TEST_F(SearchStages, ADrawerIsWhereItsScoresAreHighest) {
     trials.back().q[drawer] = 0.02 * i;
   }
   const std::vector<std::uint8_t> none(all_.size(), 0);
-  const auto scores = score.scan(trials, drawer, none, 0.003);
+  const auto scores = score.scan(trials, moved_bodies(model_.tree, drawer), none, 0.003);
   ASSERT_EQ(scores.size(), trials.size());
   const auto best = std::max_element(scores.begin(), scores.end()) - scores.begin();
   EXPECT_NEAR(0.02 * static_cast<double>(best), truth_.q[drawer], 0.021);

@@ -26,5 +26,18 @@ TEST(MovedBodies, AreThoseOfAJointAllThatTheyCarryAndAllThatMimicIt) {
   EXPECT_THAT(moved_bodies(tree, 2), ElementsAre(0, 0, 0, 1, 1));
 }
 
+/// Seen from the tip of the first arm, all beyond a joint moves: the base, and what else it bears.
+TEST(MovedBodies, AreThoseBeyondAJointFromWhereABodyIsHeld) {
+  KinematicTree tree;
+  tree.bodies.resize(5);
+  tree.joints = {between(0, 1, 0), between(1, 2, 1), between(0, 3, 2), between(3, 4, 0)};
+  tree.variable_joint = {0, 1, 2};
+  using ::testing::ElementsAre;
+  EXPECT_THAT(moved_bodies(tree, 1, 2), ElementsAre(1, 1, 0, 1, 1));
+  EXPECT_THAT(moved_bodies(tree, 0, 2), ElementsAre(1, 0, 0, 1, 1));
+  EXPECT_THAT(moved_bodies(tree, 2, 2), ElementsAre(0, 0, 0, 1, 1));
+  EXPECT_THAT(moved_bodies(tree, 2, 0), moved_bodies(tree, 2));
+}
+
 }  // namespace
 }  // namespace lockbox

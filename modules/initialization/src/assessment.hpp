@@ -19,6 +19,11 @@ class Assessment {
   /// The image that evidence is sought in from now on.
   void look_at(const SearchImage& image, const Executor& executor);
 
+  /// What the image says for it, nats.
+  double evidence(const Configuration& configuration) {
+    return verifier_.evidence(configuration).total();
+  }
+
   /// What follows costs most, and cannot make an answer of what the image says too little for.
   /// to_beat: the most evidence of any answer up to now; gain: the most that evidence grows by from
   /// here on; nats.

@@ -11,7 +11,17 @@ namespace {
 /// and sensors err by.
 constexpr double kLeastAlike = 0.75;
 
-/// The 24 proper rotations of a cube.
+bool turns_as_one_of(std::span<const Eigen::Isometry3d> motions, const Eigen::Matrix3d& rotation) {
+  /// Of two rotations that count as one: the Frobenius norm of their difference, of that of either;
+  /// 0.7 degrees. Source: not recorded. Doubled, a symmetry may be 1.4 degrees off.
+  constexpr double kSameRotation = 1e-2;
+  return std::any_of(motions.begin(), motions.end(), [&](const Eigen::Isometry3d& motion) {
+    return motion.linear().isApprox(rotation, kSameRotation);
+  });
+}
+
+}  // namespace
+
 std::vector<Eigen::Matrix3d> cube_rotations() {
   std::vector<Eigen::Matrix3d> rotations;
   std::array<int, 3> axes{0, 1, 2};
@@ -27,25 +37,18 @@ std::vector<Eigen::Matrix3d> cube_rotations() {
   return rotations;
 }
 
-bool turns_as_one_of(std::span<const Eigen::Isometry3d> motions, const Eigen::Matrix3d& rotation) {
-  /// Of two rotations that count as one: the Frobenius norm of their difference, of that of either;
-  /// 0.7 degrees. Source: not recorded. Doubled, a symmetry may be 1.4 degrees off.
-  constexpr double kSameRotation = 1e-2;
-  return std::any_of(motions.begin(), motions.end(), [&](const Eigen::Isometry3d& motion) {
-    return motion.linear().isApprox(rotation, kSameRotation);
-  });
+bool are_alike(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double tolerance) {
+  const Eigen::Array3d least = a.array().min(b.array());
+  const Eigen::Array3d most = a.array().max(b.array());
+  return (least >= kLeastAlike * most || most - least <= tolerance).all();
 }
-
-}  // namespace
 
 std::vector<Eigen::Isometry3d> box_turns(const ModelExtent& extent,
                                          std::span<const Eigen::Isometry3d> symmetries) {
   std::vector<Eigen::Isometry3d> turns;
   for (const Eigen::Matrix3d& rotation : cube_rotations()) {
-    const Eigen::Array3d turned = (rotation * extent.sides).cwiseAbs();
-    const bool is_alike =
-        (turned.min(extent.sides.array()) >= kLeastAlike * turned.max(extent.sides.array())).all();
-    if (!is_alike || turns_as_one_of(symmetries, rotation)) continue;
+    const Eigen::Vector3d turned = (rotation * extent.sides).cwiseAbs();
+    if (!are_alike(turned, extent.sides, 0.0) || turns_as_one_of(symmetries, rotation)) continue;
     Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
     turn.linear() = rotation;
     turn.translation() = extent.centre - rotation * extent.centre;

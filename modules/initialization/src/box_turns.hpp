@@ -11,6 +11,13 @@
 
 namespace lockbox {
 
+/// The 24 proper rotations of a cube.
+std::vector<Eigen::Matrix3d> cube_rotations();
+
+/// Whether two boxes of these sides differ by no more than a quarter of each, or by the tolerance;
+/// metres.
+bool are_alike(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double tolerance);
+
 /// The motions, in the base's frame, that turn the box around the model at rest onto itself, about
 /// its middle, up to a quarter of each of its sides; without those after which the model looks the
 /// same. symmetries: these, the identity among them.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Hypothesis {
   Configuration configuration;
   std::vector<std::uint8_t> bodies;  ///< whose place is known
   double score = 0.0;                ///< of one stage; the larger, the more convincing
+  std::size_t held = 0;              ///< the body that stays where it is while joints are sought
 };
 
 /// What a stage keeps of its hypotheses.

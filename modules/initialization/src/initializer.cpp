@@ -67,7 +67,7 @@ std::vector<Candidate> Initializer::find_part(const TiledCloud& cloud,
   const Configuration held_or_rest = held.value_or(rest_configuration(w.sought.model.tree));
   w.image.look_at(cloud);
   std::vector<Candidate> answers = w.rounds.seek(w.image, held_or_rest, most_rounds, progress);
-  if (!answers.empty()) w.joints.rescan(w.image, answers.front());
+  if (!answers.empty()) w.joints.rescan(w.image, w.rounds.assessment(), answers.front());
   return answers;
 }
 

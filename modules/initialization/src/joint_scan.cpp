@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lockbox/initialization/initializer.hpp"
+#include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/model/variable_range.hpp"
 
@@ -78,30 +79,44 @@ std::vector<std::size_t> best_peaks(const Positions& positions, const std::vecto
 class JointScan {
  public:
   JointScan(const KinematicTree& tree, const ModelExtent& extent, ViewScore& score,
-            const std::vector<int>& variables, double slack, const ScanSteps& steps)
+            const std::vector<int>& variables, double slack, const ScanSteps& steps,
+            std::size_t held)
       : tree_(tree),
+        held_(held),
         score_(score),
         variables_(variables),
         slack_(slack),
         steps_(steps),
         extent_(extent.variables),
         nothing_(tree.bodies.size(), 0) {
-    for (int v = 0; v < tree.variables(); ++v) moved_.push_back(moved_bodies(tree, v));
+    for (int v = 0; v < tree.variables(); ++v) moved_.push_back(moved_bodies(tree, v, held));
+    if (held == 0) return;  // the order of the tree is outward from its base
+    const auto bodies = [&](int v) {
+      const auto& moved = moved_[static_cast<std::size_t>(v)];
+      return std::count(moved.begin(), moved.end(), std::uint8_t{1});
+    };
+    std::stable_sort(variables_.begin(), variables_.end(),
+                     [&](int a, int b) { return bodies(a) > bodies(b); });
   }
 
-  /// Sets the margins of those that are listed.
+  /// Tells of all.
+  void scan_all(Configuration& configuration, ScannedJoints& scanned) {
+    scan_each(variables_, configuration, scanned);
+  }
+
+ private:
+  /// Tells of those that are listed.
   void scan_each(const std::vector<int>& variables, Configuration& configuration,
-                 std::vector<double>& margins) {
+                 ScannedJoints& scanned) {
     std::vector<std::uint8_t> is_done(static_cast<std::size_t>(tree_.variables()), 0);
     for (const int variable : variables) {
       if (is_done[static_cast<std::size_t>(variable)] != 0) continue;
       const std::vector<int> carried = carried_by(variable);
-      scan(variable, carried, configuration, margins);
+      scan(variable, carried, configuration, scanned);
       for (const int other : carried) is_done[static_cast<std::size_t>(other)] = 1;
     }
   }
 
- private:
   /// Those of the list that move some of what this one moves, and nothing else.
   std::vector<int> carried_by(int variable) const {
     const auto& moved = moved_[static_cast<std::size_t>(variable)];
@@ -116,16 +131,16 @@ class JointScan {
   }
 
   void scan(int variable, const std::vector<int>& carried, Configuration& configuration,
-            std::vector<double>& margins) {
+            ScannedJoints& scanned) {
     const Positions positions = whole_range(variable, configuration);
     if (positions.size() == 0) return;
     if (!carried.empty()) {
-      scan_with_carried(variable, positions, carried, configuration, margins);
+      scan_with_carried(variable, positions, carried, configuration, scanned);
       return;
     }
     const auto& values = positions.values;
     const std::vector<double> scores = scores_at(values, variable, nothing_, configuration);
-    margins[static_cast<std::size_t>(variable)] = margin_of(positions, scores);
+    tell(variable, positions, scores, scanned);
     const bool has_moved = move_to_best(values, variable, scores, kLeastGain, configuration);
     look_closer(positions.step, variable, nothing_, has_moved ? 0.0 : kLeastGain, configuration);
   }
@@ -133,11 +148,11 @@ class JointScan {
   /// What is carried may stand anywhere yet, and would speak for or against every position: it is
   /// left out until the best ones are known, then scanned at each of them.
   void scan_with_carried(int variable, const Positions& positions, const std::vector<int>& carried,
-                         Configuration& configuration, std::vector<double>& margins) {
+                         Configuration& configuration, ScannedJoints& scanned) {
     const std::vector<std::uint8_t> left_out = moved_by(carried);
     const std::vector<double> scores =
         scores_at(positions.values, variable, left_out, configuration);
-    margins[static_cast<std::size_t>(variable)] = margin_of(positions, scores);
+    tell(variable, positions, scores, scanned);
     std::vector<std::size_t> peaks = best_peaks(positions, scores);
     const bool follows_all = nested_ < kMostNested && carried.size() <= kMostCarried;
     if (!follows_all) peaks.resize(std::min<std::size_t>(1, peaks.size()));
@@ -145,20 +160,31 @@ class JointScan {
     if (follows_all || peaks.empty()) trials.push_back(configuration);
     for (const std::size_t peak : peaks) {
       Configuration& trial = trials.emplace_back(configuration);
-      trial.q[variable] = positions.values[peak];
+      move_to(positions.values[peak], variable, trial);
       look_closer(positions.step, variable, left_out, 0.0, trial);
     }
-    std::vector<std::vector<double>> margins_there(trials.size(), margins);
+    std::vector<ScannedJoints> scanned_there(trials.size(), scanned);
     nested_ += follows_all ? 1 : 0;
     for (std::size_t i = 1; i < trials.size(); ++i) {
-      scan_each(carried, trials[i], margins_there[i]);
+      scan_each(carried, trials[i], scanned_there[i]);
     }
     nested_ -= follows_all ? 1 : 0;
-    const std::vector<double> totals = score_.scan(trials, variable, nothing_, slack_);
+    const std::vector<double> totals =
+        score_.scan(trials, moved_[static_cast<std::size_t>(variable)], nothing_, slack_);
     const auto best =
         static_cast<std::size_t>(std::max_element(totals.begin(), totals.end()) - totals.begin());
-    margins = margins_there[std::max<std::size_t>(best, 1)];  // the first trial is as it was
+    scanned = scanned_there[std::max<std::size_t>(best, 1)];  // the first trial is as it was
     if (totals[best] - totals.front() > kLeastGain) configuration = trials[best];
+  }
+
+  static void tell(int variable, const Positions& positions, const std::vector<double>& scores,
+                   ScannedJoints& scanned) {
+    const auto v = static_cast<std::size_t>(variable);
+    scanned.margins[v] = margin_of(positions, scores);
+    scanned.peaks[v].clear();
+    for (const std::size_t peak : best_peaks(positions, scores)) {
+      scanned.peaks[v].push_back(positions.values[peak]);
+    }
   }
 
   std::vector<std::uint8_t> moved_by(const std::vector<int>& variables) const {
@@ -172,9 +198,9 @@ class JointScan {
   }
 
   /// None if the variable moves nothing.
-  Positions whole_range(int variable, const Configuration& configuration) const {
+  Positions whole_range(int variable, const Configuration& configuration) {
     const VariableRange range = variable_range(tree_, variable, configuration.q[variable]);
-    const double reach = range.extent() * extent_[variable];
+    const double reach = range.extent() * motion_of(variable, configuration);
     if (!(reach > 0.0)) return {{}, 0.0, false};
     const int steps =
         std::clamp(static_cast<int>(reach / steps_.metres) + 1, kFewestSteps, kMostSteps);
@@ -186,18 +212,51 @@ class JointScan {
                                 const std::vector<std::uint8_t>& left_out,
                                 const Configuration& configuration) {
     trials_.assign(positions.size() + 1, configuration);
-    for (std::size_t i = 0; i < positions.size(); ++i) trials_[i].q[variable] = positions[i];
-    return score_.scan(trials_, variable, left_out, slack_);
+    for (std::size_t i = 0; i < positions.size(); ++i) move_to(positions[i], variable, trials_[i]);
+    return score_.scan(trials_, moved_[static_cast<std::size_t>(variable)], left_out, slack_);
   }
 
   /// If it is better by more than that.
-  static bool move_to_best(const std::vector<double>& positions, int variable,
-                           const std::vector<double>& scores, double least_gain,
-                           Configuration& configuration) {
+  bool move_to_best(const std::vector<double>& positions, int variable,
+                    const std::vector<double>& scores, double least_gain,
+                    Configuration& configuration) {
     const auto best = std::max_element(scores.begin(), scores.end() - 1);
     if (!(*best - scores.back() > least_gain)) return false;
-    configuration.q[variable] = positions[static_cast<std::size_t>(best - scores.begin())];
+    move_to(positions[static_cast<std::size_t>(best - scores.begin())], variable, configuration);
     return true;
+  }
+
+  /// The held body stays where it is: if the variable moves it, the base goes the other way.
+  void move_to(double position, int variable, Configuration& configuration) {
+    const bool moves_base = moved_[static_cast<std::size_t>(variable)][0] != 0;
+    Eigen::Isometry3d T_camera_held;
+    if (moves_base) {
+      forward_kinematics(tree_, configuration, poses_);
+      T_camera_held = poses_[held_];
+    }
+    configuration.q[variable] = position;
+    if (!moves_base) return;
+    forward_kinematics(tree_, configuration, poses_);
+    configuration.T_camera_base = T_camera_held * poses_[held_].inverse() * poses_[0];
+  }
+
+  /// Metres that the farthest surface moves for a unit of the variable.
+  double motion_of(int variable, const Configuration& configuration) {
+    const std::vector<std::uint8_t>& moved = moved_[static_cast<std::size_t>(variable)];
+    if (moved[0] == 0) return extent_[variable];
+    constexpr double kStep = 0.01;  // radians or metres, small against a turn
+    Configuration other = configuration;
+    move_to(configuration.q[variable] + kStep, variable, other);
+    BodyPoses before;
+    forward_kinematics(tree_, configuration, before);
+    forward_kinematics(tree_, other, poses_);
+    double farthest = 0.0;
+    for (std::size_t b = 0; b < moved.size(); ++b) {
+      if (moved[b] == 0) continue;
+      farthest =
+          std::max(farthest, farthest_corner(bounds(tree_.bodies[b].mesh), before[b], poses_[b]));
+    }
+    return farthest / kStep;
   }
 
   /// Halves the steps around where the variable is.
@@ -215,26 +274,29 @@ class JointScan {
   }
 
   const KinematicTree& tree_;
+  std::size_t held_;
   ViewScore& score_;
-  const std::vector<int>& variables_;
+  std::vector<int> variables_;  ///< outward from the held body
   double slack_;
   ScanSteps steps_;
   const Eigen::VectorXd& extent_;
   std::vector<std::vector<std::uint8_t>> moved_;  ///< by variable and body
   std::vector<std::uint8_t> nothing_;             ///< left out, by body
   std::vector<Configuration> trials_;
+  BodyPoses poses_;
   int nested_ = 0;  ///< joints under way that carry the one that is scanned
 };
 
 }  // namespace
 
-std::vector<double> scan_joints(const KinematicTree& tree, const ModelExtent& extent,
-                                ViewScore& score, const std::vector<int>& variables, double slack,
-                                const ScanSteps& steps, Configuration& configuration) {
-  std::vector<double> margins(static_cast<std::size_t>(tree.variables()), kInfinity);
-  JointScan(tree, extent, score, variables, slack, steps)
-      .scan_each(variables, configuration, margins);
-  return margins;
+ScannedJoints scan_joints(const KinematicTree& tree, const ModelExtent& extent, ViewScore& score,
+                          const std::vector<int>& variables, double slack, const ScanSteps& steps,
+                          Configuration& configuration, std::size_t held) {
+  const auto count = static_cast<std::size_t>(tree.variables());
+  ScannedJoints scanned{std::vector<double>(count, kInfinity),
+                        std::vector<std::vector<double>>(count)};
+  JointScan(tree, extent, score, variables, slack, steps, held).scan_all(configuration, scanned);
+  return scanned;
 }
 
 void scan_by_image(LowProminence& low_prominence, const TiledCloud& cloud,

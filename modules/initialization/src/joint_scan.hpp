@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "lockbox/terms/low_prominence.hpp"
@@ -20,14 +21,22 @@ struct ScanSteps {
 inline constexpr ScanSteps kGlance{0.06, 0};
 inline constexpr ScanSteps kScan{0.012, 2};
 
-/// Moves one joint variable after the other, in the order of the tree, to the position of its whole
-/// range that explains the view best; those that carry others together with them. A variable that
-/// changes nothing in the view stays where it is. slack: metres that surfaces may be off. Returns,
-/// by variable, by how many pixels the best position explains more than any that is not beside it;
-/// infinity where nothing is seen of it.
-std::vector<double> scan_joints(const KinematicTree& tree, const ModelExtent& extent,
-                                ViewScore& score, const std::vector<int>& variables, double slack,
-                                const ScanSteps& steps, Configuration& configuration);
+/// What a scan tells of each variable.
+struct ScannedJoints {
+  /// By how many pixels the best position explains more than any that is not beside it; infinity
+  /// where nothing is seen of it.
+  std::vector<double> margins;
+  /// Positions that are better than those beside them, the best first, three at most.
+  std::vector<std::vector<double>> peaks;
+};
+
+/// Moves one joint variable after the other, outward from the body that is held where it is, to the
+/// position of its whole range that explains the view best; those that carry others together with
+/// them. A variable that changes nothing in the view stays where it is. slack: metres that surfaces
+/// may be off.
+ScannedJoints scan_joints(const KinematicTree& tree, const ModelExtent& extent, ViewScore& score,
+                          const std::vector<int>& variables, double slack, const ScanSteps& steps,
+                          Configuration& configuration, std::size_t held = 0);
 
 /// The same for variables whose parts hardly stand out of the noise, or of which too little is
 /// seen: the likelihood of the image decides. For everything else known to a few millimetres.

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "joint_scan.hpp"
+#include "lockbox/verification/belief.hpp"
 
 namespace lockbox {
 namespace {
@@ -16,6 +18,11 @@ constexpr double kFinePixels = 4.0;  // of the finer view, in one of the coarser
 constexpr double kRefinedSlack = 0.003;
 constexpr double kFirstSlack = 0.01;
 constexpr double kLastSlack = 0.006;
+/// Of what a joint moves, the share that is explained, as TrackerOptions::least_of_sought_body.
+constexpr double kMostlyHidden = 0.5;
+/// Log odds of a position against any other, with which it is known: 99 to 1, as belief of the
+/// base. Doubled, few parts of which a strip is in view are.
+constexpr double kSurelyThere = 4.6;
 
 }  // namespace
 
@@ -25,20 +32,46 @@ JointSearch::JointSearch(const SoughtModel& sought, const InitializerOptions& op
       options_(options),
       executor_(executor),
       exact_(exact),
+      moves_(sought.model.tree),
       coarse_(sought.from_afar, noise.coarse, options.stop_request),
       fine_(sought.from_afar, noise.fine, options.stop_request),
       low_prominence_(sought.model, options.registration, executor) {}
 
-void JointSearch::rescan(SearchImage& image, Candidate& answer) {
+void JointSearch::rescan(SearchImage& image, Assessment& assessment, Candidate& answer) {
   fine_.set_view(image.fine_view(), kIsKnown);
   const std::vector<int>& variables = sought_.variables;
   Configuration& configuration = answer.configuration;
-  answer.margins = scan_joints(sought_.model.tree, sought_.extent, fine_, variables, kRefinedSlack,
-                               kScan, configuration);
+  ScannedJoints scanned = scan_joints(sought_.model.tree, sought_.extent, fine_, variables,
+                                      kRefinedSlack, kScan, configuration);
+  answer.margins = std::move(scanned.margins);
   scan_by_image(low_prominence_, image.cloud(), variables, answer.margins, options_.stop_request,
                 configuration);
   exact_.resolve_overlap(image.cloud(), variables, answer.margins, configuration);
   exact_.refine(image, configuration);
+  doubt_hidden(image, assessment, scanned.peaks, answer);
+}
+
+/// What hides a part for the most part may pass for it, at some other position. A drawing goes by
+/// pixels, evidence by lines: where the two do not agree, nobody knows.
+void JointSearch::doubt_hidden(SearchImage& image, Assessment& assessment,
+                               const std::vector<std::vector<double>>& peaks, Candidate& answer) {
+  const KinematicTree& tree = sought_.model.tree;
+  const RegistrationResult seen = exact_.compare(image.cloud(), answer.configuration);
+  const double evidence = assessment.evidence(answer.configuration);
+  for (const int variable : sought_.variables) {
+    const auto v = static_cast<std::size_t>(variable);
+    const auto joint = static_cast<std::size_t>(tree.variable_joint[v]);
+    const auto body = static_cast<std::size_t>(tree.joints[joint].child_body);
+    if (!(seen.body_agreement[body].explained < kMostlyHidden)) continue;
+    for (const double position : peaks[v]) {
+      Configuration other = answer.configuration;
+      other.q[variable] = position;
+      exact_.refine(image, other);
+      if (moves_.between(other, answer.configuration) < least_apart(sought_.extent)) continue;
+      const double against = assessment.evidence(other);
+      if (log_odds(evidence, against) < kSurelyThere) answer.margins[v] = kNotTold;
+    }
+  }
 }
 
 SoughtJoints JointSearch::find(const TiledCloud& cloud, const Configuration& start,
@@ -52,7 +85,8 @@ SoughtJoints JointSearch::find(const TiledCloud& cloud, const Configuration& sta
   scan_joints(sought_.model.tree, sought_.extent, coarse_, sought, kFirstSlack, kScan,
               found.configuration);
   found.margins = scan_joints(sought_.model.tree, sought_.extent, coarse_, sought, kLastSlack,
-                              kScan, found.configuration);
+                              kScan, found.configuration)
+                      .margins;
   for (double& margin : found.margins) margin *= kFinePixels;
   scan_by_image(low_prominence_, cloud, sought, found.margins, options_.stop_request,
                 found.configuration);

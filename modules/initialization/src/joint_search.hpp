@@ -4,8 +4,10 @@
 
 #include <vector>
 
+#include "assessment.hpp"
 #include "exact_fit.hpp"
 #include "lockbox/initialization/initializer.hpp"
+#include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/terms/low_prominence.hpp"
 #include "search_image.hpp"
 
@@ -18,18 +20,23 @@ class JointSearch {
   JointSearch(const SoughtModel& sought, const InitializerOptions& options, const ViewNoise& noise,
               ExactFit& exact, const Executor& executor);
 
-  /// Of an answer, all joints once more, then all of it made exact.
-  void rescan(SearchImage& image, Candidate& answer);
+  /// Of an answer, all joints once more, then all of it made exact. A joint of a part
+  /// that is mostly hidden is told only if evidence speaks for its position against the others.
+  void rescan(SearchImage& image, Assessment& assessment, Candidate& answer);
 
   /// These variables, each over its whole range, around a base that is known.
   SoughtJoints find(const TiledCloud& cloud, const Configuration& start,
                     const std::vector<int>& variables);
 
  private:
+  void doubt_hidden(SearchImage& image, Assessment& assessment,
+                    const std::vector<std::vector<double>>& peaks, Candidate& answer);
+
   const SoughtModel& sought_;
   InitializerOptions options_;
   Executor executor_;
   ExactFit& exact_;
+  MotionMetric moves_;
   ViewScore coarse_;
   ViewScore fine_;
   LowProminence low_prominence_;

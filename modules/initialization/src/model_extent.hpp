@@ -2,7 +2,7 @@
 // How far surfaces move when something turns or slides.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "lockbox/model/kinematic_tree.hpp"
 
@@ -16,5 +16,12 @@ struct ModelExtent {
 };
 
 ModelExtent model_extent(const KinematicTree& tree);
+
+/// Metres from which on two answers are two: 0.15 of the model's radius, at most 20 mm.
+double least_apart(const ModelExtent& extent);
+
+/// Metres that the farthest corner of the box moves; 0 for an empty box.
+double farthest_corner(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& from,
+                       const Eigen::Isometry3d& to);
 
 }  // namespace lockbox

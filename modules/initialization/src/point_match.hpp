@@ -3,6 +3,7 @@
 // cannot be the model.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "lockbox/verification/coarse_view.hpp"
@@ -17,8 +18,11 @@ struct BodyPairs {
   PointPairs pairs;
 };
 
-/// Of the body with the largest surface.
-BodyPairs make_body_pairs(const KinematicTree& tree, const Executor& executor);
+/// The bodies that may be found by themselves: that with the largest surface first, and those that
+/// have no much smaller one.
+std::vector<std::size_t> telling_bodies(const KinematicTree& tree);
+
+BodyPairs make_body_pairs(const KinematicTree& tree, std::size_t body, const Executor& executor);
 
 /// The depths of the view without the planes of the scene that reach farther than the model could:
 /// walls, tables. diameter: of the model, metres. The planes may be of a coarser view.

@@ -20,7 +20,11 @@ constexpr std::size_t kMostVotes = 300;
 
 Proposer::Proposer(const SoughtModel& sought, const StopRequest& stop_request,
                    const Executor& executor)
-    : sought_(sought), stop_request_(stop_request), executor_(executor) {}
+    : sought_(sought),
+      stop_request_(stop_request),
+      executor_(executor),
+      telling_(telling_bodies(sought.model.tree)),
+      pairs_(telling_.size()) {}
 
 std::vector<Hypothesis> Proposer::by_sides(SearchImage& image, const PlanarScene& scene,
                                            const Configuration& held, const Breadth& breadth) {
@@ -66,18 +70,39 @@ void Proposer::score_match(SearchImage& image, const Configuration& held, bool i
 
 std::vector<Hypothesis> Proposer::by_points(SearchImage& image, const Configuration& held,
                                             const Breadth& breadth) {
-  if (!pairs_) pairs_ = make_body_pairs(sought_.model.tree, executor_);
-  const CoarseView& view = image.fine_view();
-  const std::vector<float> depth =
-      without_wide_planes(view, image.scene(), 2.0 * sought_.extent.radius);
-  const double spacing = pairs_->pairs.spacing();
-  const auto points = points_of_view({view.camera, depth, image.noise().fine}, spacing);
   std::vector<Hypothesis> found;
-  for (const PoseVote& vote : pairs_->pairs.vote(points, kMostVotes, executor_, stop_request_)) {
-    for (Hypothesis& there : with_body_at(sought_, held, pairs_->body, vote.T_camera_body)) {
+  for (const PoseVote& vote : votes(image, 0)) {
+    for (Hypothesis& there : with_body_at(sought_, held, telling_[0], vote.T_camera_body)) {
       found.push_back(std::move(there));
     }
   }
+  return scored(image, breadth, std::move(found));
+}
+
+std::vector<Hypothesis> Proposer::by_points_of_others(SearchImage& image, const Configuration& held,
+                                                      const Breadth& breadth) {
+  std::vector<Hypothesis> found;
+  for (std::size_t i = 1; i < telling_.size(); ++i) {
+    for (const PoseVote& vote : votes(image, i)) {
+      found.push_back(with_body_held(sought_, held, telling_[i], vote.T_camera_body));
+    }
+  }
+  return scored(image, breadth, std::move(found));
+}
+
+std::vector<PoseVote> Proposer::votes(SearchImage& image, std::size_t telling) {
+  std::optional<BodyPairs>& body = pairs_[telling];
+  if (!body) body = make_body_pairs(sought_.model.tree, telling_[telling], executor_);
+  const CoarseView& view = image.fine_view();
+  const std::vector<float> depth =
+      without_wide_planes(view, image.scene(), 2.0 * sought_.extent.radius);
+  const auto points =
+      points_of_view({view.camera, depth, image.noise().fine}, body->pairs.spacing());
+  return body->pairs.vote(points, kMostVotes, executor_, stop_request_);
+}
+
+std::vector<Hypothesis> Proposer::scored(SearchImage& image, const Breadth& breadth,
+                                         std::vector<Hypothesis> found) const {
   executor_.for_each(found.size(), [&](std::size_t i) {
     found[i].score = image.score(found[i], kMatchSlack, kPointTolerance, breadth.is_close);
   });

@@ -24,19 +24,29 @@ class Proposer {
   std::vector<Hypothesis> by_sides(SearchImage& image, const PlanarScene& scene,
                                    const Configuration& held, const Breadth& breadth);
 
-  /// Pairs of points of the finer view, but for its wide planes.
+  /// Pairs of points of the finer view, but for its wide planes, as those of the body that tells
+  /// most.
   std::vector<Hypothesis> by_points(SearchImage& image, const Configuration& held,
                                     const Breadth& breadth);
+  /// The same as those of the other bodies that tell, which are held there: joints are sought from
+  /// them.
+  std::vector<Hypothesis> by_points_of_others(SearchImage& image, const Configuration& held,
+                                              const Breadth& breadth);
 
  private:
   void score_match(SearchImage& image, const Configuration& held, bool is_close,
                    Hypothesis& hypothesis) const;
 
+  std::vector<PoseVote> votes(SearchImage& image, std::size_t telling);
+  std::vector<Hypothesis> scored(SearchImage& image, const Breadth& breadth,
+                                 std::vector<Hypothesis> found) const;
+
   const SoughtModel& sought_;
   StopRequest stop_request_;
   Executor executor_;
   std::optional<std::vector<HeightTemplate>> templates_;  ///< made when first matched
-  std::optional<BodyPairs> pairs_;                        ///< made when first needed
+  std::vector<std::size_t> telling_;                      ///< bodies, the one that tells most first
+  std::vector<std::optional<BodyPairs>> pairs_;           ///< of these; made when first needed
 };
 
 }  // namespace lockbox

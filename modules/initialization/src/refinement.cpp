@@ -68,7 +68,7 @@ void Refinement::place(SearchImage& image, const Breadth& breadth,
     take_if_better(std::move(refined), hypothesis);
     hypothesis.bodies = sought_.all_bodies;
     scan_joints(sought_.model.tree, sought_.extent, image.coarse_score(), sought_.variables, 0.02,
-                kGlance, hypothesis.configuration);
+                kGlance, hypothesis.configuration, hypothesis.held);
     hypothesis.score = image.score(hypothesis, slack, 0.5, breadth.is_close);
   });
   hypotheses = best_apart(std::move(hypotheses), breadth.placed, sought_.extent);
@@ -80,7 +80,7 @@ void Refinement::pose(SearchImage& image, const Breadth& breadth,
     Hypothesis& hypothesis = hypotheses[i];
     // Metres of slack: the base was aligned. Source: not recorded.
     scan_joints(sought_.model.tree, sought_.extent, image.coarse_score(), sought_.variables, 0.01,
-                kScan, hypothesis.configuration);
+                kScan, hypothesis.configuration, hypothesis.held);
     hypothesis.score = image.score_closely(hypothesis.configuration, kPoseSlack);
     Hypothesis refined = hypothesis;
     for (int round = 0; round < kRounds; ++round) {

@@ -91,8 +91,10 @@ constexpr std::array<Round, 4> kFlatRounds{{{Proposals::sides, &kUsual, kFirst, 
                                             {Proposals::points, &kOfPoints, kFirst, kPossible},
                                             {Proposals::all_sides, &kWide, kAllAtOnce, kPossible}}};
 /// Of what is mostly round.
-constexpr std::array<Round, 2> kRoundRounds{{{Proposals::sides, &kUsual, kFirst, kConvincing},
-                                             {Proposals::points, &kOfPoints, kFirst, kPossible}}};
+constexpr std::array<Round, 3> kRoundRounds{
+    {{Proposals::sides, &kUsual, kFirst, kConvincing},
+     {Proposals::points, &kOfPoints, kFirst, kPossible},
+     {Proposals::points_of_others, &kOfPoints, kFirst, kPossible}}};
 
 /// What may speak against an answer that is clear, of what speaks for it. Source: right answers of
 /// tuning scenes have 0.01 to 0.28, wrong ones that do not look the same 0.6 and more; in a real
@@ -122,6 +124,13 @@ std::vector<std::vector<Hypothesis>> in_batches(std::vector<Hypothesis> hypothes
                                  std::make_move_iterator(hypotheses.end()));
   hypotheses.resize(first);
   return {std::move(hypotheses), std::move(others)};
+}
+
+/// What has one body has no others.
+std::span<const Round> rounds_of(const SoughtModel& sought) {
+  if (sought.is_flat) return kFlatRounds;
+  const std::span<const Round> rounds = kRoundRounds;
+  return sought.model.tree.bodies.size() > 1 ? rounds : rounds.first(2);
 }
 
 /// Whether the best is more probable than none.
@@ -161,6 +170,8 @@ std::vector<Hypothesis> SearchRounds::proposed(SearchImage& image, const Configu
       }
       return best_apart(std::move(all), breadth.matched, sought_.extent);
     }
+    case Proposals::points_of_others:
+      return proposer_.by_points_of_others(image, held, breadth);
     case Proposals::points:
       break;
   }
@@ -228,8 +239,7 @@ std::vector<Candidate> SearchRounds::seek(SearchImage& image, const Configuratio
   std::vector<Candidate> answers;
   assessment_.add_answers(image, known(progress.answers), kRanked, answers);
   double turned = -std::numeric_limits<double>::infinity();
-  const std::span<const Round> rounds =
-      sought_.is_flat ? std::span<const Round>(kFlatRounds) : kRoundRounds;
+  const std::span<const Round> rounds = rounds_of(sought_);
   bool is_convinced = false;
   for (int i = 0; i < most_rounds && !is_convinced && progress.rounds < std::ssize(rounds); ++i) {
     const Round& round = rounds[static_cast<std::size_t>(progress.rounds++)];

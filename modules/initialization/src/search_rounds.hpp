@@ -14,10 +14,11 @@
 namespace lockbox {
 
 enum class Proposals {
-  sides,         ///< flat sides of the model on planes of the view
-  sides_closer,  ///< likewise, on planes of the finer view
-  all_sides,     ///< on planes of both
-  points,        ///< pairs of points
+  sides,             ///< flat sides of the model on planes of the view
+  sides_closer,      ///< likewise, on planes of the finer view
+  all_sides,         ///< on planes of both
+  points,            ///< pairs of points, of the body that tells most
+  points_of_others,  ///< of the other bodies that tell
 };
 
 /// A part of the search. Each looks closer than those before.
@@ -39,6 +40,9 @@ class SearchRounds {
   /// rounds are ranked together. Locked joints stand as in `held`.
   std::vector<Candidate> seek(SearchImage& image, const Configuration& held, int most_rounds,
                               SearchProgress& progress);
+
+  /// Of the image that was sought in last.
+  Assessment& assessment() { return assessment_; }
 
  private:
   std::vector<Hypothesis> proposed(SearchImage& image, const Configuration& held,

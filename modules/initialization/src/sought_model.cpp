@@ -78,4 +78,16 @@ std::vector<Hypothesis> with_body_at(const SoughtModel& sought, const Configurat
   return hypotheses;
 }
 
+Hypothesis with_body_held(const SoughtModel& sought, const Configuration& held, std::size_t body,
+                          const Eigen::Isometry3d& T_camera_body) {
+  const KinematicTree& tree = sought.model.tree;
+  Hypothesis hypothesis{held, std::vector<std::uint8_t>(tree.bodies.size(), 0), 0.0, body};
+  hypothesis.bodies[body] = 1;
+  hypothesis.configuration.T_camera_base.setIdentity();
+  BodyPoses poses;
+  forward_kinematics(tree, hypothesis.configuration, poses);
+  hypothesis.configuration.T_camera_base = T_camera_body * poses[body].inverse();
+  return hypothesis;
+}
+
 }  // namespace lockbox

@@ -33,4 +33,9 @@ struct SoughtModel {
 std::vector<Hypothesis> with_body_at(const SoughtModel& sought, const Configuration& held,
                                      std::size_t body, const Eigen::Isometry3d& T_camera_body);
 
+/// The configuration in which that body is there, all joints as in `held`. The body alone is said
+/// to be known, and stays where it is while joints are sought.
+Hypothesis with_body_held(const SoughtModel& sought, const Configuration& held, std::size_t body,
+                          const Eigen::Isometry3d& T_camera_body);
+
 }  // namespace lockbox

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lockbox/model/forward_kinematics.hpp"
+#include "mistaken_bases.hpp"
 #include "twin_bodies.hpp"
 
 namespace lockbox {
@@ -59,7 +60,8 @@ std::vector<Hypothesis> turned_answers(const SoughtModel& sought, const Configur
     hypotheses.back().configuration.T_camera_base = answer.T_camera_base * turn;
   }
   for (std::vector<Hypothesis> others :
-       {swung(sought, held, answer, bodies), moved_along_twins(sought, held, answer)}) {
+       {swung(sought, held, answer, bodies), moved_along_twins(sought, held, answer),
+        with_base_mistaken(sought, held, answer)}) {
     std::move(others.begin(), others.end(), std::back_inserter(hypotheses));
   }
   return hypotheses;

@@ -8,7 +8,6 @@
 
 #include "contour_continuation.hpp"
 #include "lockbox/kernels/pixel_scores.hpp"
-#include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/rendering/body_item.hpp"
 
 namespace lockbox {
@@ -61,10 +60,11 @@ void ViewScore::draw_bodies(const std::vector<std::uint8_t>& bodies, Drawing& dr
   drawing.renderer->render(items_, drawing.image);
 }
 
-/// Makes moving_ and rest_ show just the part of the view in which the trials show what is moved;
-/// returns false if that is none. Leaves the poses of the last trial.
+/// Makes moving_ and rest_ show just the part of the view in which the trials show what is drawn of
+/// the moved bodies; returns false if that is none. Leaves the poses of the last trial.
 bool ViewScore::frame_motion(std::span<const Configuration> trials,
-                             const std::vector<std::uint8_t>& moved) {
+                             const std::vector<std::uint8_t>& moved,
+                             const std::vector<std::uint8_t>& drawn) {
   const PinholeCamera& camera = view_->camera;
   Eigen::AlignedBox2d frame;
   nearest_reach_ = std::numeric_limits<double>::infinity();
@@ -73,8 +73,8 @@ bool ViewScore::frame_motion(std::span<const Configuration> trials,
   forward_kinematics(tree_, trials.front(), poses_);
   for (const Configuration& trial : trials) {
     forward_kinematics_of(tree_, trial, moved, poses_);
-    for (std::size_t b = 0; b < moved.size(); ++b) {
-      if (moved[b] == 0 || boxes_[b].isEmpty()) continue;
+    for (std::size_t b = 0; b < drawn.size(); ++b) {
+      if (drawn[b] == 0 || boxes_[b].isEmpty()) continue;
       for (int corner = 0; corner < 8; ++corner) {
         const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
         const Eigen::Vector3d p = poses_[b] * boxes_[b].corner(type);
@@ -196,21 +196,22 @@ double ViewScore::fit(const Configuration& configuration, double slack) {
   return count_pixels().fit();
 }
 
-std::vector<double> ViewScore::scan(std::span<const Configuration> trials, int variable,
+std::vector<double> ViewScore::scan(std::span<const Configuration> trials,
+                                    const std::vector<std::uint8_t>& moved,
                                     const std::vector<std::uint8_t>& left_out, double slack) {
-  std::vector<std::uint8_t> moved = moved_bodies(tree_, variable);
-  const std::vector<std::uint8_t> others = others_than(moved);
+  std::vector<std::uint8_t> drawn = moved;
+  std::vector<std::uint8_t> others = others_than(moved);
   for (std::size_t b = 0; b < moved.size(); ++b) {
-    if (left_out[b] != 0) moved[b] = 0;
+    if (left_out[b] != 0) drawn[b] = others[b] = 0;
   }
-  if (!frame_motion(trials, moved)) return std::vector<double>(trials.size(), 0.0);
+  if (!frame_motion(trials, moved, drawn)) return std::vector<double>(trials.size(), 0.0);
   draw_bodies(others, rest_);
   score_pixels(slack, rest_);
   std::vector<double> scores;
   scores.reserve(trials.size());
   for (const Configuration& trial : trials) {
     forward_kinematics_of(tree_, trial, moved, poses_);
-    draw_bodies(moved, moving_);
+    draw_bodies(drawn, moving_);
     score_pixels(slack, moving_);
     scores.push_back(score_of_moved());
   }

@@ -37,9 +37,9 @@ class ViewScore {
   double fit(const Configuration& configuration, double slack);
 
   /// The scores of the whole model, up to a constant, for configurations that differ in nothing but
-  /// what one joint variable moves. left_out: bodies that are not drawn, by body; with each of
-  /// them all that it carries.
-  std::vector<double> scan(std::span<const Configuration> trials, int variable,
+  /// where the moved bodies are. left_out: bodies that are not drawn. Both by body.
+  std::vector<double> scan(std::span<const Configuration> trials,
+                           const std::vector<std::uint8_t>& moved,
                            const std::vector<std::uint8_t>& left_out, double slack);
 
  private:
@@ -55,7 +55,8 @@ class ViewScore {
   void draw(const Configuration& configuration, const std::vector<std::uint8_t>& bodies,
             Drawing& drawing);
   void draw_bodies(const std::vector<std::uint8_t>& bodies, Drawing& drawing);
-  bool frame_motion(std::span<const Configuration> trials, const std::vector<std::uint8_t>& moved);
+  bool frame_motion(std::span<const Configuration> trials, const std::vector<std::uint8_t>& moved,
+                    const std::vector<std::uint8_t>& drawn);
   void score_pixels(double slack, Drawing& drawing) const;
   ViewEvidence count_pixels() const;
   double score_of_moved() const;

@@ -47,6 +47,7 @@ void forward_kinematics(const KinematicTree& tree, const Configuration& configur
 
 void forward_kinematics_of(const KinematicTree& tree, const Configuration& configuration,
                            std::span<const std::uint8_t> bodies, BodyPoses& T_camera_body) {
+  if (bodies[0] != 0) T_camera_body[0] = configuration.T_camera_base;
   for (const Joint& joint : tree.joints) {
     if (bodies[index(joint.child_body)] != 0) place_child(joint, configuration, T_camera_body);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,7 +9,8 @@
 
 namespace lockbox {
 
-/// By body: 1 where the joint variable moves it.
-std::vector<std::uint8_t> moved_bodies(const KinematicTree& tree, int variable);
+/// By body: 1 where the joint variable moves it while the held body stays where it is.
+std::vector<std::uint8_t> moved_bodies(const KinematicTree& tree, int variable,
+                                       std::size_t held = 0);
 
 }  // namespace lockbox
