@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "lockbox/initialization/initializer.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/model/variable_range.hpp"
@@ -25,7 +24,6 @@ constexpr int kMostNested = 2;
 /// sought at each.
 constexpr std::size_t kMostCarried = 10;
 constexpr double kLeastGain = 1.0;  // pixels: worth moving for
-constexpr double kDoubt = 5.0;      // pixels: that two positions may differ by without telling
 constexpr std::size_t kBeside = 2;  // positions that are nearly the same
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -297,21 +295,6 @@ ScannedJoints scan_joints(const KinematicTree& tree, const ModelExtent& extent, 
                         std::vector<std::vector<double>>(count)};
   JointScan(tree, extent, score, variables, slack, steps, held).scan_all(configuration, scanned);
   return scanned;
-}
-
-void scan_by_image(LowProminence& low_prominence, const TiledCloud& cloud,
-                   const std::vector<int>& variables, std::vector<double>& margins,
-                   const StopRequest& stop_request, Configuration& configuration) {
-  for (const int variable : variables) {
-    stop_if(stop_request);
-    const bool is_told =
-        margins[static_cast<std::size_t>(variable)] > kDoubt &&
-        low_prominence.prominence(variable, configuration) > LowProminence::kSurelyStandsOut;
-    if (is_told) continue;
-    const auto match = low_prominence.find_anywhere(cloud, configuration, variable);
-    if (match.better) configuration.q[variable] = match.better->position;
-    if (!match.is_told) margins[static_cast<std::size_t>(variable)] = kNotTold;
-  }
 }
 
 }  // namespace lockbox

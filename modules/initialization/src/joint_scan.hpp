@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lockbox/terms/low_prominence.hpp"
 #include "model_extent.hpp"
 #include "view_score.hpp"
 
@@ -37,13 +36,5 @@ struct ScannedJoints {
 ScannedJoints scan_joints(const KinematicTree& tree, const ModelExtent& extent, ViewScore& score,
                           const std::vector<int>& variables, double slack, const ScanSteps& steps,
                           Configuration& configuration, std::size_t held = 0);
-
-/// The same for variables whose parts hardly stand out of the noise, or of which too little is
-/// seen: the likelihood of the image decides. For everything else known to a few millimetres.
-/// margins: of scan_joints(), in pixels of the finer view; kNotTold is put where the image does not
-/// tell one position from others. Throws Stopped if that is requested.
-void scan_by_image(LowProminence& low_prominence, const TiledCloud& cloud,
-                   const std::vector<int>& variables, std::vector<double>& margins,
-                   const StopRequest& stop_request, Configuration& configuration);
 
 }  // namespace lockbox

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "image_scan.hpp"
 #include "joint_scan.hpp"
 #include "lockbox/verification/belief.hpp"
 
