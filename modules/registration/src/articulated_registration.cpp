@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "descent.hpp"
 #include "lockbox/core/parallel.hpp"
@@ -26,7 +27,7 @@ double turning_sigma(const Eigen::Matrix3d& covariance,
 }  // namespace
 
 /// The stages of an alignment, in the order in which align() calls them. What a stage reads and
-/// what it changes are its parameters; the members at the end are memory that is reused.
+/// what it changes are its parameters: none sets what another reads, but in what it is given.
 struct ArticulatedRegistration::Stages {
   Stages(const ArticulatedModel& of, const RegistrationOptions& how, const Executor& with)
       : model(of),
@@ -35,29 +36,31 @@ struct ArticulatedRegistration::Stages {
         steps(of.tree, how),
         objective(of, how, steps.moves(), with),
         descent(how, objective, steps),
-        contour_step(how, objective, steps),
+        contour_step(steps),
         prominence_step(of, how, objective, steps, with),
-        edge_step(of, how, objective, steps, with),
-        size_meter(of, how, steps) {
+        edge_step(of, how, objective.collision(), steps, with),
+        size_meter(of, how, steps),
+        views(how) {
     options.locked.resize(static_cast<std::size_t>(of.tree.variables()), false);
   }
 
   void align(const TiledCloud& cloud, const Configuration& start, const AlignOptions& align_options,
              RegistrationResult& result);
-  /// Steps by contours and by low prominence. clusters: of residuals, with the weights of these
-  /// steps.
-  void refine_without_edges(const Configuration& start, const AlignOptions& align_options,
-                            Linearization& solution, Estimate& refined,
-                            std::vector<TileSystem>& clusters, JointMatches& seen);
+  SizeMeasurement measure_size(const TiledCloud& cloud, const Configuration& configuration);
+
+  /// Steps by contours and by low prominence. at: where the descent has ended.
+  void refine_without_edges(const Comparison& with, const Configuration& start,
+                            const AlignOptions& align_options, Linearization& at,
+                            SolutionSystem& system, Estimate& refined, JointMatches& seen);
   /// Before edges add to it.
-  void estimate_covariance(const Linearization& solution, const std::vector<TileSystem>& clusters,
-                           const JointMatches& seen, CovarianceEstimator& estimated) const;
+  void estimate_covariance(const SolutionSystem& system, const JointMatches& seen,
+                           CovarianceEstimator& estimated) const;
   /// The consistency check; meanwhile: what is done along with it.
-  void compare_with_image(const BodyPoses& at, FunctionRef<void()> meanwhile,
-                          ConsistencyCheck& compared) const;
-  void report(const Descended& descended, const Estimate& refined, const Linearization& solution,
-              const CovarianceEstimator& estimated, const ConsistencyCheck& compared,
-              RegistrationResult& reported) const;
+  void compare_with_image(const Comparison& with, const BodyPoses& at,
+                          FunctionRef<void()> meanwhile, ConsistencyCheck& compared) const;
+  void report(const Comparison& with, const Descended& ended, const Linearization& at,
+              const Estimate& refined, const CovarianceEstimator& estimated,
+              const ConsistencyCheck& compared, RegistrationResult& reported) const;
 
   const ArticulatedModel& model;
   RegistrationOptions options;
@@ -70,9 +73,16 @@ struct ArticulatedRegistration::Stages {
   EdgeStep edge_step;
   SizeMeter size_meter;
 
+  // What outlasts an alignment, for one that goes on, and for measure_size().
+  Views views;
+  Linearization linearization;
+  std::optional<Comparison> last;  ///< none: there was no alignment
+
+  // Memory of what the stages hand on, and nothing else.
+  Descended descended;
+  SolutionSystem solution;
   Estimate estimate;
-  BodyPoses poses;                ///< of the estimate
-  std::vector<TileSystem> tiles;  ///< clusters of residuals
+  BodyPoses poses;  ///< of the estimate
   JointMatches matches;
   ConsistencyCheck agreement;
   CovarianceEstimator covariance;
@@ -81,52 +91,63 @@ struct ArticulatedRegistration::Stages {
 void ArticulatedRegistration::Stages::align(const TiledCloud& cloud, const Configuration& start,
                                             const AlignOptions& align_options,
                                             RegistrationResult& result) {
-  objective.begin(cloud, align_options);
-  const Descended& descended = descent.run(start, align_options);
+  if (!align_options.goes_on) views.forget();
+  linearization.begin(align_options.goes_on);
+  const Comparison rough{cloud, views.rough, align_options.is_predicted};
+  const Comparison& close =
+      last.emplace(Comparison{cloud, views.close, align_options.is_predicted});
+  descent.run(views.has_rough ? &rough : nullptr, close, start, align_options, linearization,
+              descended);
   // The covariance, and what the model explains, belong to the solution.
-  Linearization& solution = objective.linearize(descended.configuration, 0.0);
+  objective.linearize(close, descended.configuration, 0.0, linearization);
   estimate.configuration = descended.configuration;
-  descent.find_rest(solution, align_options.hold_joints, estimate.at_rest);
-  refine_without_edges(start, align_options, solution, estimate, tiles, matches);
+  descent.find_rest(descended, linearization, align_options.hold_joints, estimate.at_rest);
+  objective.weigh_solution(close, linearization, solution);
+  refine_without_edges(close, start, align_options, linearization, solution, estimate, matches);
   forward_kinematics(model.tree, estimate.configuration, poses);
   // Neither needs the other.
-  const auto covariance_of_points = [&] {
-    estimate_covariance(solution, tiles, matches, covariance);
-  };
-  compare_with_image(poses, covariance_of_points, agreement);
+  const auto covariance_of_points = [&] { estimate_covariance(solution, matches, covariance); };
+  compare_with_image(close, poses, covariance_of_points, agreement);
   if (align_options.iterations > 0 && align_options.at_edges) {
-    edge_step.take(poses, align_options.hold_joints, estimate, covariance);
+    edge_step.take(close, poses, align_options.hold_joints, estimate, covariance);
   }
   covariance.add_floors(steps.moves().scales());
-  report(descended, estimate, solution, covariance, agreement, result);
+  report(close, descended, linearization, estimate, covariance, agreement, result);
+}
+
+SizeMeasurement ArticulatedRegistration::Stages::measure_size(const TiledCloud& cloud,
+                                                              const Configuration& configuration) {
+  if (!cloud.has_image()) return {};
+  const bool is_drawn = last && &last->cloud == &cloud;
+  if (!is_drawn) views.other.forget();
+  const Comparison with = is_drawn ? *last : Comparison{cloud, views.other, false};
+  objective.draw(with, configuration, 0.0);
+  return size_meter.measure(with.view, cloud, configuration);
 }
 
 void ArticulatedRegistration::Stages::refine_without_edges(
-    const Configuration& start, const AlignOptions& align_options, Linearization& solution,
-    Estimate& refined, std::vector<TileSystem>& clusters, JointMatches& seen) {
-  clusters.clear();
-  objective.append_tile_systems(clusters);
+    const Comparison& with, const Configuration& start, const AlignOptions& align_options,
+    Linearization& at, SolutionSystem& system, Estimate& refined, JointMatches& seen) {
   seen.assign(static_cast<std::size_t>(model.tree.variables()), std::nullopt);
-  if (!objective.sees_free_space()) return;
-  contour_step.take(solution, align_options.hold_joints, refined, clusters);
+  if (!objective.sees_free_space(with.cloud)) return;
+  contour_step.take(with.cloud.camera(), align_options.hold_joints, system, refined);
   if (align_options.iterations > 0 && !align_options.hold_joints) {
-    prominence_step.take(start.q, solution, refined, seen);
+    prominence_step.take(with, start.q, at, system, refined, seen);
   }
 }
 
-void ArticulatedRegistration::Stages::compare_with_image(const BodyPoses& at,
+void ArticulatedRegistration::Stages::compare_with_image(const Comparison& with,
+                                                         const BodyPoses& at,
                                                          FunctionRef<void()> meanwhile,
                                                          ConsistencyCheck& compared) const {
-  const PredictedView& view = objective.view();
-  compared.measure(model, view.surface(), view.samples(), at, objective.cloud(), options, executor,
-                   meanwhile);
+  compared.measure(model, with.view.surface(), with.view.samples(), at, with.cloud, options,
+                   executor, meanwhile);
 }
 
-void ArticulatedRegistration::Stages::estimate_covariance(const Linearization& solution,
-                                                          const std::vector<TileSystem>& clusters,
+void ArticulatedRegistration::Stages::estimate_covariance(const SolutionSystem& system,
                                                           const JointMatches& seen,
                                                           CovarianceEstimator& estimated) const {
-  estimated.estimate(solution.data, clusters, options.noise_correlation, solution.jacobians,
+  estimated.estimate(system.data, system.clusters, options.noise_correlation, system.jacobians,
                      steps.scale(), steps.held());
   for (std::size_t v = 0; v < seen.size(); ++v) {
     if (!seen[v]) continue;
@@ -134,8 +155,8 @@ void ArticulatedRegistration::Stages::estimate_covariance(const Linearization& s
   }
 }
 
-void ArticulatedRegistration::Stages::report(const Descended& descended, const Estimate& refined,
-                                             const Linearization& solution,
+void ArticulatedRegistration::Stages::report(const Comparison& with, const Descended& ended,
+                                             const Linearization& at, const Estimate& refined,
                                              const CovarianceEstimator& estimated,
                                              const ConsistencyCheck& compared,
                                              RegistrationResult& reported) const {
@@ -151,18 +172,18 @@ void ArticulatedRegistration::Stages::report(const Descended& descended, const E
   reported.agreement = compared.total();
   reported.body_agreement = compared.bodies();
   reported.contour = compared.contour();
-  reported.flush_bodies = objective.view().continued().flush_bodies();
-  const ModelTerm::Totals& totals = objective.totals();
+  reported.flush_bodies = with.view.continued().flush_bodies();
+  const ModelTerm::Totals& totals = at.totals;
   reported.explained_points = totals.points;
   reported.residual_rms =
       totals.points > 0.0 ? std::sqrt(totals.weighted_squares / totals.points) : 0.0;
-  reported.model_cost = solution.model_cost;
-  reported.free_cost = solution.free_cost;
-  reported.collision_cost = solution.collision_cost;
-  reported.iterations = descended.iterations;
-  reported.converged = descended.converged;
-  reported.last_move = steps.moves().of_significant(descended.last_step, reported.observable,
-                                                    reported.sigma_of_noise);
+  reported.model_cost = at.model_cost;
+  reported.free_cost = at.free_cost;
+  reported.collision_cost = at.collision_cost;
+  reported.iterations = ended.iterations;
+  reported.converged = ended.converged;
+  reported.last_move =
+      steps.moves().of_significant(ended.last_step, reported.observable, reported.sigma_of_noise);
 }
 
 ArticulatedRegistration::ArticulatedRegistration(const ArticulatedModel& model,
@@ -190,9 +211,7 @@ void ArticulatedRegistration::align(const TiledCloud& cloud, const Configuration
 
 SizeMeasurement ArticulatedRegistration::measure_size(const TiledCloud& cloud,
                                                       const Configuration& configuration) {
-  if (!cloud.has_image()) return {};
-  const PredictedView& view = stages_->objective.view_of(cloud, configuration);
-  return stages_->size_meter.measure(view, cloud, configuration);
+  return stages_->measure_size(cloud, configuration);
 }
 
 const RegistrationOptions& ArticulatedRegistration::options() const {

@@ -29,23 +29,26 @@ double annealing_share(int k, int n) {
   return rest > 0.0 ? rest * rest : 0.0;
 }
 
+/// An iteration; false if it is to be the last.
+bool report(const AlignOptions& align_options, bool is_narrow, Descended& found) {
+  ++found.iterations;
+  return !align_options.on_iteration || align_options.on_iteration(found.configuration, is_narrow);
+}
+
 }  // namespace
 
 Descent::Descent(const RegistrationOptions& options, Objective& objective, Steps& steps)
     : step_tolerance_(options.step_tolerance), objective_(objective), steps_(steps) {}
 
-const Descended& Descent::run(const Configuration& start, const AlignOptions& align_options) {
-  found_.configuration = start;
-  found_.last_step.setZero(steps_.scale().unit.size());
-  found_.iterations = 0;
-  found_.converged = false;
-  const bool is_coarse_to_fine =
-      align_options.is_predicted && align_options.iterations > 1 && objective_.sees_free_space();
-  if (is_coarse_to_fine && objective_.has_rough_view()) {
-    objective_.look_roughly();
-  } else {
-    objective_.look_closely();
-  }
+void Descent::run(const Comparison* rough, const Comparison& close, const Configuration& start,
+                  const AlignOptions& align_options, Linearization& at, Descended& found) {
+  found.configuration = start;
+  found.last_step.setZero(steps_.scale().unit.size());
+  found.iterations = 0;
+  found.converged = false;
+  const bool is_coarse_to_fine = align_options.is_predicted && align_options.iterations > 1 &&
+                                 objective_.sees_free_space(close.cloud);
+  const Comparison& with = is_coarse_to_fine && rough != nullptr ? *rough : close;
   const int narrowing =
       align_options.narrowing > 0 ? align_options.narrowing : align_options.iterations;
   const auto annealing_sigma_of = [&](int k) {
@@ -56,63 +59,60 @@ const Descended& Descent::run(const Configuration& start, const AlignOptions& al
   const int iterations = align_options.iterations - (is_coarse_to_fine ? 1 : 0);
   bool go_on = true;
   for (int k = 0; k < iterations && go_on; ++k) {
-    const Linearization& at = objective_.linearize(found_.configuration, annealing_sigma_of(k));
+    objective_.linearize(with, found.configuration, annealing_sigma_of(k), at);
     const bool is_narrow = annealing_sigma_of(k) == 0.0;
     if (is_coarse_to_fine && steps_.add_short(at.all, align_options.hold_joints, kNearEnoughForFine,
-                                              found_.configuration)) {
-      go_on = report(align_options, is_narrow);
+                                              found.configuration)) {
+      go_on = report(align_options, is_narrow, found);
       break;
     }
-    const bool moved = improve(at, align_options.hold_joints, annealing_sigma_of(k + 1));
-    found_.converged = !moved && is_narrow;
-    go_on = report(align_options, is_narrow) && !found_.converged;
+    const bool moved =
+        improve(with, align_options.hold_joints, annealing_sigma_of(k + 1), at, found);
+    found.converged = !moved && is_narrow;
+    go_on = report(align_options, is_narrow, found) && !found.converged;
   }
-  if (is_coarse_to_fine) run_fine_iterations(align_options, go_on);
-  return found_;
+  if (is_coarse_to_fine) run_fine_iterations(close, align_options, go_on, at, found);
 }
 
 /// The last iteration, of all points: mostly what is left is one step, as good as exact.
-void Descent::run_fine_iterations(const AlignOptions& align_options, bool is_to_report) {
-  objective_.look_closely();
+void Descent::run_fine_iterations(const Comparison& with, const AlignOptions& align_options,
+                                  bool is_to_report, Linearization& at, Descended& found) {
   bool moves_on = true;
   for (int k = 0; k < kMostFineIterations * align_options.iterations && moves_on; ++k) {
-    const Linearization& at = objective_.linearize(found_.configuration, 0.0);
+    objective_.linearize(with, found.configuration, 0.0, at);
     const Eigen::VectorXd& step =
-        steps_.best(at.all, found_.configuration, align_options.hold_joints);
-    moves_on = steps_.moves().of(step) > kNearEnough && improve(at, align_options.hold_joints, 0.0);
+        steps_.best(at.all, found.configuration, align_options.hold_joints);
+    moves_on = steps_.moves().of(step) > kNearEnough &&
+               improve(with, align_options.hold_joints, 0.0, at, found);
   }
-  found_.converged = !moves_on;
-  if (!moves_on) found_.last_step.setZero();
-  if (is_to_report) report(align_options, true);
+  found.converged = !moves_on;
+  if (!moves_on) found.last_step.setZero();
+  if (is_to_report) report(align_options, true, found);
 }
 
-void Descent::find_rest(const Linearization& at, bool hold_joints, Configuration& at_rest) {
-  at_rest = found_.configuration;
+void Descent::find_rest(const Descended& found, const Linearization& at, bool hold_joints,
+                        Configuration& at_rest) {
+  at_rest = found.configuration;
   steps_.add_short(at.all, hold_joints, kNearEnough, at_rest);
-}
-
-/// An iteration; false if it is to be the last.
-bool Descent::report(const AlignOptions& align_options, bool is_narrow) {
-  ++found_.iterations;
-  return !align_options.on_iteration || align_options.on_iteration(found_.configuration, is_narrow);
 }
 
 /// Takes the best acceptable step; false if there was none, or none worth taking. Mostly the first
 /// trial is taken: then the next linearisation is made along with its cost.
-bool Descent::improve(const Linearization& at, bool hold_joints, double next_sigma) {
-  found_.last_step.setZero();
+bool Descent::improve(const Comparison& with, bool hold_joints, double next_sigma,
+                      Linearization& at, Descended& found) {
+  found.last_step.setZero();
   double damping = 0.0;
   for (int trial = 0; trial <= kMaxDampings; ++trial) {
-    const Eigen::VectorXd& step = steps_.best(at.all, found_.configuration, hold_joints, damping);
+    const Eigen::VectorXd& step = steps_.best(at.all, found.configuration, hold_joints, damping);
     if (!(steps_.moves().of(step) > step_tolerance_)) {
       return false;
     }
-    candidate_ = found_.configuration;
+    candidate_ = found.configuration;
     apply_step(step, candidate_);
     const auto ahead = trial == 0 ? std::optional(next_sigma) : std::nullopt;
-    if (objective_.cost(candidate_, ahead) < at.cost) {
-      found_.configuration = candidate_;
-      found_.last_step = step;
+    if (objective_.cost(with, candidate_, at, ahead) < at.cost) {
+      found.configuration = candidate_;
+      found.last_step = step;
       return true;
     }
     damping = damping == 0.0 ? kFirstDamping : damping * kDampingGrowth;

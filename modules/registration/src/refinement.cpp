@@ -16,27 +16,21 @@ constexpr double kMostObjection = 4.5;  // of cost: three standard deviations
 
 }  // namespace
 
-ContourStep::ContourStep(const RegistrationOptions& options, Objective& objective, Steps& steps)
-    : weight_(options.noise_correlation / options.contour_correlation),
-      objective_(objective),
-      steps_(steps) {}
-
-void ContourStep::take(Linearization& at, bool hold_joints, Estimate& estimate,
-                       std::vector<TileSystem>& tiles) {
-  objective_.weigh_contours(weight_, tiles);
-  const Eigen::VectorXd& step = steps_.best(at.all, estimate.configuration, hold_joints);
-  const PinholeCamera& camera = objective_.cloud().camera();
+void ContourStep::take(const PinholeCamera& camera, bool hold_joints, SolutionSystem& solution,
+                       Estimate& estimate) {
+  const Eigen::VectorXd& step = steps_.best(solution.all, estimate.configuration, hold_joints);
   if (steps_.moves().of(step) > steps_.farthest_refinement(camera, estimate.configuration)) {
     estimate.configuration = estimate.at_rest;
     return;
   }
   apply_step(step, estimate.configuration);
-  body_steps_.resize(at.jacobians.size());
-  for (std::size_t b = 0; b < at.jacobians.size(); ++b) {
-    body_steps_[b].noalias() = at.jacobians[b] * step;
+  body_steps_.resize(solution.jacobians.size());
+  for (std::size_t b = 0; b < solution.jacobians.size(); ++b) {
+    body_steps_[b].noalias() = solution.jacobians[b] * step;
   }
-  for (TileSystem& tile : tiles) {
-    tile.gradient.noalias() += tile.hessian * body_steps_[static_cast<std::size_t>(tile.body)];
+  for (TileSystem& cluster : solution.clusters) {
+    cluster.gradient.noalias() +=
+        cluster.hessian * body_steps_[static_cast<std::size_t>(cluster.body)];
   }
 }
 
@@ -48,21 +42,21 @@ ProminenceStep::ProminenceStep(const ArticulatedModel& model, const Registration
       steps_(steps),
       low_prominence_(model, options, executor) {}
 
-void ProminenceStep::take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate,
-                          JointMatches& matches) {
+void ProminenceStep::take(const Comparison& with, const Eigen::VectorXd& start, Linearization& at,
+                          SolutionSystem& solution, Estimate& estimate, JointMatches& matches) {
   for (int v = 0; v < model_.tree.variables() && options_.match_low_prominence; ++v) {
     const double prominence = low_prominence_.prominence(v, estimate.configuration);
     if (prominence > LowProminence::kSurelyStandsOut ||
         steps_.held()[static_cast<std::size_t>(6 + v)])
       continue;
     auto& match = matches[static_cast<std::size_t>(v)];
-    match = low_prominence_.find_near(objective_.cloud(), estimate.configuration, v, start[v]);
+    match = low_prominence_.find_near(with.cloud, estimate.configuration, v, start[v]);
     if (prominence > options_.free_space_tolerance &&
-        !is_elsewhere(estimate.configuration, v, match)) {
+        !is_elsewhere(with, estimate.configuration, v, match, at)) {
       match.reset();
       continue;
     }
-    at.forget(6 + v);
+    solution.forget(6 + v);
     if (!match) continue;
     estimate.configuration.q[v] = match->position;
     estimate.at_rest.q[v] = match->position;
@@ -72,32 +66,34 @@ void ProminenceStep::take(const Eigen::VectorXd& start, Linearization& at, Estim
 /// Farther off than the image errs, and the other terms do not mind: points have pulled the joint
 /// along. Where they do mind, what stands out far at places misleads the image, which takes a pixel
 /// at an edge for the mean of both sides.
-bool ProminenceStep::is_elsewhere(const Configuration& estimate, int variable,
-                                  const std::optional<JointMatch>& match) {
+bool ProminenceStep::is_elsewhere(const Comparison& with, const Configuration& estimate,
+                                  int variable, const std::optional<JointMatch>& match,
+                                  Linearization& at) {
   if (!match) return false;
   const double off = std::abs(match->position - estimate.q[variable]);
-  const double pixel = low_prominence_.pixel_step(objective_.cloud().camera(), estimate, variable);
+  const double pixel = low_prominence_.pixel_step(with.cloud.camera(), estimate, variable);
   if (off < kPixelsOff * pixel || off < options_.gate * std::sqrt(match->variance)) return false;
   candidate_ = estimate;
   candidate_.q[variable] = match->position;
-  const double objection = objective_.cost(candidate_) - objective_.cost(estimate);
+  const double objection =
+      objective_.cost(with, candidate_, at) - objective_.cost(with, estimate, at);
   return objection < kMostObjection;
 }
 
 EdgeStep::EdgeStep(const ArticulatedModel& model, const RegistrationOptions& options,
-                   Objective& objective, Steps& steps, const Executor& executor)
+                   CollisionTerm& collision, Steps& steps, const Executor& executor)
     : model_(model),
       patches_per_joint_(
           options.refine_at_edges ? view_detail(options.point_budget).edge_patches_per_joint : 0),
-      objective_(objective),
+      collision_(collision),
       steps_(steps),
       edges_(model.tree, options, executor) {}
 
-void EdgeStep::take(const BodyPoses& poses, bool hold_joints, Estimate& estimate,
-                    CovarianceEstimator& covariance) {
-  const TiledCloud& cloud = objective_.cloud();
+void EdgeStep::take(const Comparison& with, const BodyPoses& poses, bool hold_joints,
+                    Estimate& estimate, CovarianceEstimator& covariance) {
+  const TiledCloud& cloud = with.cloud;
   if (patches_per_joint_ == 0 || !cloud.has_image()) return;
-  const PredictedView& view = objective_.view();
+  const PredictedView& view = with.view;
   body_jacobians(model_.tree, poses, jacobians_);
   edges_.linearize(cloud, view.surface(), view.continued(), patches_per_joint_, poses, jacobians_);
   at_edges_.information = edges_.information();
@@ -108,7 +104,7 @@ void EdgeStep::take(const BodyPoses& poses, bool hold_joints, Estimate& estimate
   all_.information = kOverlap * covariance.information() + at_edges_.information;
   all_.hessian = all_.information;
   all_.gradient = at_edges_.gradient;
-  objective_.collision().linearize(model_, poses, all_);
+  collision_.linearize(model_, poses, all_);
   const Eigen::VectorXd& step = steps_.best(all_, estimate.configuration, hold_joints);
   const double farthest = steps_.farthest_refinement(cloud.camera(), estimate.configuration);
   if (steps_.moves().of(step) > farthest) return;

@@ -24,19 +24,16 @@ struct Estimate {
 /// weights would keep the estimate in wrong minima.
 class ContourStep {
  public:
-  /// Objective and steps must outlive it.
-  ContourStep(const RegistrationOptions& options, Objective& objective, Steps& steps);
+  /// Steps must outlive it.
+  explicit ContourStep(Steps& steps) : steps_(steps) {}
 
-  /// at: the last linearisation, which gets these weights. tiles: the clusters of residuals, which
-  /// follow the step; those of free space are added.
-  void take(Linearization& at, bool hold_joints, Estimate& estimate,
-            std::vector<TileSystem>& tiles);
+  /// The clusters of the solution follow the step.
+  void take(const PinholeCamera& camera, bool hold_joints, SolutionSystem& solution,
+            Estimate& estimate);
 
  private:
-  double weight_;
-  Objective& objective_;
   Steps& steps_;
-  std::vector<Twist> body_steps_;  ///< what the step moves each body by
+  std::vector<Twist> body_steps_;  ///< memory: what the step moves each body by
 };
 
 /// By joint variable, where the image shows it; none for those that were not looked for, or not
@@ -51,21 +48,22 @@ class ProminenceStep {
   ProminenceStep(const ArticulatedModel& model, const RegistrationOptions& options,
                  Objective& objective, const Steps& steps, const Executor& executor);
 
-  /// start: the joint variables before the descent. at: what it says about such joints is
-  /// forgotten. matches: none of each variable before.
-  void take(const Eigen::VectorXd& start, Linearization& at, Estimate& estimate,
-            JointMatches& matches);
+  /// start: the joint variables before the descent. at: where it has ended; costs are those under
+  /// its selection. solution: what it says about such joints is forgotten. matches: none of each
+  /// variable before.
+  void take(const Comparison& with, const Eigen::VectorXd& start, Linearization& at,
+            SolutionSystem& solution, Estimate& estimate, JointMatches& matches);
 
  private:
-  bool is_elsewhere(const Configuration& estimate, int variable,
-                    const std::optional<JointMatch>& match);
+  bool is_elsewhere(const Comparison& with, const Configuration& estimate, int variable,
+                    const std::optional<JointMatch>& match, Linearization& at);
 
   const ArticulatedModel& model_;
   RegistrationOptions options_;
   Objective& objective_;
   const Steps& steps_;
   LowProminence low_prominence_;
-  Configuration candidate_;
+  Configuration candidate_;  ///< memory
 };
 
 /// The last step, from all that has been found, by the likelihood of the image at the model's
@@ -73,21 +71,22 @@ class ProminenceStep {
 /// tell about its angle are its facets.
 class EdgeStep {
  public:
-  /// Model, objective and steps must outlive it.
-  EdgeStep(const ArticulatedModel& model, const RegistrationOptions& options, Objective& objective,
-           Steps& steps, const Executor& executor);
+  /// Model, collision and steps must outlive it.
+  EdgeStep(const ArticulatedModel& model, const RegistrationOptions& options,
+           CollisionTerm& collision, Steps& steps, const Executor& executor);
 
-  /// poses: of the estimate. covariance: what is known by now; what edges tell is added.
-  void take(const BodyPoses& poses, bool hold_joints, Estimate& estimate,
+  /// with: as it was drawn for the solution. poses: of the estimate. covariance: what is known by
+  /// now; what edges tell is added.
+  void take(const Comparison& with, const BodyPoses& poses, bool hold_joints, Estimate& estimate,
             CovarianceEstimator& covariance);
 
  private:
   const ArticulatedModel& model_;
   std::size_t patches_per_joint_;  ///< 0: the step is not taken
-  Objective& objective_;
+  CollisionTerm& collision_;
   Steps& steps_;
   EdgeTerm edges_;
-  std::vector<BodyJacobian> jacobians_;
+  std::vector<BodyJacobian> jacobians_;  ///< memory, as all that follows
   NormalEquations at_edges_;
   NormalEquations all_;
 };
