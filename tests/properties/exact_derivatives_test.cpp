@@ -38,14 +38,11 @@ class ExactDerivatives : public ::testing::Test {
   static constexpr int kSteps = 9;
   const Eigen::VectorXd scales = motion_scales(model.tree);
 
-  /// A few millimetres and degrees off, all unknowns.
-  Configuration displaced(double scale) const {
-    Eigen::VectorXd step(unknowns);
-    step.head<6>() << 0.003, -0.002, 0.0015, 0.01, -0.008, 0.012;
-    for (Eigen::Index v = 6; v < unknowns; ++v) {
-      step[v] = 0.004 * static_cast<double>(v - 4);
-    }
-    return stepped(truth, scale * step);
+  /// Off by one unknown, so that no component of the gradient is steeper, each in its own unit:
+  /// poses are rounded to single precision, which moves bodies along all of them. Surfaces move by
+  /// so many metres.
+  Configuration displaced(Eigen::Index unknown, double metres) const {
+    return stepped(truth, metres / scales[unknown] * Eigen::VectorXd::Unit(unknowns, unknown));
   }
 
   BodyPoses poses(const Configuration& configuration) const {
@@ -64,35 +61,25 @@ class ExactDerivatives : public ::testing::Test {
     return equations;
   }
 
-  /// Component by component, each in its own unit: what the curvature makes of one standard
-  /// deviation. Relative to the steepest component in these units.
-  static void expect_equal(const NormalEquations& analytic, const Eigen::VectorXd& numeric,
-                           double tolerance) {
-    const Eigen::VectorXd unit = analytic.hessian.diagonal().cwiseSqrt().cwiseInverse();
-    const double steepest = unit.cwiseProduct(numeric).cwiseAbs().maxCoeff();
-    for (Eigen::Index i = 0; i < numeric.size(); ++i) {
-      EXPECT_NEAR(unit[i] * analytic.gradient[i], unit[i] * numeric[i], tolerance * steepest)
-          << "unknown " << i;
+  /// Central differences of the fourth order; surfaces move by h metres, and by twice as much. The
+  /// mean is taken over steps that differ a little, because of the rounding.
+  template <typename Cost>
+  double numeric_derivative(const Configuration& at, Eigen::Index unknown, double h,
+                            const Cost& cost) const {
+    const auto difference = [&](double by) {
+      const Eigen::VectorXd step = by * Eigen::VectorXd::Unit(unknowns, unknown);
+      return cost(stepped(at, step)) - cost(stepped(at, -step));
+    };
+    double derivative = 0.0;
+    for (int k = 0; k < kSteps; ++k) {
+      const double e = (0.8 + 0.4 * k / (kSteps - 1)) * h / scales[unknown];
+      derivative += (8.0 * difference(e) - difference(2.0 * e)) / (12.0 * e * kSteps);
     }
+    return derivative;
   }
 
-  /// Central differences of the fourth order; surfaces move by h metres, and by twice as much.
-  /// Poses are rounded to single precision: so the mean is taken over steps that differ a little.
-  template <typename Cost>
-  Eigen::VectorXd numeric_gradient(const Configuration& at, double h, const Cost& cost) const {
-    Eigen::VectorXd gradient(unknowns);
-    for (Eigen::Index i = 0; i < unknowns; ++i) {
-      const auto difference = [&](double by) {
-        const Eigen::VectorXd step = by * Eigen::VectorXd::Unit(unknowns, i);
-        return cost(stepped(at, step)) - cost(stepped(at, -step));
-      };
-      gradient[i] = 0.0;
-      for (int k = 0; k < kSteps; ++k) {
-        const double e = (0.8 + 0.4 * k / (kSteps - 1)) * h / scales[i];
-        gradient[i] += (8.0 * difference(e) - difference(2.0 * e)) / (12.0 * e * kSteps);
-      }
-    }
-    return gradient;
+  static void expect_equal(double analytic, double numeric, Eigen::Index unknown) {
+    EXPECT_NEAR(analytic, numeric, 1e-4 * std::abs(numeric)) << "unknown " << unknown;
   }
 };
 
@@ -151,77 +138,108 @@ class ExactDerivativesOfFields : public ExactDerivatives {
 };
 
 TEST_F(ExactDerivativesOfFields, ModelTermAgreesWithNumericalDifferentiation) {
-  constexpr double kStep = 2e-4;  // metres: below a cell, above rounding
-  const Configuration at = displaced(0.7);
-  TiledCloud cloud = cloud_of(measured(model, truth, "white"));
-  leave_out_borders(model, poses(at), 2.5 * kStep, cloud);
-  ImagePoints points;
-  points.assign(cloud, executor);
+  struct Case {
+    double annealing_sigma;  ///< metres
+    double displacement;     ///< metres, within the gates
+    double step;             ///< metres: below a cell and the sigma, above rounding
+  };
+  const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
   const TermOptions options;
   VisibleSurface surface;
   PixelPrediction predicted;
-  for (const double annealing_sigma : {0.0, 0.01}) {
-    surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
-    surface.predict(points, ContinuedEdges(), executor, predicted);
-    ModelTerm term;
-    std::vector<BodySystem> systems(model.tree.bodies.size());
-    const ModelTerm::Scene scene{model, points, cloud.camera(), predicted, options, executor};
-    const double cost = term.linearize(scene, poses(at), annealing_sigma, systems);
-    EXPECT_NEAR(term.cost(scene, poses(at)), cost, 1e-5 * std::abs(cost));
-    const NormalEquations analytic = mapped(systems, at);
-    const Eigen::VectorXd numeric = numeric_gradient(
-        at, kStep, [&](const Configuration& x) { return term.cost(scene, poses(x)); });
-    ASSERT_GT(term.totals().points, 1000.0);
-    expect_equal(analytic, numeric, 1e-4);
+  ModelTerm term;
+  for (const Case& one : {Case{0.0, 0.002, 2e-4}, Case{0.01, 0.01, 4e-4}}) {
+    for (Eigen::Index i = 0; i < unknowns; ++i) {
+      const Configuration at = displaced(i, one.displacement);
+      TiledCloud inside = cloud;
+      leave_out_borders(model, poses(at), 2.5 * one.step, inside);
+      ImagePoints points;
+      points.assign(inside, executor);
+      surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
+      surface.predict(points, ContinuedEdges(), executor, predicted);
+      std::vector<BodySystem> systems(model.tree.bodies.size());
+      const ModelTerm::Scene scene{model, points, cloud.camera(), predicted, options, executor};
+      const double cost = term.linearize(scene, poses(at), one.annealing_sigma, systems);
+      ASSERT_GT(term.totals().points, 1000.0);
+      EXPECT_NEAR(term.cost(scene, poses(at)), cost, 1e-5 * std::abs(cost));
+      const double numeric = numeric_derivative(
+          at, i, one.step, [&](const Configuration& x) { return term.cost(scene, poses(x)); });
+      expect_equal(mapped(systems, at).gradient[i], numeric, i);
+    }
   }
 }
 
-TEST_F(ExactDerivatives, FreeSpaceTermAgreesWithNumericalDifferentiation) {
-  const TiledCloud cloud = cloud_of(measured(model, truth, "white"));
-  const TermOptions options;
-  const Configuration at = displaced(1.5);
-  VisibleSurface surface;
-  surface.render(model, poses(at), cloud.camera(), cloud.camera().width, executor);
-  ViewEdges edges;
-  edges.find(surface.view(), executor);
-  SamplingPlan plan;
-  plan.plan(surface.view(), edges, 1, cloud.camera().fx, 0.0, surface.view().id.size(), executor);
-  ViewSamples samples;
-  samples.choose(surface, plan.density(), 1, executor);
-  for (std::size_t row = 0; row < samples.rows(); ++row) samples.place_row(surface, row);
-  samples.finish();
-  const ContinuedEdges none;
-  ContourPoints contours;
-  contours.begin(surface.view());
-  for (std::size_t i = 0; i < contours.bands(); ++i) {
-    contours.find_band({model, surface, edges, none, 1, options}, i);
+/// The term of what violates free space at a configuration, and of contours there.
+class ExactDerivativesOfFreeSpace : public ExactDerivatives {
+ protected:
+  static constexpr double kAnnealingSigma = 0.005;  // metres
+
+  /// Returns the cost.
+  double linearize(const Configuration& at) {
+    surface_.render(model, poses(at), cloud_.camera(), cloud_.camera().width, executor);
+    edges_.find(surface_.view(), executor);
+    plan_.plan(surface_.view(), edges_, 1, cloud_.camera().fx, 0.0, surface_.view().id.size(),
+               executor);
+    samples_.choose(surface_, plan_.density(), 1, executor);
+    for (std::size_t row = 0; row < samples_.rows(); ++row) samples_.place_row(surface_, row);
+    samples_.finish();
+    contours_.begin(surface_.view());
+    for (std::size_t i = 0; i < contours_.bands(); ++i) {
+      contours_.find_band({model, surface_, edges_, none_, 1, options_}, i);
+    }
+    term_.select({model, surface_, samples_, contours_, none_, cloud_, options_, executor},
+                 poses(at), kAnnealingSigma);
+    systems_.assign(model.tree.bodies.size(), BodySystem{});
+    return term_.linearize(poses(at), kAnnealingSigma, systems_);
   }
-  FreeSpaceTerm term;
-  std::vector<BodySystem> systems(model.tree.bodies.size());
-  constexpr double kAnnealingSigma = 0.005;
-  term.select({model, surface, samples, contours, none, cloud, options, executor}, poses(at),
-              kAnnealingSigma);
-  const double cost = term.linearize(poses(at), kAnnealingSigma, systems);
-  ASSERT_GT(term.matched_samples(), 50U);
-  EXPECT_NEAR(term.cost(poses(at)), cost, 1e-9 * std::abs(cost));
-  const NormalEquations analytic = mapped(systems, at);
-  // Costs are summed in single precision: steps well above their rounding.
-  const Eigen::VectorXd numeric =
-      numeric_gradient(at, 4e-4, [&](const Configuration& x) { return term.cost(poses(x)); });
-  expect_equal(analytic, numeric, 1e-4);
-  // What the covariance takes for the scatter of this gradient.
-  std::vector<TileSystem> tiles;
-  term.append_tile_systems(poses(at), 0, options.lambda_free, executor, tiles);
-  ASSERT_GT(tiles.size(), 20U);
-  std::vector<BodySystem> sums(systems.size());
-  for (const TileSystem& tile : tiles) {
-    sums[static_cast<std::size_t>(tile.body)] += {tile.hessian, tile.gradient, Matrix6::Zero()};
+
+  const TiledCloud cloud_ = cloud_of(measured(model, truth, "white"));
+  const TermOptions options_{};
+  VisibleSurface surface_;
+  ViewEdges edges_;
+  SamplingPlan plan_;
+  ViewSamples samples_;
+  const ContinuedEdges none_{};
+  ContourPoints contours_;
+  FreeSpaceTerm term_;
+  std::vector<BodySystem> systems_;
+};
+
+TEST_F(ExactDerivativesOfFreeSpace, TermAgreesWithNumericalDifferentiation) {
+  constexpr double kStep = 4e-4;  // metres: costs are summed in single precision
+  for (Eigen::Index i = 0; i < unknowns; ++i) {
+    const Configuration at = displaced(i, 0.005);
+    const double cost = linearize(at);
+    ASSERT_GT(term_.matched_samples(), 50U);
+    EXPECT_NEAR(term_.cost(poses(at)), cost, 1e-9 * std::abs(cost));
+    const double numeric = numeric_derivative(
+        at, i, kStep, [&](const Configuration& x) { return term_.cost(poses(x)); });
+    expect_equal(mapped(systems_, at).gradient[i], numeric, i);
   }
-  for (std::size_t b = 0; b < systems.size(); ++b) {
-    EXPECT_LT((sums[b].hessian - systems[b].hessian).norm(),
-              1e-5 * systems[b].hessian.norm() + 1e-9);
-    EXPECT_LT((sums[b].gradient - systems[b].gradient).norm(),
-              1e-4 * analytic.gradient.norm() + 1e-9);
+}
+
+/// The clusters of residuals, whose scatter the covariance takes for that of the gradient.
+TEST_F(ExactDerivativesOfFreeSpace, ClustersSumUpToTheSystems) {
+  for (Eigen::Index i = 0; i < unknowns; ++i) {
+    const Configuration at = displaced(i, 0.005);
+    linearize(at);
+    std::vector<TileSystem> tiles;
+    term_.append_tile_systems(poses(at), 0, options_.lambda_free, executor, tiles);
+    ASSERT_GT(tiles.size(), 20U);
+    std::vector<BodySystem> sums(systems_.size());
+    for (const TileSystem& tile : tiles) {
+      sums[static_cast<std::size_t>(tile.body)] += {tile.hessian, tile.gradient, Matrix6::Zero()};
+    }
+    for (std::size_t b = 0; b < systems_.size(); ++b) {
+      EXPECT_LT((sums[b].hessian - systems_[b].hessian).norm(),
+                1e-5 * systems_[b].hessian.norm() + 1e-9);
+      // Each component of the gradient as a share of its standard deviation.
+      const Twist unit = systems_[b].hessian.diagonal().cwiseSqrt();
+      EXPECT_TRUE(((sums[b].gradient - systems_[b].gradient).cwiseAbs().array() <=
+                   1e-4 * unit.array() + 1e-9)
+                      .all())
+          << (sums[b].gradient - systems_[b].gradient).cwiseQuotient(unit).transpose();
+    }
   }
 }
 

@@ -139,6 +139,12 @@ class ExactImageDerivatives : public ::testing::Test {
 /// passes: a staircase, of which the derivative is the slope. So it is summed up over ways on which
 /// an edge passes all that a pixel looks at: that is the difference between their ends. A way has
 /// few parts, so that of single pixels the sum is off by a hundredth, but not of all of them.
+///
+/// All of them are off by up to 1e-3. Eight times as many parts leave 2 to 5e-4 of it, which is the
+/// term's own: an edge lies anywhere between two samples, and its step is taken for the difference
+/// of these, into which goes how slanted surfaces change from one sample to the next. Of the slide
+/// that is 0.5, 3.0, 5.5 and 10.1e-4 with no, half, this and twice the tilt, and 5.5, 3.2 and
+/// 2.2e-4 with a focal length of once, twice and three times as many pixels.
 TEST_F(ExactImageDerivatives, SumUpToDifferencesOfTheImage) {
   constexpr int kParts = 130;
   constexpr std::array<double, 9> kHalfWays = {0.03, 0.03, 0.03,   // the base, metres
