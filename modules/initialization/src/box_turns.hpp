@@ -30,4 +30,8 @@ void add_turns_of_base(std::span<const Eigen::Isometry3d> of_base,
                        std::span<const Eigen::Isometry3d> symmetries,
                        std::vector<Eigen::Isometry3d>& turns);
 
+/// Adds turns by a quarter of a right angle about the middle, either way about each axis of the
+/// base: something round may rest so far from where it is.
+void add_near_turns(const ModelExtent& extent, std::vector<Eigen::Isometry3d>& turns);
+
 }  // namespace lockbox

@@ -2,6 +2,7 @@
 #include "joint_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -33,7 +34,6 @@ JointSearch::JointSearch(const SoughtModel& sought, const InitializerOptions& op
       options_(options),
       executor_(executor),
       exact_(exact),
-      moves_(sought.model.tree),
       coarse_(sought.from_afar, noise.coarse, options.stop_request),
       fine_(sought.from_afar, noise.fine, options.stop_request),
       low_prominence_(sought.model, options.registration, executor) {}
@@ -68,7 +68,8 @@ void JointSearch::doubt_hidden(SearchImage& image, Assessment& assessment,
       Configuration other = answer.configuration;
       other.q[variable] = position;
       exact_.refine(image, other);
-      if (moves_.between(other, answer.configuration) < least_apart(sought_.extent)) continue;
+      const double turned = std::abs(other.q[variable] - answer.configuration.q[variable]);
+      if (turned * sought_.extent.variables[variable] < least_apart(sought_.extent)) continue;
       const double against = assessment.evidence(other);
       if (log_odds(evidence, against) < kSurelyThere) answer.margins[v] = kNotTold;
     }

@@ -7,7 +7,6 @@
 #include "assessment.hpp"
 #include "exact_fit.hpp"
 #include "lockbox/initialization/initializer.hpp"
-#include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/terms/low_prominence.hpp"
 #include "search_image.hpp"
 
@@ -36,7 +35,6 @@ class JointSearch {
   InitializerOptions options_;
   Executor executor_;
   ExactFit& exact_;
-  MotionMetric moves_;
   ViewScore coarse_;
   ViewScore fine_;
   LowProminence low_prominence_;

@@ -51,6 +51,7 @@ SoughtModel::SoughtModel(const ArticulatedModel& articulated_model,
   // What is mostly flat is told by its contour.
   const double alike = is_flat ? 1.0 : kMostlyAlike;
   add_turns_of_base(find_body_symmetries(model, 0, alike), symmetries, turns);
+  if (!is_flat) add_near_turns(extent, turns);
 }
 
 std::vector<Hypothesis> with_body_at(const SoughtModel& sought, const Configuration& held,
