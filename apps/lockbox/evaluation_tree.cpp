@@ -12,6 +12,7 @@
 #include "lockbox/core/csv_fields.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/existing_path.hpp"
+#include "lockbox/core/number_text.hpp"
 #include "lockbox/core/text_file.hpp"
 
 namespace lockbox::app {
@@ -19,9 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the run beside the states file says of itself; nothing if it cannot be read, or is no YAML.
-YAML::Node description_beside(const fs::path& states_file) {
-  const fs::path run = states_file.parent_path() / "run.yaml";
+/// What a run says of itself; nothing if it cannot be read, or is no YAML.
+YAML::Node description_in(const fs::path& run) {
   if (!is_file(run)) return {};
   try {
     return YAML::Load(read_text_file(run, kMostWrittenBytes));
@@ -42,13 +42,16 @@ std::optional<fs::path> model_file_of(const YAML::Node& run) {
   return std::nullopt;
 }
 
-/// Metres a unit of the model's meshes, if the run says so.
-double mesh_scale_of(const YAML::Node& run) {
-  try {
-    return run["options"]["mesh-scale"].as<double>(1.0);
-  } catch (const YAML::Exception&) {
-    return 1.0;
-  }
+/// Metres a unit of the model's meshes, if the run says so. file: that it was read from.
+double mesh_scale_of(const YAML::Node& run, const fs::path& file) {
+  const YAML::Node options = run["options"];
+  if (!options.IsDefined() || !options.IsMap()) return 1.0;
+  const YAML::Node scale = options["mesh-scale"];
+  if (!scale.IsDefined()) return 1.0;
+  const auto number = parse_finite_number(scale.IsScalar() ? scale.Scalar() : "");
+  if (number && *number > 0.0) return *number;
+  throw InputError(file.string(), scale.Mark().line + 1,
+                   "'mesh-scale' must be a positive number: metres a unit of the mesh files");
 }
 
 /// The columns after the pose, up to `status`.
@@ -73,11 +76,12 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
 
 std::optional<ArticulatedModel> model_of_run(const fs::path& states_file,
                                              const LoadOptions& options) {
-  const YAML::Node run = description_beside(states_file);
+  const fs::path run_file = states_file.parent_path() / "run.yaml";
+  const YAML::Node run = description_in(run_file);
   const auto model = model_file_of(run);
   if (!model) return std::nullopt;
   LoadOptions as_then = options;
-  if (options.mesh_scale == 1.0) as_then.mesh_scale = mesh_scale_of(run);
+  if (options.mesh_scale == 1.0) as_then.mesh_scale = mesh_scale_of(run, run_file);
   return load_model(*model, as_then);
 }
 

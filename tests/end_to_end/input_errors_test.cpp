@@ -130,12 +130,17 @@ TEST(Model, InMillimetresIsKnownFromItsRun) {
   write_text(mesh, kTetrahedronInMillimetres);
   write_text(states, "timestamp,tx,ty,tz,qx,qy,qz,qw,status\n0,0,0,1,0,0,0,1,tracking\n");
   const std::string run = "model: " + mesh + "\noptions:\n  mesh-scale: ";
-  const auto status_with = [&](const std::string& scale) {
+  const auto result_with = [&](const std::string& scale) {
     write_text(folder / "run.yaml", run + scale + "\n");
-    return run_tool({"evaluate", "--estimate", states, "--reference", states}).status;
+    return run_tool({"evaluate", "--estimate", states, "--reference", states});
   };
-  EXPECT_EQ(status_with("0.001"), 0);
-  EXPECT_EQ(status_with("1"), 3);
+  EXPECT_EQ(result_with("0.001").status, 0);
+  EXPECT_EQ(result_with("1").status, 3);
+  for (const char* const scale : {"-1", "0", ".nan", ".inf", "1e999", "small"}) {
+    const auto result = result_with(scale);
+    EXPECT_EQ(result.status, 3) << scale;
+    EXPECT_THAT(result.errors, HasSubstr("run.yaml:3: 'mesh-scale' must be a positive number"));
+  }
 }
 
 TEST(Model, OfAFolderIsAnsweredWithTheFilesInIt) {
