@@ -38,6 +38,16 @@ STATES = """timestamp,tx,ty,tz,qx,qy,qz,qw,hinge,slide,status,belief
 0.033333,0.1,-0.2,1.5,0.5,0.5,0.5,0.5,0.4,0.02,uncertain,0.5
 0.066667,nan,nan,nan,nan,nan,nan,nan,nan,nan,lost,0
 """
+# As target run takes them: MODEL stands for a model.
+RUN = """lockbox: 0.1.0
+model: MODEL
+options: {mesh-scale: 0.001, threads: 2}
+end: end of the source
+"""
+TUM = """# timestamp tx ty tz qx qy qz qw\r
+1305031098.6659 1.3563 0.6305 1.6380 0.6132 0.5962 -0.3311 -0.3986\r
+  1305031098.6758\t1.3543 -.6306 1e0 0 0 0.6 0.8 \r
+"""
 # A tetrahedron, also with what only faces of .obj files have.
 VERTICES = [(0, 0, 0), (100, 0, 0), (0, 100, 0), (0, 0, 100)]
 FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
@@ -121,6 +131,12 @@ def _read(folder, *patterns):
     return [file.read_bytes() for pattern in patterns for file in sorted(folder.glob(pattern))]
 
 
+def _runs(files):
+    """A run names its model by its path."""
+    return [RUN.encode()] + [re.sub(rb"(?m)^model: .*$", b"model: MODEL", text)
+                             for text in _read(files, "run/run.yaml")]
+
+
 def _urdfs(files):
     """Round shapes have thousands of triangles, whose topology takes most of the time."""
     sound = _read(files, "door.urdf") + _read(kinds.SHARE, "models/*/*.urdf")
@@ -152,6 +168,8 @@ def seeds(files):
         "sensor": _read(kinds.SHARE, "sensors/*.yaml"),
         "scene": _read(kinds.SHARE, "scenes/*.yaml"),
         "deviation": _read(files, "deviation.yaml"),
+        "tum": [TUM.encode()] + _read(files, "run/base.tum"),
+        "run": _runs(files),
         "tracker": images + [images[0] + images[1]],
         "search": images,
     }
