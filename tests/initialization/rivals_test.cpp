@@ -69,6 +69,15 @@ TEST(Rivals, WithMuchEvidenceAndNoRivalAnAnswerIsSure) {
   EXPECT_LT(sure[0].rival_distance, 1e-6);
 }
 
+TEST(Rivals, WhatIsContradictedByAThirdIsNoMoreProbableThanNone) {
+  Candidate answer = candidate(200.0, 0.0);
+  answer.contradiction = 0.2;
+  EXPECT_GT(compared({answer})[0].belief, 0.999999);
+  answer.contradiction = 0.35;
+  EXPECT_NEAR(compared({answer})[0].belief, 0.5, 1e-12);
+  EXPECT_GT(compared({answer})[0].rival_distance, 0.5);
+}
+
 TEST(Rivals, WithTheLeastEvidenceItIsAsProbableAsNot) {
   const auto even = compared({candidate(least_evidence(), 0.0)});
   EXPECT_NEAR(even[0].belief, 0.5, 1e-12);

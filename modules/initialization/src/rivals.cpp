@@ -12,6 +12,20 @@
 namespace lockbox {
 namespace {
 
+/// Of what speaks for an answer, what may speak against it. Unit: 1. Source: of 88 right answers of
+/// tuning scenes (eight models, five of them not shipped) one has 0.26, all others less than 0.19;
+/// a folding chair whose seat was taken for its back has 0.33, with 60 nats. Doubled, that is
+/// believed.
+constexpr double kMostContradicted = 0.3;
+
+/// What is contradicted so much is no more probable than none, however much is matched: something
+/// like it stands there.
+double credible_evidence(const Candidate& candidate) {
+  return candidate.contradiction <= kMostContradicted
+             ? candidate.evidence
+             : std::min(candidate.evidence, least_evidence());
+}
+
 /// Whether a base that is round is turned about its axis, and all that it carries is where it was.
 bool is_turn_of_round_base(const SoughtModel& sought, const Configuration& a,
                            const Configuration& b) {
@@ -68,17 +82,18 @@ void compare(const SoughtModel& sought, std::vector<Candidate>& candidates) {
   for (Candidate& candidate : candidates) {
     const Configuration& here = candidate.configuration;
     others.clear();
+    const double evidence = credible_evidence(candidate);
     // What is not in view may be as far away as what is.
-    double squares = std::exp(log_odds(least_evidence(), candidate.evidence)) *
+    double squares = std::exp(log_odds(least_evidence(), evidence)) *
                      here.T_camera_base.translation().squaredNorm();
     for (const Candidate& other : candidates) {
       if (are_one(sought, here, other.configuration)) continue;
       const double move = farthest_move(sought.extent, sought.symmetries, here.T_camera_base,
                                         other.configuration.T_camera_base);
       others.push_back(other.evidence);
-      squares += std::exp(log_odds(other.evidence, candidate.evidence)) * move * move;
+      squares += std::exp(log_odds(other.evidence, evidence)) * move * move;
     }
-    candidate.belief = belief(candidate.evidence, others);
+    candidate.belief = belief(evidence, others);
     candidate.rival_distance = std::sqrt(candidate.belief * squares);
     const Configuration& first = candidates.front().configuration;
     candidate.distance = are_one(sought, first, here)
