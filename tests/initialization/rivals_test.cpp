@@ -70,12 +70,18 @@ TEST(Rivals, WithMuchEvidenceAndNoRivalAnAnswerIsSure) {
 }
 
 TEST(Rivals, WhatIsContradictedByAThirdIsNoMoreProbableThanNone) {
-  Candidate answer = candidate(200.0, 0.0);
+  Candidate answer = candidate(100.0, 0.0);
   answer.contradiction = 0.2;
   EXPECT_GT(compared({answer})[0].belief, 0.999999);
   answer.contradiction = 0.35;
   EXPECT_NEAR(compared({answer})[0].belief, 0.5, 1e-12);
   EXPECT_GT(compared({answer})[0].rival_distance, 0.5);
+}
+
+TEST(Rivals, WhatIsContradictedIsBelievedIfMoreIsLeftThanABoxShows) {
+  Candidate answer = candidate(evidence_beyond_a_box(), 0.0);
+  answer.contradiction = 0.35;
+  EXPECT_GT(compared({answer})[0].belief, 0.999999);
 }
 
 TEST(Rivals, WithTheLeastEvidenceItIsAsProbableAsNot) {

@@ -18,12 +18,12 @@ namespace {
 /// believed.
 constexpr double kMostContradicted = 0.3;
 
-/// What is contradicted so much is no more probable than none, however much is matched: something
-/// like it stands there.
+/// What is contradicted so much is no more probable than none, unless more is left than a box can
+/// show: something like it stands there.
 double credible_evidence(const Candidate& candidate) {
-  return candidate.contradiction <= kMostContradicted
-             ? candidate.evidence
-             : std::min(candidate.evidence, least_evidence());
+  const bool is_credible =
+      candidate.contradiction <= kMostContradicted || candidate.evidence >= evidence_beyond_a_box();
+  return is_credible ? candidate.evidence : std::min(candidate.evidence, least_evidence());
 }
 
 /// Whether a base that is round is turned about its axis, and all that it carries is where it was.

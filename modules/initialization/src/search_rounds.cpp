@@ -98,14 +98,9 @@ constexpr std::array<Round, 3> kRoundRounds{
 
 /// What may speak against an answer that is clear, of what speaks for it. Source: right answers of
 /// tuning scenes have 0.01 to 0.28, wrong ones that do not look the same 0.6 and more; in a real
-/// room a block has 0.15 with 33 nats, which kBeyondChance keeps out. Doubled, wrong answers may
-/// end a search of which a later batch has the right one.
+/// room a block has 0.15 with 33 nats, which evidence_beyond_a_box() keeps out. Doubled, wrong
+/// answers may end a search of which a later batch has the right one.
 constexpr double kClear = 0.25;
-/// The evidence of an answer that is clear, of that with which an answer is as probable as none.
-/// Source: a box, which any room may have, shows nine edges, the three within on both their sides:
-/// 12 lines, 3.9 times as much. Doubled, cabinets are sought to the end of a round.
-constexpr double kBeyondChance = 5.0;
-
 /// What evidence gains at most from a pose in the coarse view to the exact one. Unit: nats.
 /// Source: 187 was the most of 395 answers above 20 nats in 80 tuning scenes
 /// (docs/initialization.md). Doubled, more hypotheses are followed that come to nothing.
@@ -138,9 +133,10 @@ bool is_answer(const std::vector<Candidate>& answers) {
   return !answers.empty() && answers.front().evidence >= least_evidence();
 }
 
-/// Whether it is there, and hardly anything speaks against its being just so.
+/// Whether it is there, by more than a box can show, and hardly anything speaks against its being
+/// just so.
 bool is_clear(const Candidate& answer) {
-  return answer.evidence >= kBeyondChance * least_evidence() && answer.contradiction <= kClear;
+  return answer.evidence >= evidence_beyond_a_box() && answer.contradiction <= kClear;
 }
 
 }  // namespace

@@ -11,6 +11,10 @@ double least_evidence() {
   return evidence::kPlaces;
 }
 
+double evidence_beyond_a_box() {
+  return evidence::kBeyondABox * least_evidence();
+}
+
 double log_odds(double evidence, double against) {
   return (evidence - against) / evidence::kAlike;
 }

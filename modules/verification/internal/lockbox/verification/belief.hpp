@@ -10,6 +10,9 @@ namespace lockbox {
 /// the logarithm of how many that can be told apart there are.
 double least_evidence();
 
+/// The nats that are more than a box can show, which any room may have.
+double evidence_beyond_a_box();
+
 /// Of an answer with this evidence (nats) against one with another.
 double log_odds(double evidence, double against);
 
