@@ -56,41 +56,47 @@ ArticulatedModel laptop() {
                 hinge("base", "lid", "0 0.115 0.016", "1 0 0", -2.2, 0.0));
 }
 
-TEST(HeldBody, StaysWhileTheBaseIsSoughtFromIt) {
-  const ArticulatedModel model = sign_on_an_arm();
-  Configuration truth = facing(model, 1.0, 0.4, 0.2);
-  truth.q << 0.7, -0.9;
-  const CoarseView view(seen(model, truth, wall_behind(0.4)), kColumns, Executor(1));
-  ViewScore score(model.tree, kNoise);
-  score.set_view(view);
+/// In a view of it, bent.
+class HeldBody : public ::testing::Test {
+ protected:
+  HeldBody() { score_.set_view(view_); }
+
+  Configuration bent() const {
+    Configuration configuration = facing(model_, 1.0, 0.4, 0.2);
+    configuration.q << 0.7, -0.9;
+    return configuration;
+  }
+
+  const ArticulatedModel model_ = sign_on_an_arm();
+  const Configuration truth_ = bent();
+  const CoarseView view_{seen(model_, truth_, wall_behind(0.4)), kColumns, Executor(1)};
+  ViewScore score_{model_.tree, kNoise};
+};
+
+TEST_F(HeldBody, StaysWhileTheBaseIsSoughtFromIt) {
   BodyPoses seen_poses;
-  forward_kinematics(model.tree, truth, seen_poses);
+  forward_kinematics(model_.tree, truth_, seen_poses);
   const std::size_t sign = 2;
   const Configuration start =
-      with_body_held(SoughtModel(model, {}), rest_configuration(model.tree), sign, seen_poses[sign])
+      with_body_held(SoughtModel(model_, {}), rest_configuration(model_.tree), sign,
+                     seen_poses[sign])
           .configuration;
-  const MotionMetric moves(model.tree);
-  ASSERT_GT(moves.between(start, truth), 0.2);
+  const MotionMetric moves(model_.tree);
+  ASSERT_GT(moves.between(start, truth_), 0.2);
   Configuration found = start;
-  scan_joints(model.tree, model_extent(model.tree), score, {0, 1}, 0.01, kScan, found, sign);
-  EXPECT_LT(moves.between(found, truth), 0.02);
+  scan_joints(model_.tree, model_extent(model_.tree), score_, {0, 1}, 0.01, kScan, found, sign);
+  EXPECT_LT(moves.between(found, truth_), 0.02);
   BodyPoses poses;
-  forward_kinematics(model.tree, found, poses);
+  forward_kinematics(model_.tree, found, poses);
   EXPECT_TRUE(poses[sign].isApprox(seen_poses[sign], 1e-9));
 }
 
-TEST(HeldBody, IsTheBaseUnlessAnotherIsNamed) {
-  const ArticulatedModel model = sign_on_an_arm();
-  Configuration truth = facing(model, 1.0, 0.4, 0.2);
-  truth.q << 0.7, -0.9;
-  const CoarseView view(seen(model, truth, wall_behind(0.4)), kColumns, Executor(1));
-  ViewScore score(model.tree, kNoise);
-  score.set_view(view);
-  Configuration found = truth;
+TEST_F(HeldBody, IsTheBaseUnlessAnotherIsNamed) {
+  Configuration found = truth_;
   found.q.setZero();
-  scan_joints(model.tree, model_extent(model.tree), score, {0, 1}, 0.01, kScan, found);
-  EXPECT_TRUE(found.T_camera_base.isApprox(truth.T_camera_base, 0.0));
-  EXPECT_LT((found.q - truth.q).norm(), 0.1);
+  scan_joints(model_.tree, model_extent(model_.tree), score_, {0, 1}, 0.01, kScan, found);
+  EXPECT_TRUE(found.T_camera_base.isApprox(truth_.T_camera_base, 0.0));
+  EXPECT_LT((found.q - truth_.q).norm(), 0.1);
 }
 
 TEST(TellingBodies, AreTheLargestAndThoseThatAreNotMuchSmaller) {

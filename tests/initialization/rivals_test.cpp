@@ -6,6 +6,7 @@
 #include "../evaluation/rigid_model.hpp"
 #include "lockbox/mesh/primitives.hpp"
 #include "lockbox/verification/belief.hpp"
+#include "temporary_folder.hpp"
 
 namespace lockbox {
 namespace {
@@ -105,6 +106,38 @@ TEST(Rivals, WhatLooksTheSameIsTheSameAnswer) {
   const auto sure = compared({candidate(200.0, 0.0), candidate(200.0, M_PI)}, brick());
   EXPECT_GT(sure[0].belief, 0.999999);
   EXPECT_GT(sure[1].belief, 0.999999);
+}
+
+/// A round foot beside the base's origin, with a box that turns on it.
+ArticulatedModel turntable() {
+  const TemporaryFolder folder;
+  return load_model(folder.write("turntable.urdf", R"(<robot name="turntable">
+  <link name="foot"><visual><origin xyz="0.3 0 0"/><geometry>
+    <cylinder radius="0.1" length="0.05"/></geometry></visual></link>
+  <link name="top"><visual><origin xyz="0.05 0.02 0.06"/><geometry>
+    <box size="0.2 0.08 0.06"/></geometry></visual></link>
+  <joint name="turn" type="revolute"><parent link="foot"/><child link="top"/>
+    <origin xyz="0.3 0 0"/><axis xyz="0 0 1"/>
+    <limit lower="-2" upper="2" effort="1" velocity="1"/></joint></robot>)"),
+                    {});
+}
+
+/// About the axis of the foot, and the top with it or not.
+Candidate turned(double foot, double top) {
+  Candidate result;
+  result.evidence = 200.0;
+  result.configuration.q = Eigen::VectorXd::Constant(1, top - foot);
+  result.configuration.T_camera_base =
+      Eigen::Translation3d(0.0, 0.0, 1.0) * Eigen::Translation3d(0.3, 0.0, 0.0) *
+      Eigen::AngleAxisd(foot, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(-0.3, 0.0, 0.0);
+  return result;
+}
+
+TEST(Rivals, ARoundFootTurnedBelowWhatItCarriesIsTheSameAnswer) {
+  const ArticulatedModel model = turntable();
+  ASSERT_EQ(model.round_axes.size(), 1U);
+  EXPECT_GT(compared({turned(0.0, 0.4), turned(1.0, 0.4)}, model)[0].belief, 0.999999);
+  EXPECT_NEAR(compared({turned(0.0, 0.4), turned(1.0, 1.4)}, model)[0].belief, 0.5, 1e-9);
 }
 
 TEST(Rivals, AWorseOneIsLessProbableTheMoreItLacks) {

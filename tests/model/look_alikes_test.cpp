@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
+#include <string>
 
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/symmetry.hpp"
@@ -121,6 +123,34 @@ TEST(LookAlikes, OfARoundFootAreNotItsTurnsAlone) {
       load_arm({.foot = R"(<cylinder radius="0.1" length="0.08"/>)", .first_link = kKnobbed});
   ASSERT_EQ(model.round_axes.size(), 1U);
   EXPECT_TRUE(LookAlikes(model).of(bent(model)).empty());
+}
+
+/// Each of the round links looks the same in twelve turns within its limits, and the bolt beside
+/// them in no turn of the foot: to try all would take days, and end by the test's time limit.
+TEST(LookAlikes, AreSoughtInBoundedTime) {
+  std::string elements =
+      R"(<link name="foot"><visual><geometry><box size="0.2 0.2 0.05"/></geometry></visual></link>
+<link name="bolt"><visual><geometry><box size="0.03 0.02 0.03"/></geometry></visual></link>
+<joint name="slide" type="prismatic"><parent link="foot"/><child link="bolt"/>
+  <origin xyz="0.08 0.06 0.03"/><axis xyz="1 0 0"/>
+  <limit lower="0" upper="0.01" effort="1" velocity="1"/></joint>)";
+  std::string parent = "foot";
+  for (int i = 0; i < 10; ++i) {
+    const std::string name = "link" + std::to_string(i);
+    elements += "<link name='" + name +
+                "'><visual><geometry><cylinder radius='0.03' length='0.08'/></geometry></visual>"
+                "</link><joint name='j" +
+                std::to_string(i) + "' type='revolute'><parent link='" + parent +
+                "'/><child link='" + name +
+                "'/><origin xyz='0 0 0.09'/><axis xyz='0 0 1'/>"
+                "<limit lower='-0.1' upper='3' effort='1' velocity='1'/></joint>";
+    parent = name;
+  }
+  const TemporaryFolder folder;
+  const ArticulatedModel model =
+      load_model(folder.write("arm.urdf", "<robot name='arm'>" + elements + "</robot>"), {});
+  ASSERT_EQ(model.tree.bodies.back().name, "bolt") << "it is put last";
+  EXPECT_TRUE(LookAlikes(model).of(rest_configuration(model.tree)).empty());
 }
 
 TEST(LookAlikes, OfWhatHasNoJointsAreNone) {

@@ -14,8 +14,13 @@
 namespace lockbox {
 namespace {
 
-/// What is told of one base tells enough. Doubled, it takes twice as long.
+/// Configurations. Unit: 1. Source: a square foot has up to seven, of which one makes the base
+/// uncertain. Doubled, it takes twice as long.
 constexpr std::size_t kMost = 8;
+/// Positions that are tried for a pose of the base. Unit: 1, of some microseconds. Source: an arm
+/// of twenty square links takes some hundred; round links that turn about their own axes have 24
+/// each. Doubled, a tracker waits for that twice as long.
+constexpr int kMostTrials = 5000;
 /// That a body may be off and look the same. Unit: metres, radians. Source: symmetries are found to
 /// half a millimetre and turns of a centimetre that are seen. Doubled, what is a millimetre off
 /// axis is a look-alike as well.
@@ -54,7 +59,8 @@ class Placement {
 
   /// Appends what there is for that pose of the base, until there are kMost. with_same: also where
   /// all other bodies are where they were.
-  void find(Configuration turned, bool with_same, std::vector<Configuration>& found) const {
+  void find(Configuration turned, bool with_same, std::vector<Configuration>& found) {
+    trials_ = 0;
     Attempt attempt{std::move(turned), seen_,
                     std::vector<bool>(static_cast<std::size_t>(tree_.variables()), false), true};
     attempt.poses[0] = attempt.configuration.T_camera_base;
@@ -71,8 +77,8 @@ class Placement {
 
   /// Depth first: a joint whose parent was turned hardly ever has more than one such position.
   void put(std::size_t number, const Attempt& attempt, bool with_same,
-           std::vector<Configuration>& found) const {
-    if (found.size() == kMost) return;
+           std::vector<Configuration>& found) {
+    if (found.size() == kMost || trials_ >= kMostTrials) return;
     if (number == tree_.joints.size()) {
       if (with_same || !attempt.others_are_same) found.push_back(attempt.configuration);
       return;
@@ -84,6 +90,7 @@ class Placement {
     for (const Eigen::Isometry3d& symmetry : symmetries_[child]) {
       const Eigen::Isometry3d there = seen_[child] * symmetry;
       const auto position = position_of(joint, T_camera_joint.inverse() * there);
+      if (++trials_ > kMostTrials) return;
       if (!position) continue;
       Attempt next = attempt;
       if (!set_variable(joint, *position, next)) continue;
@@ -120,6 +127,7 @@ class Placement {
   const std::vector<bool>& locked_;
   const std::vector<std::vector<Eigen::Isometry3d>>& symmetries_;
   const BodyPoses& seen_;
+  int trials_ = 0;
 };
 
 }  // namespace
@@ -141,7 +149,7 @@ LookAlikes::LookAlikes(const ArticulatedModel& model, std::vector<bool> locked)
 std::vector<Configuration> LookAlikes::of(const Configuration& configuration) const {
   BodyPoses seen;
   forward_kinematics(model_.tree, configuration, seen);
-  const Placement placement(model_.tree, locked_, symmetries_, seen);
+  Placement placement(model_.tree, locked_, symmetries_, seen);
   std::vector<Configuration> found;
   for (const Eigen::Isometry3d& turn : turns_) {
     Configuration turned = configuration;
@@ -152,6 +160,7 @@ std::vector<Configuration> LookAlikes::of(const Configuration& configuration) co
 }
 
 bool LookAlikes::is_turn_of_round_base(const Eigen::Isometry3d& turn) const {
+  if (model_.round_axes.size() > 1) return true;  // of a ball, any
   return std::any_of(model_.round_axes.begin(), model_.round_axes.end(),
                      [&](const Eigen::Vector3d& axis) {
                        return (turn.linear() * axis).dot(axis) > std::cos(kSameTurn);

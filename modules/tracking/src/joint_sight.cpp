@@ -8,7 +8,7 @@ namespace lockbox {
 namespace {
 
 constexpr int kFramesToKnow = 2;  // a joint that comes back into sight is sought until then
-/// Joints that are sought in a frame. Unit: 1; each takes 2 to 8 ms. Source: as many as the lockbox
+/// Joints that are sought in a frame. Unit: 1. Source: as many as the lockbox
 /// has, all of which may come back into sight at once. Doubled, a frame of an arm of twenty joints
 /// takes twice as long.
 constexpr std::size_t kMostSought = 8;
