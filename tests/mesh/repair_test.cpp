@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "lockbox/mesh/mesh_audit.hpp"
@@ -70,6 +71,19 @@ TEST(Welding, DropsTrianglesThatAreThereTwice) {
   append(mesh, mesh);
   mesh.triangles.push_back({mesh.triangles[0][1], mesh.triangles[0][2], mesh.triangles[0][0]});
   EXPECT_EQ(welded(mesh).triangles, welded(make_box({1, 1, 1})).triangles);
+}
+
+/// A board within a wall of its length and height, as a URDF of boxes has it: one face is both's.
+TEST(Welding, KeepsAFaceThatTwoOverlappingSolidsShare) {
+  const auto moved = [](TriangleMesh mesh, double x) {
+    for (Eigen::Vector3d& vertex : mesh.vertices) vertex.x() += x;
+    return mesh;
+  };
+  TriangleMesh mesh = moved(make_box({0.1, 0.3, 0.2}), -0.05);
+  append(mesh, moved(make_box({0.02, 0.3, 0.2}), -0.01));
+  EXPECT_EQ(welded(mesh).triangles.size(), mesh.triangles.size());
+  const auto open = triangles_at_open_edges(welded(mesh));
+  EXPECT_EQ(std::count(open.begin(), open.end(), 1), 0);
 }
 
 TEST(Welding, OfNothingIsNothing) {

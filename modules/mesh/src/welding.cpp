@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "lockbox/mesh/repair.hpp"
+#include "lockbox/mesh/topology.hpp"
 
 namespace lockbox {
 namespace {
@@ -72,6 +73,36 @@ std::array<std::uint32_t, 3> smallest_first(std::array<std::uint32_t, 3> triangl
   return triangle;
 }
 
+/// Of triangles that repeat others, those without which edges would have an odd number of faces:
+/// two solids that overlap with a face in common need both, a face that a file holds twice does
+/// not.
+std::vector<std::array<std::uint32_t, 3>> needed_twice(
+    const TriangleMesh& mesh, const std::vector<std::array<std::uint32_t, 3>>& repeated) {
+  if (repeated.empty()) return {};
+  TriangleMesh all{mesh.vertices, repeated};
+  const Shells patches = find_shells(all);
+  all.triangles.insert(all.triangles.end(), mesh.triangles.begin(), mesh.triangles.end());
+  std::vector<std::uint8_t> is_needed(patches.count, 0);
+  std::vector<std::uint8_t> is_surplus(patches.count, 0);
+  for_each_edge(sorted_half_edges(all), [&](std::span<const HalfEdge> edge) {
+    for (const HalfEdge& half : edge) {
+      if (half.triangle >= repeated.size()) continue;
+      const std::uint32_t patch = patches.of_triangle[half.triangle];
+      const auto others = std::count_if(edge.begin(), edge.end(), [&](const HalfEdge& other) {
+        return other.triangle >= repeated.size() || patches.of_triangle[other.triangle] != patch;
+      });
+      if (others % 2 != 0) is_needed[patch] = 1;
+      if (others % 2 == 0 && edge.size() % 2 != 0) is_surplus[patch] = 1;
+    }
+  });
+  std::vector<std::array<std::uint32_t, 3>> needed;
+  for (std::size_t t = 0; t < repeated.size(); ++t) {
+    const std::uint32_t patch = patches.of_triangle[t];
+    if (is_needed[patch] != 0 && is_surplus[patch] == 0) needed.push_back(repeated[t]);
+  }
+  return needed;
+}
+
 }  // namespace
 
 TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
@@ -86,6 +117,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
   std::vector<std::uint32_t> merged(mesh.vertices.size(), kUnseen);
   std::vector<std::uint32_t> renumbered(mesh.vertices.size(), kUnseen);
   std::set<std::array<std::uint32_t, 3>> seen;
+  std::vector<std::array<std::uint32_t, 3>> repeated;
   TriangleMesh result;
   for (auto triangle : mesh.triangles) {
     for (std::uint32_t& vertex : triangle) {
@@ -107,10 +139,11 @@ TriangleMesh welded(const TriangleMesh& mesh, double tolerance) {
       }
       vertex = renumbered[vertex];
     }
-    if (seen.insert(smallest_first(triangle)).second) {
-      result.triangles.push_back(triangle);
-    }
+    const bool is_new = seen.insert(smallest_first(triangle)).second;
+    (is_new ? result.triangles : repeated).push_back(triangle);
   }
+  const auto needed = needed_twice(result, repeated);
+  result.triangles.insert(result.triangles.end(), needed.begin(), needed.end());
   return result;
 }
 

@@ -7,8 +7,8 @@
 namespace lockbox {
 
 /// Merges vertices closer than tolerance (metres; default a millionth of the bounds' diagonal) into
-/// the first of them, drops the triangles that lose their area or repeat another, and the
-/// vertices that nobody uses.
+/// the first of them, drops the triangles that lose their area, those that repeat another without
+/// need (two solids with a face in common need it twice), and the vertices that nobody uses.
 TriangleMesh welded(const TriangleMesh& mesh, double tolerance = 0.0);
 
 /// Of triangles that are there twice, once for each side, as exporters write materials seen from
