@@ -39,15 +39,30 @@ TEST(BoxTurns, WhatLooksTheSameIsNoOtherAnswer) {
             2U);
 }
 
-/// A round foot that carries an arm.
-TEST(BoxTurns, WhatTurnsAsOneOfThemIsAddedOnce) {
-  std::vector<Eigen::Isometry3d> of_base;
+/// Turns of a round foot that carries an arm, about an axis through the point.
+std::vector<Eigen::Isometry3d> turns_about(const Eigen::Vector3d& point) {
+  std::vector<Eigen::Isometry3d> turns;
   for (int step = 0; step < 8; ++step) {
-    of_base.emplace_back(Eigen::AngleAxisd(0.25 * M_PI * step, Eigen::Vector3d::UnitZ()));
+    const Eigen::AngleAxisd turn(0.25 * M_PI * step, Eigen::Vector3d::UnitZ());
+    turns.emplace_back(Eigen::Translation3d(point) * turn * Eigen::Translation3d(-point));
   }
-  std::vector<Eigen::Isometry3d> turns = box_turns(box(0.9, 0.5, 0.2), kIdentityAlone);
-  add_turns_of_base(of_base, kIdentityAlone, turns);
+  return turns;
+}
+
+TEST(BoxTurns, WhatMovesAsOneOfThemIsAddedOnce) {
+  const ModelExtent extent = box(0.9, 0.5, 0.2);
+  std::vector<Eigen::Isometry3d> turns = box_turns(extent, kIdentityAlone);
+  add_turns_of_base(extent, turns_about(extent.centre), kIdentityAlone, turns);
   EXPECT_EQ(turns.size(), 3U + 6U);  // the half turn is one of the box, too
+}
+
+/// A jug whose plunger stands out: upside down it is where its body is, not its plunger.
+TEST(BoxTurns, TheSameTurnAboutTheMiddleOfTheBaseIsAnother) {
+  const ModelExtent extent = box(0.9, 0.5, 0.2);
+  std::vector<Eigen::Isometry3d> turns = box_turns(extent, kIdentityAlone);
+  const Eigen::Vector3d beside = extent.centre + Eigen::Vector3d(0.03, 0.0, 0.0);
+  add_turns_of_base(extent, turns_about(beside), kIdentityAlone, turns);
+  EXPECT_EQ(turns.size(), 3U + 7U);
 }
 
 }  // namespace

@@ -21,6 +21,16 @@ bool turns_as_one_of(std::span<const Eigen::Isometry3d> motions, const Eigen::Ma
   });
 }
 
+/// Whether one of the motions turns as that one does, and takes the model's middle to the same
+/// place.
+bool moves_as_one_of(std::span<const Eigen::Isometry3d> motions, const Eigen::Isometry3d& motion,
+                     const ModelExtent& extent) {
+  return std::any_of(motions.begin(), motions.end(), [&](const Eigen::Isometry3d& other) {
+    const double apart = (other * extent.centre - motion * extent.centre).norm();
+    return apart < least_apart(extent) && turns_as_one_of({&other, 1}, motion.linear());
+  });
+}
+
 Eigen::Isometry3d about_middle(const ModelExtent& extent, const Eigen::Matrix3d& rotation) {
   Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
   turn.linear() = rotation;
@@ -62,12 +72,12 @@ std::vector<Eigen::Isometry3d> box_turns(const ModelExtent& extent,
   return turns;
 }
 
-void add_turns_of_base(std::span<const Eigen::Isometry3d> of_base,
+void add_turns_of_base(const ModelExtent& extent, std::span<const Eigen::Isometry3d> of_base,
                        std::span<const Eigen::Isometry3d> symmetries,
                        std::vector<Eigen::Isometry3d>& turns) {
   for (const Eigen::Isometry3d& motion : of_base) {
-    const Eigen::Matrix3d rotation = motion.linear();
-    if (turns_as_one_of(symmetries, rotation) || turns_as_one_of(turns, rotation)) continue;
+    if (moves_as_one_of(symmetries, motion, extent) || moves_as_one_of(turns, motion, extent))
+      continue;
     turns.push_back(motion);
   }
 }

@@ -24,9 +24,10 @@ bool are_alike(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double tolera
 std::vector<Eigen::Isometry3d> box_turns(const ModelExtent& extent,
                                          std::span<const Eigen::Isometry3d> symmetries);
 
-/// Adds the motions after which the base alone looks the same, but for those that turn as one of
-/// the turns or symmetries does: what the base of a lamp tells, it tells of all of them.
-void add_turns_of_base(std::span<const Eigen::Isometry3d> of_base,
+/// Adds the motions after which the base alone looks the same, but for those that are one of the
+/// turns or symmetries: what the base of a lamp tells, it tells of all of them. They turn about the
+/// middle of the base, which need not be that of the model.
+void add_turns_of_base(const ModelExtent& extent, std::span<const Eigen::Isometry3d> of_base,
                        std::span<const Eigen::Isometry3d> symmetries,
                        std::vector<Eigen::Isometry3d>& turns);
 

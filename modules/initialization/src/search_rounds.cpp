@@ -222,9 +222,12 @@ void SearchRounds::seek_turns_of_best(SearchImage& image, const Configuration& h
     turned = answers.front().evidence;
     const Configuration best = answers.front().configuration;
     const RegistrationResult seen = exact_.compare(image.cloud(), best);
-    std::vector<Hypothesis> others = turned_answers(sought_, held, best, seen.body_agreement);
-    others = followed(image, std::move(others), kOfTurns, turned);
-    assessment_.add_answers(image, others, kEachTurn, answers);
+    for (std::vector<Hypothesis> others : {turned_answers(sought_, held, best, seen.body_agreement),
+                                           turned_about_round(sought_, held, best)}) {
+      if (others.empty()) continue;
+      others = followed(image, std::move(others), kOfTurns, turned);
+      assessment_.add_answers(image, others, kEachTurn, answers);
+    }
   } while (is_answer(answers));
 }
 

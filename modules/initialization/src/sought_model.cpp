@@ -48,10 +48,10 @@ SoughtModel::SoughtModel(const ArticulatedModel& articulated_model,
       look_alikes(model, options.locked),
       variables(options.free_variables(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1) {
-  // What is mostly flat is told by its contour.
-  const double alike = is_flat ? 1.0 : kMostlyAlike;
-  add_turns_of_base(find_body_symmetries(model, 0, alike), symmetries, turns);
-  if (!is_flat) add_near_turns(extent, turns);
+  add_turns_of_base(extent, find_body_symmetries(model, 0), symmetries, turns);
+  if (is_flat) return;  // its contour tells
+  add_turns_of_base(extent, find_body_symmetries(model, 0, kMostlyAlike), symmetries, round_turns);
+  add_near_turns(extent, round_turns);
 }
 
 std::vector<Hypothesis> with_body_at(const SoughtModel& sought, const Configuration& held,

@@ -23,6 +23,8 @@ struct SoughtModel {
   ModelExtent extent;
   std::vector<Eigen::Isometry3d> symmetries;  ///< of the model, wherever its joints stand
   std::vector<Eigen::Isometry3d> turns;       ///< of its box, or its base, that are none of it
+  /// Of what is mostly round: those that leave most of its base where it is, and some by little.
+  std::vector<Eigen::Isometry3d> round_turns;
   LookAlikes look_alikes;
   std::vector<int> variables;            ///< of joints that are not locked
   std::vector<std::uint8_t> all_bodies;  ///< 1 for each, as drawings take them

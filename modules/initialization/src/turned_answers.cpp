@@ -49,22 +49,34 @@ std::vector<Hypothesis> swung(const SoughtModel& sought, const Configuration& he
   return all;
 }
 
+std::vector<Hypothesis> turned(const SoughtModel& sought, const Configuration& held,
+                               const Configuration& answer,
+                               const std::vector<Eigen::Isometry3d>& turns) {
+  std::vector<Hypothesis> hypotheses;
+  for (const Eigen::Isometry3d& turn : turns) {
+    hypotheses.push_back({held, sought.all_bodies});
+    hypotheses.back().configuration.T_camera_base = answer.T_camera_base * turn;
+  }
+  return hypotheses;
+}
+
 }  // namespace
 
 std::vector<Hypothesis> turned_answers(const SoughtModel& sought, const Configuration& held,
                                        const Configuration& answer,
                                        const std::vector<Agreement>& bodies) {
-  std::vector<Hypothesis> hypotheses;
-  for (const Eigen::Isometry3d& turn : sought.turns) {
-    hypotheses.push_back({held, sought.all_bodies});
-    hypotheses.back().configuration.T_camera_base = answer.T_camera_base * turn;
-  }
+  std::vector<Hypothesis> hypotheses = turned(sought, held, answer, sought.turns);
   for (std::vector<Hypothesis> others :
        {swung(sought, held, answer, bodies), moved_along_twins(sought, held, answer),
         with_base_mistaken(sought, held, answer)}) {
     std::move(others.begin(), others.end(), std::back_inserter(hypotheses));
   }
   return hypotheses;
+}
+
+std::vector<Hypothesis> turned_about_round(const SoughtModel& sought, const Configuration& held,
+                                           const Configuration& answer) {
+  return turned(sought, held, answer, sought.round_turns);
 }
 
 }  // namespace lockbox

@@ -16,4 +16,9 @@ std::vector<Hypothesis> turned_answers(const SoughtModel& sought, const Configur
                                        const Configuration& answer,
                                        const std::vector<Agreement>& bodies);
 
+/// The answer turned to where most of its base is the same, since it is round, and by little. They
+/// look so much like it, all of them, that they are compared apart from others.
+std::vector<Hypothesis> turned_about_round(const SoughtModel& sought, const Configuration& held,
+                                           const Configuration& answer);
+
 }  // namespace lockbox
