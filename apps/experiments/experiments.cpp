@@ -25,6 +25,8 @@ const std::vector<ExperimentEntry>& experiments() {
        make_furniture_experiment},
       {"boards", "Random puzzle boards that nobody tuned for, found without a guess",
        make_boards_experiment},
+      {"household", "Random things that fold, open, turn or slide, found without a guess",
+       make_household_experiment},
       {"shapes", "Random round and free-form objects, found without a guess",
        make_shapes_experiment},
       {"reliability", "Whether what is believed by so much is right so often",

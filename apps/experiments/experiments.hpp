@@ -17,7 +17,8 @@ struct ExperimentEntry {
 
 const std::vector<ExperimentEntry>& experiments();
 
-// One source each: <name>_experiment.cpp; furniture and boards: foreign_experiment.cpp.
+// One source each: <name>_experiment.cpp; furniture, boards and household:
+// foreign_experiment.cpp.
 std::unique_ptr<Experiment> make_absent_experiment();
 std::unique_ptr<Experiment> make_accuracy_experiment();
 std::unique_ptr<Experiment> make_boards_experiment();
@@ -25,6 +26,7 @@ std::unique_ptr<Experiment> make_convergence_experiment();
 std::unique_ptr<Experiment> make_creep_experiment();
 std::unique_ptr<Experiment> make_furniture_experiment();
 std::unique_ptr<Experiment> make_global_experiment();
+std::unique_ptr<Experiment> make_household_experiment();
 std::unique_ptr<Experiment> make_intersection_experiment();
 std::unique_ptr<Experiment> make_kidnap_experiment();
 std::unique_ptr<Experiment> make_mismatch_experiment();

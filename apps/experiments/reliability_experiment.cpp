@@ -27,7 +27,7 @@ std::vector<StatedBelief> read_beliefs(const std::string& file) {
     if (!table.has(column)) {
       throw InputError(file, 1,
                        "has no column '" + std::string(column) +
-                           "': give rows of furniture, boards, shapes or global");
+                           "': give rows of furniture, boards, household, shapes or global");
     }
   }
   if (!table.has("within") && !table.has("right")) {
@@ -80,9 +80,9 @@ class Reliability : public Experiment {
  public:
   void add_options(CLI::App& options) override {
     options
-        .add_option(
-            "--rows", files_,
-            "Rows (.csv) that furniture, boards, shapes or global have written (repeatable)")
+        .add_option("--rows", files_,
+                    "Rows (.csv) that furniture, boards, household, shapes or global have written "
+                    "(repeatable)")
         ->required()
         ->check(CLI::ExistingFile);
   }

@@ -195,6 +195,17 @@ TEST(ForeignObjects, HaveRowsAndFilesToSimulateThemAgainAndContinueWhereTheyWere
   EXPECT_EQ(again.status, 0) << again.errors;
 }
 
+TEST(ForeignObjects, OfAHouseholdAreNamed) {
+  const TemporaryFolder folder;
+  const ToolResult result = run_tool({"experiment", "household", "--pieces", "1", "--output",
+                                      (folder / "out").string(), "--quiet"});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("household, tune, deviation none: right in"));
+  const auto rows = read_rows(folder / "out/household_tune_none_1frames_seed1.csv");
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].at("kind"), "laptop");
+}
+
 TEST(ForeignObjects, DrawTheirOwnModels) {
   const TemporaryFolder folder;
   const ToolResult result = run_tool({"experiment", "furniture", "--model", "lockbox", "--output",

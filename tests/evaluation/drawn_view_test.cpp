@@ -61,6 +61,20 @@ TEST(DrawnView, OfABoardKeepsToItsRanges) {
   expect_sound(DrawnKind::board, model, draw_view(DrawnKind::board, model, kDrawnCamera, block, 2));
 }
 
+TEST(DrawnView, OfAHouseholdStandsAmongOtherThings) {
+  const ObjectBlock block("test:0");
+  const ArticulatedModel model = loaded(draw_household(block, 2));
+  const DrawnView view = draw_view(DrawnKind::household, model, kDrawnCamera, block, 2);
+  EXPECT_EQ(penetration(model, view.truth.configuration), 0.0);
+  EXPECT_GE(view.scene.boxes.size(), 2U);
+  EXPECT_TRUE(view.placement == "table" || view.placement == "air") << view.placement;
+  const PlacedScene scene(view.scene, {view.truth});
+  const ModelVisibility seen =
+      VisibilityMeter(model.tree, kDrawnCamera, scene, Executor(1)).measure(view.truth);
+  EXPECT_LE(seen.cut, 0.02);
+  EXPECT_LE(seen.hidden, 0.4);
+}
+
 TEST(DrawnView, FollowsFromBlockAndNumber) {
   const ObjectBlock block("tune");
   const ArticulatedModel model = loaded(draw_furniture(block, 1));

@@ -2,6 +2,8 @@
 // What the base alone does not tell.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/model/symmetry.hpp"
 #include "temporary_folder.hpp"
@@ -47,6 +49,40 @@ TEST(RoundAxes, AreOneOfACanAndAllOfABallOrOfNothing) {
       axes_of(R"(<visual><geometry><box size="0.1 0.1 0.2"/></geometry></visual>)").empty());
   EXPECT_GE(axes_of(R"(<visual><geometry><sphere radius="0.05"/></geometry></visual>)").size(), 3U);
   EXPECT_EQ(axes_of("").size(), 3U);
+}
+
+/// On a foot, what a hinge about z carries.
+int joint_turns_of(const std::string& visuals) {
+  const TemporaryFolder folder;
+  const ArticulatedModel model = load_model(folder.write("knob.urdf", R"(<robot name="knob">
+  <link name="foot"><visual><geometry><box size="0.3 0.2 0.02"/></geometry></visual></link>
+  <link name="knob">)" + visuals + R"(</link>
+  <joint name="hinge" type="revolute">
+    <parent link="foot"/><child link="knob"/><origin xyz="0.05 0.02 0.03"/><axis xyz="0 0 1"/>
+    <limit lower="-3" upper="3" effort="1" velocity="1"/>
+  </joint>
+</robot>)"),
+                                            {});
+  return count_joint_turns(model, 0);
+}
+
+std::string blade(double turn) {
+  return "<visual><origin rpy=\"0 0 " + std::to_string(turn) + "\" xyz=\"" +
+         std::to_string(0.06 * std::cos(turn)) + ' ' + std::to_string(0.06 * std::sin(turn)) +
+         " 0\"/><geometry><box size=\"0.1 0.02 0.01\"/></geometry></visual>";
+}
+
+TEST(JointTurns, AreThoseOfWhatTheJointCarries) {
+  EXPECT_EQ(joint_turns_of(blade(0.0)), 1) << "a hand of a clock";
+  EXPECT_EQ(joint_turns_of(blade(0.0) + blade(M_PI)), 2) << "a bar";
+  EXPECT_EQ(joint_turns_of(blade(0.0) + blade(2.0 * M_PI / 3.0) + blade(4.0 * M_PI / 3.0)), 3);
+  EXPECT_EQ(joint_turns_of("<visual><geometry><cylinder radius=\"0.05\" length=\"0.02\"/>"
+                           "</geometry></visual>"),
+            24);
+  EXPECT_EQ(joint_turns_of("<visual><origin xyz=\"0.01 0 0\"/><geometry><cylinder radius=\"0.05\" "
+                           "length=\"0.02\"/></geometry></visual>"),
+            1)
+      << "a cam";
 }
 
 /// Wherever its corners lie between the samples of its field.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/model/articulated_model.hpp"
@@ -22,7 +23,7 @@ KinematicTree loaded(const ObjectDraft& draft) {
 
 TEST(ObjectBlock, DrawsTheSameObjectForTheSameNumberAndAnotherForAnother) {
   const ObjectBlock tune("tune");
-  for (const auto draw : {draw_furniture, draw_board}) {
+  for (const auto draw : {draw_furniture, draw_board, draw_household}) {
     EXPECT_EQ(urdf_text(draw(tune, 3)), urdf_text(draw(ObjectBlock("tune"), 3)));
     EXPECT_NE(urdf_text(draw(tune, 3)), urdf_text(draw(tune, 4)));
     EXPECT_NE(urdf_text(draw(tune, 3)), urdf_text(draw(ObjectBlock("test:0"), 3)));
@@ -100,6 +101,25 @@ TEST(Board, HasMechanismsThatStayInFrontOfIt) {
       }
     }
   }
+}
+
+TEST(Household, StandsOnItsFootAndMovesWithoutSharedKinds) {
+  std::set<std::string> tuning;
+  std::set<std::string> tests;
+  for (std::uint64_t number = 0; number < 24; ++number) {
+    for (const auto& [block, names] : {std::pair("tune", &tuning), std::pair("test:1", &tests)}) {
+      const KinematicTree tree = loaded(draw_household(ObjectBlock(block), number));
+      names->insert(tree.name);
+      EXPECT_GE(tree.variables(), 1) << tree.name;
+      const Eigen::AlignedBox3d box = model_bounds(tree, rest_configuration(tree));
+      EXPECT_NEAR(box.min().z(), 0.0, 0.02) << tree.name;
+      EXPECT_LT(box.sizes().maxCoeff(), 1.1) << tree.name;
+      EXPECT_GT(box.sizes().maxCoeff(), 0.09) << tree.name;
+    }
+  }
+  EXPECT_EQ(tuning.size(), 12U);
+  EXPECT_EQ(tests.size(), 12U);
+  for (const std::string& name : tuning) EXPECT_EQ(tests.count(name), 0U) << name;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random furniture and puzzle boards that nobody tuned for, found without a guess.
+// Random furniture, puzzle boards and things of a household that nobody tuned for, found without a
+// guess.
 #include "command_line/interruption.hpp"
 #include "command_line/option_checks.hpp"
 #include "drawn_objects_experiment.hpp"
@@ -28,9 +29,21 @@ class ForeignObjects : public DrawnObjectsExperiment {
 
  private:
   std::string name() const override {
-    return kind_ == DrawnKind::furniture ? "furniture" : "boards";
+    switch (kind_) {
+      case DrawnKind::furniture:
+        return "furniture";
+      case DrawnKind::board:
+        return "boards";
+      case DrawnKind::household:
+        return "household";
+    }
+    return {};
   }
-  std::string noun() const { return kind_ == DrawnKind::furniture ? "furniture" : "board"; }
+  /// Of a row's object. Pieces of furniture and boards are numbered; the others have names.
+  std::string noun(const ForeignResult& result) const {
+    if (kind_ == DrawnKind::household) return result.object;
+    return kind_ == DrawnKind::furniture ? "furniture" : "board";
+  }
   std::vector<std::string> columns() const override { return foreign_columns(); }
 
   std::string variant(const ExperimentSettings& settings) const override {
@@ -43,7 +56,7 @@ class ForeignObjects : public DrawnObjectsExperiment {
                         Table& table) const override {
     const ForeignResult result = track_foreign_object(
         kind_, block, piece, piece_settings(settings, folder), interruption::executor());
-    add_foreign_rows(table, piece, noun(), result);
+    add_foreign_rows(table, piece, noun(result), result);
     return result.frames.back().errors.wrong;
   }
 
@@ -82,6 +95,10 @@ std::unique_ptr<Experiment> make_furniture_experiment() {
 
 std::unique_ptr<Experiment> make_boards_experiment() {
   return std::make_unique<ForeignObjects>(DrawnKind::board);
+}
+
+std::unique_ptr<Experiment> make_household_experiment() {
+  return std::make_unique<ForeignObjects>(DrawnKind::household);
 }
 
 }  // namespace lockbox::app

@@ -110,7 +110,7 @@ void print_foreign_report(const std::string& title, const Table& table) {
             << counts[Verdict::undetermined] << " that do not determine the base\n"
             << std::setprecision(2) << "  time: median " << times.median << " s, 95 % "
             << times.percentile_95 << " s, longest " << times.maximum << " s\n";
-  for (const Row& row : wrong) print_wrong(table, row, "");
+  for (const Row& row : wrong) print_wrong(table, row, ", " + table.word(row, "kind"));
   print_status_count(statuses);
 }
 

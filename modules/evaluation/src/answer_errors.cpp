@@ -19,11 +19,28 @@ bool determines_base(const Eigen::VectorXd& bound) {
 }
 
 AnswerComparison::AnswerComparison(const ArticulatedModel& model, const Tolerances& tolerances)
-    : model_(model), tolerances_(tolerances), symmetries_(find_lasting_symmetries(model)) {}
+    : model_(model), tolerances_(tolerances), symmetries_(find_lasting_symmetries(model)) {
+  for (int v = 0; v < model.tree.variables(); ++v) {
+    joint_turns_.push_back(count_joint_turns(model, v));
+  }
+}
 
-AnswerErrors AnswerComparison::compare(const TrackingResult& answer, const State& truth,
+State AnswerComparison::nearest_truth(State truth, const Configuration& answer) const {
+  Eigen::VectorXd& q = truth.configuration.q;
+  if (answer.q.size() != q.size()) return truth;
+  for (Eigen::Index v = 0; v < q.size(); ++v) {
+    const int turns = joint_turns_[static_cast<std::size_t>(v)];
+    if (turns == 1) continue;
+    const double part = kFullTurn / turns;
+    q[v] += part * std::round((answer.q[v] - q[v]) / part);
+  }
+  return truth;
+}
+
+AnswerErrors AnswerComparison::compare(const TrackingResult& answer, const State& true_state,
                                        const Eigen::VectorXd& bound) const {
   AnswerErrors errors;
+  const State truth = nearest_truth(true_state, answer.configuration);
   errors.outcome = lockbox::compare(model_.tree, answer, truth);
   if (std::isnan(errors.outcome.translation)) {
     errors.wrong = "nothing";

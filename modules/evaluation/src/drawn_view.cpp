@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "free_form_scene.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/units.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
@@ -114,6 +115,17 @@ Eigen::Isometry3d draw_pose(DrawnKind kind, const Eigen::Vector3d& front, bool i
   return T_base_camera.inverse();
 }
 
+void draw_household_view(const ArticulatedModel& model, const PinholeCamera& camera,
+                         RandomDraws random, DrawnView& view) {
+  const evaluation::FreeFormScene drawn =
+      evaluation::draw_free_form_scene(model, camera, view.truth.configuration, random);
+  view.truth = drawn.truth;
+  view.scene = drawn.scene;
+  view.placement = drawn.on_table ? "table" : "air";
+  view.is_oblique = true;
+  view.is_covered = drawn.is_covered;
+}
+
 }  // namespace
 
 DrawnView draw_view(DrawnKind kind, const ArticulatedModel& model, const PinholeCamera& camera,
@@ -122,6 +134,10 @@ DrawnView draw_view(DrawnKind kind, const ArticulatedModel& model, const Pinhole
   Configuration& truth = view.truth.configuration;
   view.open = draw_joints(model, block.draws(ObjectBlock::Purpose::joints, number), truth);
   RandomDraws random = block.draws(ObjectBlock::Purpose::view, number);
+  if (kind == DrawnKind::household) {
+    draw_household_view(model, camera, random, view);
+    return view;
+  }
   const Eigen::AlignedBox3d bounds = model_bounds(model.tree, rest_configuration(model.tree));
   draw_surroundings(kind, bounds, random, view);
   view.is_oblique = random.chance(0.5);

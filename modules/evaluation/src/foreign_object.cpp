@@ -27,22 +27,38 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   if (!out) throw InputError(file.string(), "cannot be written");
 }
 
-/// Of a scene of planes around the object.
+std::string list(const Eigen::VectorXd& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "[" : ", ") + number_text(value);
+  return text + ']';
+}
+
+/// Of a scene of planes and boxes around the object.
 std::string scene_text(const Scene& scene) {
-  const auto triple = [](const Eigen::Vector3d& v) {
-    return '[' + number_text(v.x()) + ", " + number_text(v.y()) + ", " + number_text(v.z()) + ']';
-  };
   std::string text = "moving: camera\nplanes:\n";
   for (const ScenePlane& plane : scene.planes) {
-    text += "  - {frame: base, point: " + triple(plane.point) +
-            ", normal: " + triple(plane.normal) + ", extent: [" + number_text(plane.extent.x()) +
-            ", " + number_text(plane.extent.y()) + "]}\n";
+    text += "  - {frame: base, point: " + list(plane.point) + ", normal: " + list(plane.normal) +
+            ", extent: " + list(plane.extent) + "}\n";
+  }
+  if (!scene.boxes.empty()) text += "boxes:\n";
+  for (const SceneBox& box : scene.boxes) {
+    text += "  - {frame: base, size: " + list(box.size) +
+            ", position: " + list(box.pose.translation()) +
+            ", quaternion: " + list(Eigen::Quaterniond(box.pose.linear()).coeffs()) + "}\n";
   }
   return text;
 }
 
 ObjectDraft draw_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number) {
-  return kind == DrawnKind::furniture ? draw_furniture(block, number) : draw_board(block, number);
+  switch (kind) {
+    case DrawnKind::furniture:
+      return draw_furniture(block, number);
+    case DrawnKind::board:
+      return draw_board(block, number);
+    case DrawnKind::household:
+      return draw_household(block, number);
+  }
+  return {};
 }
 
 /// Its fields are built anew: hundreds of objects that come once would fill the cache.
@@ -138,6 +154,7 @@ ForeignResult track_foreign_object(DrawnKind kind, const ObjectBlock& block, std
   const ArticulatedModel model =
       load_object(kind, block, number, settings.folder, settings.stop_request);
   ForeignResult result;
+  result.object = model.tree.name;
   result.parts = static_cast<int>(model.tree.joints.size());
   result.view = draw_view(kind, model, settings.camera, block, number);
   result.sensor = settings.sensor.value_or(draw_sensor(block, number));

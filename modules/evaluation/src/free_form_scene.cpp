@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "free_form_scene.hpp"
 
+#include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/units.hpp"
@@ -21,6 +23,7 @@ constexpr double kMostCut = 0.02;  // of the object, outside the image
 constexpr double kClear = 0.08;
 constexpr double kLeastHidden = 0.26;
 constexpr double kMostHidden = 0.40;
+constexpr double kUsualSize = 0.5;  // metres; larger objects are seen from farther away
 
 Eigen::Isometry3d looking(const Eigen::Vector3d& from, const Eigen::Vector3d& at, double roll) {
   const Eigen::Vector3d forward = (at - from).normalized();
@@ -56,6 +59,11 @@ void draw_joints(const ArticulatedModel& model, RandomDraws& random, Configurati
   }
 }
 
+/// The height of what the object stands on: that of its foot, or of what hangs below it.
+double table_of(const Eigen::AlignedBox3d& object) {
+  return std::min(0.0, object.min().z());
+}
+
 /// Boxes around the object, none in it; on the table or in the air behind and beside it.
 void add_clutter(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to_camera, bool on_table,
                  RandomDraws& random, Scene& scene) {
@@ -70,7 +78,7 @@ void add_clutter(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to_ca
     if (!on_table && way.dot(to_camera) > 0.0) way = -way;
     Eigen::Vector3d centre =
         object.center() + (reach + 0.5 * size.norm() + random.uniform(0.01, 0.3)) * way;
-    if (on_table) centre.z() = 0.5 * size.z();
+    if (on_table) centre.z() = table_of(object) + 0.5 * size.z();
     scene.boxes.push_back(
         box_at(size, centre, turn, on_table ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : way));
   }
@@ -86,7 +94,8 @@ void add_room(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to_camer
       {SceneFrame::base, object.center() - behind * to_camera, normal.normalized(), {8.0, 8.0}});
   if (!on_table) return;
   scene.boxes.push_back(
-      box_at({1.4, 0.9, 0.04}, {random.uniform(-0.3, 0.3), random.uniform(-0.2, 0.2), -0.02},
+      box_at({1.4, 0.9, 0.04},
+             {random.uniform(-0.3, 0.3), random.uniform(-0.2, 0.2), table_of(object) - 0.02},
              random.uniform(-std::numbers::pi, std::numbers::pi), Eigen::Vector3d::UnitZ()));
 }
 
@@ -102,18 +111,13 @@ SceneBox draw_cover(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to
                 random.direction());
 }
 
-}  // namespace
-
-FreeFormScene draw_free_form_scene(const ArticulatedModel& model, const PinholeCamera& camera,
-                                   RandomDraws random) {
-  FreeFormScene drawn;
-  drawn.on_table = random.chance(0.5);
-  drawn.is_covered = random.chance(0.5);
+/// drawn: with its joints, and whether it is on a table and covered.
+FreeFormScene place(const ArticulatedModel& model, const PinholeCamera& camera, FreeFormScene drawn,
+                    RandomDraws& random) {
   Configuration& truth = drawn.truth.configuration;
-  truth = rest_configuration(model.tree);
   truth.T_camera_base.setIdentity();
-  draw_joints(model, random, truth);
   const Eigen::AlignedBox3d object = model_bounds(model.tree, truth);
+  const double away = std::max(1.0, object.diagonal().norm() / kUsualSize);
   for (int draw = 0; draw < kMostDraws; ++draw) {
     Eigen::Vector3d to_camera = random.direction();
     if (drawn.on_table) {
@@ -124,7 +128,7 @@ FreeFormScene draw_free_form_scene(const ArticulatedModel& model, const PinholeC
     }
     const double roll = drawn.on_table ? random.uniform(-0.2, 0.2)
                                        : random.uniform(-std::numbers::pi, std::numbers::pi);
-    const double distance = random.uniform(0.5, 1.1);
+    const double distance = away * random.uniform(0.5, 1.1);
     const Eigen::Vector3d target = object.center() + 0.15 * distance * random.direction();
     truth.T_camera_base = looking(object.center() + distance * to_camera, target, roll).inverse();
     drawn.scene = Scene{};
@@ -141,6 +145,27 @@ FreeFormScene draw_free_form_scene(const ArticulatedModel& model, const PinholeC
     if (seen.cut < kMostCut && fits) return drawn;
   }
   throw InputError(model.file.string(), "no view of this object fits the image");
+}
+
+}  // namespace
+
+FreeFormScene draw_free_form_scene(const ArticulatedModel& model, const PinholeCamera& camera,
+                                   RandomDraws random) {
+  FreeFormScene drawn;
+  drawn.on_table = random.chance(0.5);
+  drawn.is_covered = random.chance(0.5);
+  drawn.truth.configuration = rest_configuration(model.tree);
+  draw_joints(model, random, drawn.truth.configuration);
+  return place(model, camera, std::move(drawn), random);
+}
+
+FreeFormScene draw_free_form_scene(const ArticulatedModel& model, const PinholeCamera& camera,
+                                   const Configuration& joints, RandomDraws random) {
+  FreeFormScene drawn;
+  drawn.on_table = random.chance(0.5);
+  drawn.is_covered = random.chance(0.5);
+  drawn.truth.configuration = joints;
+  return place(model, camera, std::move(drawn), random);
 }
 
 }  // namespace lockbox::evaluation

@@ -7,9 +7,11 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "lockbox/mesh/surface_sampling.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
+#include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/model/variable_range.hpp"
 
 namespace lockbox {
@@ -21,9 +23,13 @@ constexpr int kTurns = 24;  // steps of a full turn
 /// The surface of the model in the base's frame, or of one of its bodies in its own.
 class ModelSurface {
  public:
-  ModelSurface(const ArticulatedModel& model, Configuration configuration)
-      : model_(model), bodies_(model.tree.bodies.size()) {
-    std::iota(bodies_.begin(), bodies_.end(), std::size_t{0});
+  ModelSurface(const ArticulatedModel& model, const Configuration& configuration)
+      : ModelSurface(model, configuration, all_bodies(model.tree)) {}
+
+  /// Of some bodies alone, in the base's frame.
+  ModelSurface(const ArticulatedModel& model, Configuration configuration,
+               std::vector<std::size_t> bodies)
+      : model_(model), bodies_(std::move(bodies)) {
     configuration.T_camera_base.setIdentity();
     forward_kinematics(model.tree, configuration, poses_);
     sample();
@@ -33,6 +39,8 @@ class ModelSurface {
       : model_(model), bodies_{body}, poses_(body + 1, Eigen::Isometry3d::Identity()) {
     sample();
   }
+
+  const Eigen::Isometry3d& pose(std::size_t body) const { return poses_[body]; }
 
   /// Of the area.
   Eigen::Vector3d centre() const { return first_ / area_; }
@@ -81,6 +89,12 @@ class ModelSurface {
   }
 
  private:
+  static std::vector<std::size_t> all_bodies(const KinematicTree& tree) {
+    std::vector<std::size_t> bodies(tree.bodies.size());
+    std::iota(bodies.begin(), bodies.end(), std::size_t{0});
+    return bodies;
+  }
+
   void sample() {
     double area = 0.0;
     for (const std::size_t b : bodies_) area += surface_area(model_.tree.bodies[b].mesh);
@@ -222,6 +236,32 @@ std::vector<Eigen::Isometry3d> find_body_symmetries(const ArticulatedModel& mode
                                                     double share, double tolerance) {
   if (!model.fields[body]) return {Eigen::Isometry3d::Identity()};
   return symmetries_of(ModelSurface(model, body), tolerance, share);
+}
+
+int count_joint_turns(const ArticulatedModel& model, int variable, double tolerance) {
+  const KinematicTree& tree = model.tree;
+  const auto number =
+      static_cast<std::size_t>(tree.variable_joint[static_cast<std::size_t>(variable)]);
+  const Joint& joint = tree.joints[number];
+  const auto driven = std::count_if(tree.joints.begin(), tree.joints.end(),
+                                    [&](const Joint& other) { return other.variable == variable; });
+  if (joint.type == JointType::prismatic || driven > 1) return 1;
+  const std::vector<std::uint8_t> moves = moved_bodies(tree, variable);
+  std::vector<std::size_t> moved;
+  for (std::size_t b = 0; b < moves.size(); ++b) {
+    if (moves[b] != 0 && model.fields[b]) moved.push_back(b);
+  }
+  if (moved.empty()) return 1;
+  const ModelSurface surface(model, anywhere(tree), moved);
+  const Eigen::Isometry3d& T_base_joint = surface.pose(number + 1);
+  const Eigen::Vector3d axis = T_base_joint.linear() * joint.axis;
+  for (int turns = kTurns; turns > 1; --turns) {
+    const Eigen::AngleAxisd part(2.0 * std::numbers::pi / turns, axis);
+    const Eigen::Isometry3d motion = Eigen::Translation3d(T_base_joint.translation()) * part *
+                                     Eigen::Translation3d(-T_base_joint.translation());
+    if (surface.is_kept_by(motion, tolerance)) return turns;
+  }
+  return 1;
 }
 
 std::vector<Eigen::Vector3d> find_round_axes(const ArticulatedModel& model, double tolerance) {

@@ -61,7 +61,7 @@ std::string urdf_text(const ObjectDraft& draft) {
   out << "<?xml version=\"1.0\"?>\n<robot name=\"" << draft.name << "\">\n";
   for (const DraftLink& link : draft.links) write_link(out, link);
   for (const DraftJoint& joint : draft.joints) {
-    write_joint(out, joint, draft.links.front().name);
+    write_joint(out, joint, joint.parent.empty() ? draft.links.front().name : joint.parent);
   }
   out << "</robot>\n";
   return out.str();

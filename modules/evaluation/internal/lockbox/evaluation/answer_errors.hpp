@@ -24,17 +24,21 @@ class AnswerComparison {
   /// tolerances: of what counts as wrong. The model must outlive it.
   AnswerComparison(const ArticulatedModel& model, const Tolerances& tolerances);
 
-  /// Joints are compared whose bound in the frame is below a tenth of their tolerance.
-  AnswerErrors compare(const TrackingResult& answer, const State& truth,
+  /// Joints are compared whose bound in the frame is below a tenth of their tolerance. Of poses and
+  /// joint positions that look the same as the true ones the nearest counts.
+  AnswerErrors compare(const TrackingResult& answer, const State& true_state,
                        const Eigen::VectorXd& bound) const;
 
  private:
+  /// The truth, with joints where they look the same and are nearest to the answer's.
+  State nearest_truth(State truth, const Configuration& answer) const;
   std::string wrong_joints(const Configuration& answer, const State& truth,
                            const Eigen::VectorXd& bound) const;
 
   const ArticulatedModel& model_;
   Tolerances tolerances_;
   std::vector<Eigen::Isometry3d> symmetries_;
+  std::vector<int> joint_turns_;  ///< by variable, count_joint_turns()
 };
 
 }  // namespace lockbox

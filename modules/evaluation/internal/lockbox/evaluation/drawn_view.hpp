@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random views of a piece of furniture or of a board (object_block.hpp), as one meets them.
+// Random views of a piece of furniture, a board or a thing of a household (object_block.hpp), as
+// one meets them.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +14,22 @@
 
 namespace lockbox {
 
-enum class DrawnKind { furniture, board };
+enum class DrawnKind { furniture, board, household };
 
 struct DrawnView {
   State truth;
   Scene scene;
-  std::string placement;  ///< `wall`: touches it; `floor`: stands before one; `table`: lies flat
-  bool is_oblique = false;
-  int open = 0;  ///< joints that do not stand at rest
+  /// `wall`: touches it; `floor`: stands before one; `table`: a board lies flat, a thing of a
+  /// household stands among others; `air`: it is held there, turned anyhow.
+  std::string placement;
+  bool is_oblique = false;  ///< from the side and above, as all of a household
+  bool is_covered = false;  ///< a box before it hides about a third
+  int open = 0;             ///< joints that do not stand at rest
 };
 
-/// The view of that object of the block, from 1.2 to 2 m: at most 15 % of it lie outside the image.
+/// The view of that object of the block: furniture and boards from 1.2 to 2 m, at most 15 % outside
+/// the image; things of a household from 0.5 to 1.1 m, farther if large, among boxes, half of them
+/// with a third hidden.
 /// Joints stand where no part penetrates another, all at rest or some of them not. The model is
 /// that of the object. Throws InputError if no view of it fits.
 DrawnView draw_view(DrawnKind kind, const ArticulatedModel& model, const PinholeCamera& camera,

@@ -33,7 +33,8 @@ struct ForeignFrame {
 };
 
 struct ForeignResult {
-  int parts = 0;  ///< that move
+  std::string object;  ///< its name
+  int parts = 0;       ///< that move
   DrawnView view;
   std::string sensor;
   bool determined = false;  ///< the truth's own bound: base to 5 mm and 0.5 degrees

@@ -26,6 +26,12 @@ std::vector<Eigen::Isometry3d> find_lasting_symmetries(const ArticulatedModel& m
 std::vector<Eigen::Isometry3d> find_body_symmetries(const ArticulatedModel& model, std::size_t body,
                                                     double share = 1.0, double tolerance = 0.0005);
 
+/// Into how many equal parts of a full turn what a joint variable moves may be turned about the
+/// joint's axis and look the same within the tolerance (metres), wherever other joints stand: 2 for
+/// a knob with a bar across it, 1 if none. At most 24, which is round. 1 for a prismatic joint, and
+/// for a variable that drives several.
+int count_joint_turns(const ArticulatedModel& model, int variable, double tolerance = 0.0005);
+
 /// The axes, in the base's frame, about which the body of the base is round: turned about them by
 /// however much, its surface stays within the tolerance (metres). One for a bottle, several for a
 /// ball, and for a base of which nothing is seen.

@@ -38,4 +38,9 @@ ObjectDraft draw_furniture(const ObjectBlock& block, std::uint64_t number);
 /// the right, y up, z out of its front, which is the plane z = 0.
 ObjectDraft draw_board(const ObjectBlock& block, std::uint64_t number);
 
+/// A thing of a household or a workshop that folds, opens, turns or slides, 0.1 to 0.6 m: z is up
+/// where it stands, its foot is at z = 0. Kinds by turns, their proportions drawn; no kind of the
+/// tuning block is one of a test block.
+ObjectDraft draw_household(const ObjectBlock& block, std::uint64_t number);
+
 }  // namespace lockbox

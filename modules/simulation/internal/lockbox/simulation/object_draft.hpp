@@ -25,20 +25,20 @@ struct DraftLink {
   std::vector<DraftPart> parts;
 };
 
-/// Of a link on the first one.
 struct DraftJoint {
   std::string name;
   JointType type = JointType::prismatic;
   std::string child;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< in the first link's frame, metres
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< in the parent's frame, metres
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   double lower = 0.0;  ///< metres or radians; of no meaning for continuous joints
   double upper = 0.0;
+  std::string parent = {};  ///< empty: the first link
 };
 
 struct ObjectDraft {
   std::string name;
-  std::vector<DraftLink> links;  ///< the first one carries all others
+  std::vector<DraftLink> links;  ///< the first one is the base
   std::vector<DraftJoint> joints;
 };
 
