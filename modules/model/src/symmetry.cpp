@@ -1,153 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/model/symmetry.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
-#include "lockbox/mesh/surface_sampling.hpp"
-#include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/moved_bodies.hpp"
 #include "lockbox/model/variable_range.hpp"
+#include "model_surface.hpp"
 
 namespace lockbox {
 namespace {
 
-constexpr double kSamples = 3000.0;
 constexpr int kTurns = 24;  // steps of a full turn
-
-/// The surface of the model in the base's frame, or of one of its bodies in its own.
-class ModelSurface {
- public:
-  ModelSurface(const ArticulatedModel& model, const Configuration& configuration)
-      : ModelSurface(model, configuration, all_bodies(model.tree)) {}
-
-  /// Of some bodies alone, in the base's frame.
-  ModelSurface(const ArticulatedModel& model, Configuration configuration,
-               std::vector<std::size_t> bodies)
-      : model_(model), bodies_(std::move(bodies)) {
-    configuration.T_camera_base.setIdentity();
-    forward_kinematics(model.tree, configuration, poses_);
-    sample();
-  }
-
-  ModelSurface(const ArticulatedModel& model, std::size_t body)
-      : model_(model), bodies_{body}, poses_(body + 1, Eigen::Isometry3d::Identity()) {
-    sample();
-  }
-
-  const Eigen::Isometry3d& pose(std::size_t body) const { return poses_[body]; }
-
-  /// Of the area.
-  Eigen::Vector3d centre() const { return first_ / area_; }
-
-  /// Those of the base, and the principal ones.
-  Eigen::Matrix<double, 3, 6> axes() const {
-    const Eigen::Matrix3d spread = second_ / area_ - centre() * centre().transpose();
-    Eigen::Matrix<double, 3, 6> axes;
-    axes << Eigen::Matrix3d::Identity(),
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
-    return axes;
-  }
-
-  /// Where an axis of that direction is that most of the surface turns about: normals of a surface
-  /// of revolution meet its axis (Pottmann and Randrup, Rotational and Helical Surface
-  /// Approximation for Reverse Engineering, 1998). Lines that miss it, as those of a handle do,
-  /// count the less the farther they do.
-  Eigen::Vector3d centre_about(const Eigen::Vector3d& axis) const {
-    constexpr int kRounds = 20;
-    Eigen::Vector3d at = centre();
-    for (int round = 0; round < kRounds; ++round) {
-      Eigen::Matrix3d information = axis * axis.transpose();  // anywhere along it
-      Eigen::Vector3d pull = axis * axis.dot(at);
-      for (std::size_t i = 0; i < points_.size(); ++i) {
-        const Eigen::Vector3d across = axis.cross(normals_[i]);  // of the plane of axis and normal
-        const double missed = across.dot(at - points_[i]);
-        const double weight = std::pow(resolution_ / std::max(resolution_, std::abs(missed)), 2);
-        information += weight * across * across.transpose();
-        pull += weight * across * across.dot(points_[i]);
-      }
-      at = information.ldlt().solve(pull);
-    }
-    return at;
-  }
-
-  /// Whether the motion, or mirror, leaves that share of the surface where it is. tolerance:
-  /// metres.
-  template <typename Motion>
-  bool is_kept_by(const Motion& motion, double tolerance, double share = 1.0) const {
-    // Between its samples a field rounds off: a corner in the middle of a voxel reads half of it.
-    const double limit = tolerance + 0.5 * resolution_;
-    double moved_away = (1.0 - share) * static_cast<double>(points_.size());
-    return std::all_of(points_.begin(), points_.end(), [&](const Eigen::Vector3d& p) {
-      return std::abs(distance(motion * p)) < limit || --moved_away >= 0.0;
-    });
-  }
-
- private:
-  static std::vector<std::size_t> all_bodies(const KinematicTree& tree) {
-    std::vector<std::size_t> bodies(tree.bodies.size());
-    std::iota(bodies.begin(), bodies.end(), std::size_t{0});
-    return bodies;
-  }
-
-  void sample() {
-    double area = 0.0;
-    for (const std::size_t b : bodies_) area += surface_area(model_.tree.bodies[b].mesh);
-    for (const std::size_t b : bodies_) {
-      if (!model_.fields[b]) continue;
-      const TriangleMesh& mesh = model_.tree.bodies[b].mesh;
-      resolution_ = std::max(resolution_, model_.fields[b]->voxel());
-      add_moments(transformed(mesh, poses_[b]));
-      for (const auto& sample : sample_surface(mesh, std::sqrt(area / kSamples))) {
-        const Eigen::Vector3d p = poses_[b] * sample.position;
-        // Surface inside another body is none.
-        if (!(distance(p) > -1e-4)) continue;
-        points_.push_back(p);
-        normals_.push_back(poses_[b].linear() * sample.normal);
-      }
-    }
-  }
-
-  /// To the union of the bodies, negative inside, metres.
-  double distance(const Eigen::Vector3d& p) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::size_t b : bodies_) {
-      if (!model_.fields[b]) continue;
-      const Eigen::Vector3f p_body = (poses_[b].inverse() * p).cast<float>();
-      least = std::min(least, static_cast<double>(model_.fields[b]->sample(p_body).distance));
-    }
-    return least;
-  }
-
-  /// Exact for triangles: the means over the mid-points of their sides.
-  void add_moments(const TriangleMesh& mesh) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto corners = mesh.corners(t);
-      const double share = area_vector(corners).norm() / 3.0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Eigen::Vector3d middle = 0.5 * (corners[i] + corners[(i + 1) % 3]);
-        area_ += share;
-        first_ += share * middle;
-        second_ += share * middle * middle.transpose();
-      }
-    }
-  }
-
-  const ArticulatedModel& model_;
-  std::vector<std::size_t> bodies_;
-  double resolution_ = 0.0;  // of the fields, metres
-  double area_ = 0.0;
-  Eigen::Vector3d first_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second_ = Eigen::Matrix3d::Zero();
-  std::vector<Eigen::Isometry3d> poses_;
-  std::vector<Eigen::Vector3d> points_;
-  std::vector<Eigen::Vector3d> normals_;
-};
 
 /// About an axis through the centre, by a number of steps.
 Eigen::Isometry3d turned(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, int turn) {
