@@ -45,10 +45,10 @@ Configuration facing(const KinematicTree& tree, double turn) {
   return configuration;
 }
 
-/// Looks at a thing before a wall.
-Verifier looking_at(const KinematicTree& thing, const KinematicTree& with) {
+/// Looks at a thing before a wall, turned about its normal.
+Verifier looking_at(const KinematicTree& thing, const KinematicTree& with, double turn = 0.0) {
   State state;
-  state.configuration = facing(thing, 0.0);
+  state.configuration = facing(thing, turn);
   DepthFrame frame;
   const SensorModel sensor = sensor_model("primesense");
   Simulator(thing, sensor.camera, {wall_behind(0.3), {state}}, sensor, 3, Executor())
@@ -94,6 +94,18 @@ TEST(SmallThings, GapsThatItCannotFillDo) {
   const KinematicTree wide = slats(0.035);
   const Evidence evidence = looking_at(filled, wide).evidence(facing(wide, 0.0));
   EXPECT_LT(evidence.contradicted, -15.0);
+}
+
+/// A bar of two or three cells: single cells of the image end on both sides, and do not say towards
+/// which.
+TEST(SmallThings, BarsOfFewCellsDoNotSpeakAgainstThemselves) {
+  for (const double width : {0.006, 0.007, 0.009}) {
+    const KinematicTree lamp = made_of({{{0.08, 0.08, 0.03}, {0.0, -0.1, 0.0}},
+                                        {{width, 0.2, width}, {0.0, 0.0, 0.0}},
+                                        {{0.06, 0.06, 0.04}, {0.0, 0.12, 0.0}}});
+    const Evidence evidence = looking_at(lamp, lamp, 0.75).evidence(facing(lamp, 0.75));
+    EXPECT_GT(evidence.contradicted, -0.02 * evidence.matched) << width;
+  }
 }
 
 /// A box, and a bar beside it that slides to the right, of which a fifth stands out from behind a

@@ -60,6 +60,7 @@ void add_ends(const SceneCells& scene, std::span<const float> cells, double shar
 void ContourLines::find(const SceneCells& scene, std::span<const float> cells, double share,
                         const Executor& executor) {
   raw_.resize(cells.size());
+  strips_.resize(cells.size());
   directions_.resize(cells.size());
   ends_.resize(static_cast<std::size_t>(executor.threads()));
   const auto rows = static_cast<std::size_t>(scene.height());
@@ -98,9 +99,11 @@ void ContourLines::find_in_row(const SceneCells& scene, std::span<const float> c
     const auto column = static_cast<std::size_t>(u);
     const Eigen::Vector2f sum(ends.u[column], ends.v[column]);
     const std::size_t cell = scene.index(u, v);
-    const bool is_contour = ends.count[column] >= kLeastSights && cells[cell] > 0.0F &&
-                            sum.squaredNorm() > kLeastSum * kLeastSum;
+    const bool is_known = cells[cell] > 0.0F;
+    const bool points = sum.squaredNorm() > kLeastSum * kLeastSum;
+    const bool is_contour = is_known && points && ends.count[column] >= kLeastSights;
     raw_[cell] = is_contour ? Eigen::Vector2f(sum.normalized()) : Eigen::Vector2f(0.0F, 0.0F);
+    strips_[cell] = is_known && !points && ends.count[column] >= 2.0F * kLeastSights ? 1 : 0;
   }
 }
 
@@ -159,6 +162,16 @@ bool ContourLines::passes(const SceneCells& scene, int u, int v, int reach,
       if (!scene.contains(u + du, v + dv)) continue;
       const Eigen::Vector2f& there = directions_[scene.index(u + du, v + dv)];
       if (there.dot(direction) > kSameDirection * there.norm() * direction.norm()) return true;
+    }
+  }
+  return false;
+}
+
+bool ContourLines::has_strip(const SceneCells& scene, int u, int v, int reach) const {
+  for (int at_v = std::max(0, v - reach); at_v <= std::min(scene.height() - 1, v + reach); ++at_v) {
+    for (int at_u = std::max(0, u - reach); at_u <= std::min(scene.width() - 1, u + reach);
+         ++at_u) {
+      if (strips_[scene.index(at_u, at_v)] != 0) return true;
     }
   }
   return false;

@@ -44,6 +44,10 @@ class ContourLines {
   bool passes(const SceneCells& scene, int u, int v, int reach,
               const Eigen::Vector2f& direction) const;
 
+  /// Whether something that ends on both sides, too narrow to say towards which, is within so many
+  /// cells.
+  bool has_strip(const SceneCells& scene, int u, int v, int reach) const;
+
  private:
   void find_in_row(const SceneCells& scene, std::span<const float> cells, double share, int v);
   void smooth_row(const SceneCells& scene, int v);
@@ -51,6 +55,7 @@ class ContourLines {
 
   std::vector<Eigen::Vector2f> directions_;
   std::vector<Eigen::Vector2f> raw_;
+  std::vector<std::uint8_t> strips_;
   std::vector<Ends> ends_;           ///< by worker
   std::vector<std::int32_t> lines_;  ///< -1: none yet
   std::vector<int> lengths_;

@@ -211,13 +211,15 @@ void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
     const double share = worth(length) / length;
     if (model_lines.passes(*scene, u, v, reach, of_scene)) {
       sum.evidence.matched += share;
-    } else if (is_in_sight(u, v, of_scene) && !faint_lines.passes(*scene, u, v, reach, of_scene)) {
+    } else if (is_in_sight(u, v, of_scene) && !faint_lines.passes(*scene, u, v, reach, of_scene) &&
+               !faint_lines.has_strip(*scene, u, v, reach)) {
       sum.evidence.contradicted += std::log(evidence::kUnmodelled) / evidence::kLine * share;
       sum.unmatched += share;
     }
   }
   if (!of_model.isZero() && is_in_sight(u, v, of_model) &&
       !scene_lines.passes(*scene, u, v, reach, of_model) &&
+      !scene_lines.has_strip(*scene, u, v, reach) &&
       blurred_lines.passes(*scene, u, v, reach, of_model)) {
     sum.unseen.push_back({model_lines.line(cell), u, v, of_model});
   }
