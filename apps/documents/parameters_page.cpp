@@ -28,6 +28,9 @@ constexpr std::array kOptionHeaders = {
                  "modules/view/include/lockbox/view/view_options.hpp", ""},
     OptionHeader{"Noise of the sensor", "modules/sensor/include/lockbox/sensor/sensor_noise.hpp",
                  "noise_"},
+    OptionHeader{"What rooms and built objects are like",
+                 "modules/verification/include/lockbox/verification/evidence_options.hpp",
+                 "evidence_"},
     OptionHeader{"Depths that are used", "modules/cloud/include/lockbox/cloud/cloud_options.hpp",
                  ""},
 };
@@ -59,13 +62,13 @@ file of `--config`; that counts more than the sensor's profile. Those of a model
 )";
 
 constexpr char kEvidence[] = R"(
-## Quantities that evidence depends on
-
-They are constants (`modules/verification/src/evidence_constants.hpp`, [verification](verification.md)). No option, `--set` or
-profile changes them. They say what rooms and built objects are like, whatever the camera and the model; what differs from camera
-to camera is in the sensor's profile. Belief is a probability with these values alone: with them it was
+Evidence and belief go by these ([verification](verification.md)). Belief is a probability with these values alone: with them it was
 [compared](experiments.md#is-belief-the-probability-that-it-says) with how often answers are right. Who changes one has to
-measure that anew. `run.yaml` names the version of lockbox, and so the values.
+measure that anew.
+
+## Cells in which evidence is looked for
+
+The code is laid out for these two (`modules/verification/src/evidence_constants.hpp`): nothing sets them.
 
 )";
 

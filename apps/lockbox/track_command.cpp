@@ -9,6 +9,7 @@
 #include "command_line/nearest_name.hpp"
 #include "command_line/option_checks.hpp"
 #include "command_line/output_paths.hpp"
+#include "command_line/parameters.hpp"
 #include "command_line/progress.hpp"
 #include "commands.hpp"
 #include "lockbox/core/error.hpp"
@@ -17,7 +18,6 @@
 #include "lockbox/publishing/publisher.hpp"
 #include "locked_folder.hpp"
 #include "model_options.hpp"
-#include "parameters.hpp"
 #include "plausible_states.hpp"
 #include "run_writer.hpp"
 #include "snapshots.hpp"
@@ -229,16 +229,7 @@ class TrackCommand : public Command {
     options.add_option("--collision", collision_, "off, literal or eroded")
         ->check(one_of({"off", "literal", "eroded"}))
         ->type_name("MODE");
-    options
-        .add_option("--set", parameters_,
-                    "Set a parameter of the tracker (docs/parameters.md), whatever else sets it: "
-                    "gate=3 (repeatable)")
-        ->check(readable([](const std::string& text) {
-          TrackerOptions any;
-          set_parameter(text, any);
-        }))
-        ->type_name("NAME=VALUE")
-        ->default_str("");
+    add_set_option(options, parameters_);
   }
 
   TrackerOptions make_tracker_options(const KinematicTree& tree) const {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "command_line/interruption.hpp"
+#include "command_line/parameters.hpp"
 #include "command_line/progress.hpp"
 #include "counted.hpp"
 #include "lockbox/core/error.hpp"
-#include "parameters.hpp"
 #include "published_output.hpp"
 #include "run_outputs.hpp"
 #include "search_report.hpp"

@@ -10,6 +10,7 @@
 
 #include "command_line/interruption.hpp"
 #include "command_line/option_checks.hpp"
+#include "command_line/parameters.hpp"
 #include "command_line/progress.hpp"
 #include "command_line/shipped_files.hpp"
 #include "command_line/whole_file.hpp"
@@ -63,12 +64,20 @@ class Mismatch : public Experiment {
         ->default_str("each of them");
     options.add_option("--seeds", seeds_, "Of each kind")->check(positive());
     options.add_option("--frames", frames_, "Of each run")->check(positive());
+    add_set_option(options, parameters_);
     shard_.add_to(options);
   }
 
  private:
   std::vector<std::string> default_models() const override {
     return {"lockbox", "cabinet", "rigid_block", "board_door_block"};
+  }
+
+  /// Of the files' names: what of the tracker is not as usual.
+  std::string settings_text() const {
+    std::string text;
+    for (const std::string& parameter : parameters_) text += "_" + parameter;
+    return text;
   }
 
   /// So ordered that an interrupted experiment has met all kinds alike.
@@ -98,7 +107,7 @@ class Mismatch : public Experiment {
   bool run_model(const ArticulatedModel& model, const ExperimentSettings& settings) override {
     const auto stem =
         settings.output / ("mismatch_" + model.tree.name + "_" + severity_ + "_" + settings.sensor +
-                           "_" + std::to_string(frames_) + "frames");
+                           "_" + std::to_string(frames_) + "frames" + settings_text());
     const auto file = shard_.rows_file(stem);
     Table table = continued_table(file, mismatch_columns());
     std::set<std::string> done;
@@ -136,8 +145,11 @@ class Mismatch : public Experiment {
     const SensorModel sensor = sensor_model(other.name.empty() ? settings.sensor : other.name);
     const std::vector<State> truth = motion(model, other.distance);
     const Scene scene = fitted(read_scene(find_scene("room")), model.tree, truth.front());
+    TrackerOptions tracker;
+    tracker.stop_request = interruption::requested;
+    for (const std::string& parameter : parameters_) set_parameter(parameter, tracker);
     return track_mismatch(model, truth, deviation,
-                          {sensor.camera, sensor, scene, run.seed, interruption::requested},
+                          {sensor.camera, sensor, scene, run.seed, tracker},
                           interruption::executor());
   }
 
@@ -149,6 +161,7 @@ class Mismatch : public Experiment {
   std::vector<std::string> kinds_ = mismatch_kinds();
   int seeds_ = 5;
   int frames_ = 60;
+  std::vector<std::string> parameters_;
   Shard shard_;
 };
 

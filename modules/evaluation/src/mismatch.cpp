@@ -10,7 +10,6 @@
 #include "lockbox/simulation/delivery.hpp"
 #include "lockbox/simulation/deviating_model.hpp"
 #include "lockbox/simulation/simulator.hpp"
-#include "stoppable.hpp"
 
 namespace lockbox {
 namespace {
@@ -86,7 +85,7 @@ std::vector<MismatchFrame> track_mismatch(const ArticulatedModel& model,
   const std::vector<bool> missing = missing_joints(model.tree, built);
   Simulator simulator(built, settings.camera, PlacedScene(settings.scene, run), settings.sensor,
                       settings.seed, executor, deviation.sensor);
-  Tracker tracker(model, stoppable(settings.stop_request));
+  Tracker tracker(model, settings.tracker);
   std::vector<MismatchFrame> frames;
   DepthFrame image;
   for (const DeliveredFrame& frame : delivered_frames(run, deviation.frames, deviation.seed)) {

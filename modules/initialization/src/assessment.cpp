@@ -21,7 +21,7 @@ void set_evidence(const Evidence& evidence, Candidate& candidate) {
 }  // namespace
 
 Assessment::Assessment(const SoughtModel& sought, ExactFit& exact)
-    : sought_(sought), exact_(exact), verifier_(sought.model.tree) {}
+    : sought_(sought), exact_(exact), verifier_(sought.model.tree, sought.evidence) {}
 
 void Assessment::look_at(const SearchImage& image, const Executor& executor) {
   verifier_.look_at(image.cloud(), image.noise().pixel, executor);

@@ -25,7 +25,7 @@ void check(const TiledCloud& cloud) {
 struct Initializer::Workspace {
   Workspace(const ArticulatedModel& model, const InitializerOptions& options,
             const Executor& executor)
-      : sought(model, options.registration),
+      : sought(model, options.registration, options.evidence),
         noise(options.registration.noise.sigma_inverse_depth()),
         image(sought, noise, options.stop_request, executor),
         exact(model, options, executor),

@@ -71,7 +71,8 @@ void JointSearch::doubt_hidden(SearchImage& image, Assessment& assessment,
       const double turned = std::abs(other.q[variable] - answer.configuration.q[variable]);
       if (turned * sought_.extent.variables[variable] < least_apart(sought_.extent)) continue;
       const double against = assessment.evidence(other);
-      if (log_odds(evidence, against) < kSurelyThere) answer.margins[v] = kNotTold;
+      if (log_odds(evidence, against, sought_.evidence) < kSurelyThere)
+        answer.margins[v] = kNotTold;
     }
   }
 }

@@ -12,18 +12,12 @@
 namespace lockbox {
 namespace {
 
-/// Of what speaks for an answer, what may speak against it. Unit: 1. Source: of 88 right answers of
-/// tuning scenes (seven models, five of them not shipped) one has 0.26, all others less than 0.19;
-/// a box with a wall on it 0.38, with 223 nats; a folding chair whose seat was taken for its back
-/// 0.33, with 60. Doubled, that is believed.
-constexpr double kMostContradicted = 0.3;
-
 /// What is contradicted so much is no more probable than none, unless more is left than a box can
 /// show: something like it stands there.
-double credible_evidence(const Candidate& candidate) {
-  const bool is_credible =
-      candidate.contradiction <= kMostContradicted || candidate.evidence >= evidence_beyond_a_box();
-  return is_credible ? candidate.evidence : std::min(candidate.evidence, least_evidence());
+double credible_evidence(const EvidenceOptions& options, const Candidate& candidate) {
+  const bool is_credible = candidate.contradiction <= options.most_contradicted ||
+                           candidate.evidence >= evidence_beyond_a_box(options);
+  return is_credible ? candidate.evidence : std::min(candidate.evidence, least_evidence(options));
 }
 
 /// Whether a base that is round is turned about its axis, and all that it carries is where it was.
@@ -82,18 +76,19 @@ void compare(const SoughtModel& sought, std::vector<Candidate>& candidates) {
   for (Candidate& candidate : candidates) {
     const Configuration& here = candidate.configuration;
     others.clear();
-    const double evidence = credible_evidence(candidate);
+    const double evidence = credible_evidence(sought.evidence, candidate);
     // What is not in view may be as far away as what is.
-    double squares = std::exp(log_odds(least_evidence(), evidence)) *
-                     here.T_camera_base.translation().squaredNorm();
+    double squares =
+        std::exp(log_odds(least_evidence(sought.evidence), evidence, sought.evidence)) *
+        here.T_camera_base.translation().squaredNorm();
     for (const Candidate& other : candidates) {
       if (are_one(sought, here, other.configuration)) continue;
       const double move = farthest_move(sought.extent, sought.symmetries, here.T_camera_base,
                                         other.configuration.T_camera_base);
       others.push_back(other.evidence);
-      squares += std::exp(log_odds(other.evidence, evidence)) * move * move;
+      squares += std::exp(log_odds(other.evidence, evidence, sought.evidence)) * move * move;
     }
-    candidate.belief = belief(evidence, others);
+    candidate.belief = belief(evidence, others, sought.evidence);
     candidate.rival_distance = std::sqrt(candidate.belief * squares);
     const Configuration& first = candidates.front().configuration;
     candidate.distance = are_one(sought, first, here)

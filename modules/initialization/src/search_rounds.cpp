@@ -129,14 +129,14 @@ std::span<const Round> rounds_of(const SoughtModel& sought) {
 }
 
 /// Whether the best is more probable than none.
-bool is_answer(const std::vector<Candidate>& answers) {
-  return !answers.empty() && answers.front().evidence >= least_evidence();
+bool is_answer(const EvidenceOptions& options, const std::vector<Candidate>& answers) {
+  return !answers.empty() && answers.front().evidence >= least_evidence(options);
 }
 
 /// Whether it is there, by more than a box can show, and hardly anything speaks against its being
 /// just so.
-bool is_clear(const Candidate& answer) {
-  return answer.evidence >= evidence_beyond_a_box() && answer.contradiction <= kClear;
+bool is_clear(const EvidenceOptions& options, const Candidate& answer) {
+  return answer.evidence >= evidence_beyond_a_box(options) && answer.contradiction <= kClear;
 }
 
 }  // namespace
@@ -218,7 +218,8 @@ void SearchRounds::leave_out_followed(std::vector<Hypothesis>& hypotheses) {
 void SearchRounds::seek_turns_of_best(SearchImage& image, const Configuration& held, double& turned,
                                       std::vector<Candidate>& answers) {
   do {
-    if (answers.empty() || log_odds(answers.front().evidence, turned) <= kAnother) return;
+    if (answers.empty() || log_odds(answers.front().evidence, turned, sought_.evidence) <= kAnother)
+      return;
     turned = answers.front().evidence;
     const Configuration best = answers.front().configuration;
     const RegistrationResult seen = exact_.compare(image.cloud(), best);
@@ -228,7 +229,7 @@ void SearchRounds::seek_turns_of_best(SearchImage& image, const Configuration& h
       others = followed(image, std::move(others), kOfTurns, turned);
       assessment_.add_answers(image, others, kEachTurn, answers);
     }
-  } while (is_answer(answers));
+  } while (is_answer(sought_.evidence, answers));
 }
 
 std::vector<Candidate> SearchRounds::seek(SearchImage& image, const Configuration& held,
@@ -246,19 +247,21 @@ std::vector<Candidate> SearchRounds::seek(SearchImage& image, const Configuratio
         in_batches(proposed(image, held, round), round.first);
     for (std::vector<Hypothesis>& batch : batches) {
       const bool is_last = &batch == &batches.back();
-      const double to_beat = answers.empty() ? least_evidence() : answers.front().evidence;
+      const double to_beat =
+          answers.empty() ? least_evidence(sought_.evidence) : answers.front().evidence;
       const auto closer = followed(image, std::move(batch), *round.breadth, to_beat);
       assessment_.add_answers(image, closer, kRanked, answers);
-      if (is_last || is_answer(answers)) seek_turns_of_best(image, held, turned, answers);
-      is_convinced = !answers.empty() && is_clear(answers.front());
+      if (is_last || is_answer(sought_.evidence, answers))
+        seek_turns_of_best(image, held, turned, answers);
+      is_convinced = !answers.empty() && is_clear(sought_.evidence, answers.front());
       if (is_convinced) break;
     }
     is_convinced |= !answers.empty() && answers.front().belief >= round.enough;
   }
   progress.answers.clear();
   // What is merely possible is looked at closer in the next image.
-  const bool is_over =
-      !answers.empty() && (is_clear(answers.front()) || answers.front().belief >= kConvincing);
+  const bool is_over = !answers.empty() && (is_clear(sought_.evidence, answers.front()) ||
+                                            answers.front().belief >= kConvincing);
   assessment_.add_look_alikes(image.cloud(), answers);
   answers.resize(std::min(answers.size(), most_candidates_));
   if (is_over || progress.rounds == std::ssize(rounds)) {

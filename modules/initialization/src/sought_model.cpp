@@ -38,8 +38,9 @@ KinematicTree seen_from_afar(const ArticulatedModel& model) {
 }  // namespace
 
 SoughtModel::SoughtModel(const ArticulatedModel& articulated_model,
-                         const RegistrationOptions& options)
+                         const RegistrationOptions& options, const EvidenceOptions& of_evidence)
     : model(articulated_model),
+      evidence(of_evidence),
       from_afar(seen_from_afar(articulated_model)),
       is_flat(flat_share(model.tree) > kMostlyFlat),
       extent(model_extent(model.tree)),

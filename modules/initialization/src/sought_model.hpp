@@ -9,15 +9,18 @@
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/model/look_alikes.hpp"
 #include "lockbox/registration/registration_options.hpp"
+#include "lockbox/verification/evidence_options.hpp"
 #include "model_extent.hpp"
 
 namespace lockbox {
 
 /// What is known of the object before any image. The model has to outlive it.
 struct SoughtModel {
-  SoughtModel(const ArticulatedModel& articulated_model, const RegistrationOptions& options);
+  SoughtModel(const ArticulatedModel& articulated_model, const RegistrationOptions& options,
+              const EvidenceOptions& of_evidence = {});
 
   const ArticulatedModel& model;
+  EvidenceOptions evidence;
   KinematicTree from_afar;  ///< the model in fewer triangles, for views of few pixels
   bool is_flat;             ///< most of its surface
   ModelExtent extent;

@@ -87,7 +87,8 @@ void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
       candidates.empty() ? 0.0 : (1.0 - options_.convincing_belief) * candidates.front().belief;
   std::optional<Answer> likeliest;
   for (const Candidate& candidate : candidates) {
-    if (candidate.evidence < least_evidence() || candidate.belief < least_belief) break;
+    if (candidate.evidence < least_evidence(options_.evidence) || candidate.belief < least_belief)
+      break;
     const Answer found = registered(candidate, narrow());
     if (ends_search(candidate, found)) {
       doubt_if_rivalled(candidate, candidates);
@@ -267,7 +268,7 @@ void Acquisition::assume(const RegistrationOptions& registration) {
 
 Initializer& Acquisition::initializer() {
   if (!initializer_) {
-    InitializerOptions options{options_.registration};
+    InitializerOptions options{options_.registration, options_.evidence};
     options.registration.fixed_base = false;  // it is held where it was found
     options.stop_request = options_.stop_request;
     initializer_.emplace(model_, options, executor_);

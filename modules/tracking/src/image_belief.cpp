@@ -6,7 +6,7 @@
 namespace lockbox {
 
 double ImageBelief::of(const Configuration& configuration) {
-  return belief(evidence({&configuration, 1}).front(), {});
+  return belief(evidence({&configuration, 1}).front(), {}, options_.evidence);
 }
 
 std::vector<double> ImageBelief::evidence(std::span<const Configuration> configurations) {

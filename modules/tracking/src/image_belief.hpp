@@ -18,7 +18,7 @@ class ImageBelief {
  public:
   ImageBelief(const KinematicTree& tree, const TiledCloud& cloud, const TrackerOptions& options,
               const Executor& executor)
-      : verifier_(tree), cloud_(cloud), options_(options), executor_(executor) {}
+      : verifier_(tree, options.evidence), cloud_(cloud), options_(options), executor_(executor) {}
 
   /// The probability, in [0, 1].
   double of(const Configuration& configuration);

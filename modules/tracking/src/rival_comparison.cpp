@@ -62,7 +62,8 @@ std::optional<RivalComparison::Outcome> RivalComparison::compare(const Answer& f
   const auto number = static_cast<std::size_t>(best - means.begin());
   std::iter_swap(means.begin(), best);
   for (double& mean : means) mean = means.front() - kIndependentFrames * (means.front() - mean);
-  const double belief_in_best = belief(means.front(), std::span(means).subspan(1));
+  const double belief_in_best =
+      belief(means.front(), std::span(means).subspan(1), options_.evidence);
   if (belief_in_best < options_.convincing_belief) return std::nullopt;
   Outcome outcome{number == 0 ? followed : rivals_[number - 1].answer, number > 0};
   outcome.answer.belief = belief_in_best;

@@ -121,7 +121,7 @@ void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
                         const TrackerOptions& options, const Executor& executor,
                         const RegistrationResult* best, SearchFailure& failure) {
   // Its own, so that what the tracker finds later does not depend on what is tried here.
-  InitializerOptions of_search{options.registration};
+  InitializerOptions of_search{options.registration, options.evidence};
   of_search.stop_request = options.stop_request;
   Initializer initializer(model, of_search, executor);
   ArticulatedRegistration registration(model, options.registration, executor);
@@ -146,8 +146,8 @@ void try_other_readings(const DepthFrame& frame, const ArticulatedModel& model,
         registration.align(cloud, candidates.front().configuration,
                            {options.start_joint_sigma, options.start_joint_iterations});
     if (classify(found, options) != TrackingStatus::tracking) return std::nullopt;
-    const bool is_convincing =
-        belief(evidence_for(found.configuration), as_it_is) > options.convincing_belief;
+    const bool is_convincing = belief(evidence_for(found.configuration), as_it_is,
+                                      options.evidence) > options.convincing_belief;
     if (!is_convincing) return std::nullopt;
     return found.configuration;
   };

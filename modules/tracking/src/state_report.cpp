@@ -50,7 +50,7 @@ void StateReport::write_belief(const Answer& answer, const Judgement& before, co
   if (asked > 0.0) {
     const bool is_followed =
         before.status == TrackingStatus::tracking && now.status == TrackingStatus::tracking;
-    const bool is_against = asked < belief(0.0, {});
+    const bool is_against = asked < belief(0.0, {}, options_.evidence);
     result_.belief = is_followed && !is_against ? std::max(asked, result_.belief) : asked;
     frames_without_belief_ = 0;
   }

@@ -39,9 +39,9 @@ Around around(const SceneCells& scene, const ShownModel& model, int u, int v) {
 }
 
 /// What lies on the scene's own surface errs, too.
-double of_misfit(double misfit) {
+double of_misfit(const SceneCells& scene, double misfit) {
   constexpr double kUsual = 2.0;  // standard deviations
-  return -0.5 * std::max(0.0, misfit * misfit - kUsual * kUsual) / evidence::kFace;
+  return -0.5 * std::max(0.0, misfit * misfit - kUsual * kUsual) / scene.options().face;
 }
 
 /// Adds what one cell says, unless it is hidden.
@@ -50,19 +50,19 @@ Seen classify_cell(const SceneCells& scene, const ShownModel& model, int u, int 
   const double here = model.at(u, v);
   const double deviation = scene.deviation(here);
   const double misfit = (cell - here) / deviation;
-  if (std::abs(misfit) < evidence::kAgree) {
-    sum.misfit += of_misfit(misfit);
+  if (std::abs(misfit) < scene.options().agree) {
+    sum.misfit += of_misfit(scene, misfit);
     return Seen::explained;
   }
   const Around near = around(scene, model, u, v);
   const double beyond = near.beyond(cell);
-  if (std::abs(beyond) < evidence::kAgree * deviation) {
-    sum.misfit += of_misfit(beyond / deviation);
+  if (std::abs(beyond) < scene.options().agree * deviation) {
+    sum.misfit += of_misfit(scene, beyond / deviation);
     return Seen::explained;
   }
   if (beyond > 0.0) return Seen::occluder;
   if (near.is_at_contour) return Seen::explained;  // what lies beside the model
-  const double anywhere = evidence::kOutliers / evidence::kInverseRange;
+  const double anywhere = scene.options().outliers / scene.options().inverse_range;
   sum.free_space_violation +=
       std::min(0.0, std::log(anywhere / scene.density(u, v))) / evidence::kWindow;
   return Seen::behind;
@@ -82,7 +82,7 @@ Evidence CellClassification::classify(const SceneCells& scene, const ShownModel&
       classify_row(scene, model, drawn.top + static_cast<int>(i));
     }
   });
-  find_mute_bodies(model, bodies);
+  find_mute_bodies(model, bodies, scene.options().least_seen);
   Evidence all;
   for (const Evidence& row : rows_) all += row;
   return all;
@@ -98,7 +98,8 @@ void CellClassification::classify_row(const SceneCells& scene, const ShownModel&
 }
 
 /// The base is what is sought, however little of it is seen.
-void CellClassification::find_mute_bodies(const ShownModel& model, std::size_t bodies) {
+void CellClassification::find_mute_bodies(const ShownModel& model, std::size_t bodies,
+                                          double least_seen) {
   explained_cells_.assign(bodies, 0);
   hidden_cells_.assign(bodies, 0);
   const ImageWindow& drawn = model.image.drawn;
@@ -114,7 +115,7 @@ void CellClassification::find_mute_bodies(const ShownModel& model, std::size_t b
   is_mute_.assign(bodies, 0);
   for (std::size_t b = 1; b < bodies; ++b) {
     const double all = explained_cells_[b] + hidden_cells_[b];
-    is_mute_[b] = explained_cells_[b] < evidence::kLeastSeen * all ? 1 : 0;
+    is_mute_[b] = explained_cells_[b] < least_seen * all ? 1 : 0;
   }
 }
 

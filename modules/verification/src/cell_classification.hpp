@@ -39,7 +39,7 @@ class CellClassification {
 
  private:
   void classify_row(const SceneCells& scene, const ShownModel& model, int v);
-  void find_mute_bodies(const ShownModel& model, std::size_t bodies);
+  void find_mute_bodies(const ShownModel& model, std::size_t bodies, double least_seen);
 
   std::vector<Seen> seen_;
   std::vector<Evidence> rows_;

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evidence_constants.hpp"
-
 namespace lockbox {
 namespace {
 
@@ -15,6 +13,7 @@ constexpr float kStraight = 0.95F;       // mean of unit vectors around a cell o
 constexpr int kSmoothing = 2;            // cells around
 constexpr int kGap = 2;                  // cells: with one between them in which nothing is known
 constexpr float kLeastSights = 2.0F;     // that do not go on: of a single one noise is enough
+constexpr float kLeastOfStrip = 4.0F;    // likewise, two to each side
 
 float square(double value) {
   return static_cast<float>(value * value);
@@ -34,9 +33,9 @@ void add_ends(const SceneCells& scene, std::span<const float> cells, double shar
   const float* const near = cells.data() + scene.index(0, near_v) + sight.near * sight.du;
   const float* const far = cells.data() + scene.index(0, far_v) + reach;
   const auto ratio = static_cast<float>(sight.ratio());
-  const float of_noise = square(share * evidence::kAgree * scene.noise()) *
+  const float of_noise = square(share * scene.options().agree * scene.noise()) *
                          static_cast<float>(1.0 + sight.variances());
-  const float of_tolerance = square(share * evidence::kAgree * scene.tolerance());
+  const float of_tolerance = square(share * scene.options().agree * scene.tolerance());
   const Eigen::Vector2f way = sight.way();
   float* const count = ends.count.data();
   float* const sum_u = ends.u.data();
@@ -103,7 +102,7 @@ void ContourLines::find_in_row(const SceneCells& scene, std::span<const float> c
     const bool points = sum.squaredNorm() > kLeastSum * kLeastSum;
     const bool is_contour = is_known && points && ends.count[column] >= kLeastSights;
     raw_[cell] = is_contour ? Eigen::Vector2f(sum.normalized()) : Eigen::Vector2f(0.0F, 0.0F);
-    strips_[cell] = is_known && !points && ends.count[column] >= 2.0F * kLeastSights ? 1 : 0;
+    strips_[cell] = is_known && !points && ends.count[column] >= kLeastOfStrip ? 1 : 0;
   }
 }
 

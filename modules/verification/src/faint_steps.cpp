@@ -29,13 +29,13 @@ constexpr int kStep = 4;  // where the step is in it
 constexpr std::size_t kFewestWindows = 2 * Surface::RowsAtCompileTime;
 
 /// Of a step of that height and standard deviation, against none; any height is as likely.
-double log_likelihood_ratio(double height, double deviation) {
-  const double against = std::log(evidence::kFlush);
+double log_likelihood_ratio(const EvidenceOptions& options, double height, double deviation) {
+  const double against = std::log(options.flush);
   if (!(height > 0.0)) return against;
   const double z = height / deviation;
   const double occam =
-      std::log(evidence::kInverseRange / (deviation * std::sqrt(2.0 * std::numbers::pi)));
-  return std::clamp(0.5 * z * z - occam, against, evidence::kLine);
+      std::log(options.inverse_range / (deviation * std::sqrt(2.0 * std::numbers::pi)));
+  return std::clamp(0.5 * z * z - occam, against, options.line);
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ std::span<const FaintSteps::Line> FaintSteps::weigh(std::span<UnseenCell> cells,
   lines_.clear();
   std::stable_sort(cells.begin(), cells.end(),
                    [](const UnseenCell& a, const UnseenCell& b) { return a.line < b.line; });
-  const double against = std::log(evidence::kFlush);
+  const double against = std::log(scene.options().flush);
   for (auto begin = cells.begin(); begin != cells.end();) {
     const auto end = std::find_if(begin, cells.end(),
                                   [&](const UnseenCell& cell) { return cell.line != begin->line; });
@@ -105,7 +105,7 @@ double FaintSteps::nats_of_samples(const SceneCells& scene) {
   std::sort(windows_.begin(), windows_.end());
   const auto independent =
       static_cast<std::size_t>(std::unique(windows_.begin(), windows_.end()) - windows_.begin());
-  if (independent < kFewestWindows) return std::log(evidence::kFlush);
+  if (independent < kFewestWindows) return std::log(scene.options().flush);
   const Eigen::LDLT<Eigen::Matrix<double, 5, 5>> solver(squares);
   const Surface surface = solver.solve(products);
   double residuals = 0.0;
@@ -117,8 +117,8 @@ double FaintSteps::nats_of_samples(const SceneCells& scene) {
   const double scatter = std::max(residuals / count, scene.noise() * scene.noise());
   const double alike = count / static_cast<double>(independent - Surface::RowsAtCompileTime);
   const double variance = solver.solve(Surface::Unit(kStep))[kStep] * scatter * alike;
-  if (!(variance > 0.0)) return std::log(evidence::kFlush);
-  return log_likelihood_ratio(surface[kStep], std::sqrt(variance));
+  if (!(variance > 0.0)) return std::log(scene.options().flush);
+  return log_likelihood_ratio(scene.options(), surface[kStep], std::sqrt(variance));
 }
 
 }  // namespace lockbox

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "evidence_constants.hpp"
-
 namespace lockbox {
 namespace {
 
@@ -41,8 +39,9 @@ double normal_density(double distance, double deviation) {
   return std::exp(-0.5 * z * z) / (deviation * std::sqrt(2.0 * std::numbers::pi));
 }
 
-SceneCells::SceneCells(const CoarseView& view, double sensor_noise, double tolerance)
-    : camera_(view.camera), cells_(view.depth.size()), tolerance_(tolerance) {
+SceneCells::SceneCells(const CoarseView& view, double sensor_noise, double tolerance,
+                       const EvidenceOptions& options)
+    : options_(options), camera_(view.camera), cells_(view.depth.size()), tolerance_(tolerance) {
   std::transform(view.depth.begin(), view.depth.end(), cells_.begin(),
                  [](float z) { return z > 0.0F ? 1.0F / z : 0.0F; });
   noise_ = std::max(noise_of(cells_, width(), height()), kLeastOfProfile * sensor_noise);
@@ -60,8 +59,8 @@ double SceneCells::deviation(double inverse_depth, const Sight& sight) const {
 
 int SceneCells::contour_reach(double inverse_depth) const {
   const double cells_a_metre = camera_.fx * inverse_depth;
-  return static_cast<int>(std::ceil(evidence::kContourTolerance * cells_a_metre +
-                                    evidence::kContourPixels * width() / 640.0));
+  return static_cast<int>(std::ceil(options_.contour_tolerance * cells_a_metre +
+                                    options_.contour_pixels * width() / 640.0));
 }
 
 double SceneCells::density(int u, int v) const {
@@ -80,9 +79,9 @@ double SceneCells::density(int u, int v) const {
     sum += normal_density(cell - sight.foretold(near, far), wide) * wide / deviation(cell);
     ++seen;
   }
-  const double anywhere = 1.0 / evidence::kInverseRange;
+  const double anywhere = 1.0 / options_.inverse_range;
   if (seen == 0) return anywhere;
-  return (1.0 - evidence::kContours) * sum / seen + evidence::kContours * anywhere;
+  return (1.0 - options_.contours) * sum / seen + options_.contours * anywhere;
 }
 
 }  // namespace lockbox

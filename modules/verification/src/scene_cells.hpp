@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lockbox/verification/coarse_view.hpp"
+#include "lockbox/verification/evidence_options.hpp"
 
 namespace lockbox {
 
@@ -52,7 +53,10 @@ class SceneCells {
   /// sensor_noise: as the sensor's profile has it, standard deviation of a pixel's 1/depth,
   /// 1/metre. What cells err by beside their neighbours is measured in the frame itself.
   /// tolerance: what a model differs by from its object along the ray, standard deviation, metres.
-  SceneCells(const CoarseView& view, double sensor_noise, double tolerance);
+  SceneCells(const CoarseView& view, double sensor_noise, double tolerance,
+             const EvidenceOptions& options);
+
+  const EvidenceOptions& options() const { return options_; }
 
   const PinholeCamera& camera() const { return camera_; }
   int width() const { return camera_.width; }
@@ -85,6 +89,7 @@ class SceneCells {
   double density(int u, int v) const;
 
  private:
+  EvidenceOptions options_;
   PinholeCamera camera_;
   std::vector<float> cells_;
   double noise_;      ///< beside the neighbours'

@@ -25,15 +25,15 @@ namespace {
 constexpr double kBand = 5.0;
 
 /// What its object differs by along the ray, standard deviation, metres.
-double model_tolerance(const KinematicTree& tree) {
+double model_tolerance(const KinematicTree& tree, const EvidenceOptions& options) {
   return std::clamp(
-      evidence::kModelTolerance * model_bounds(tree, rest_configuration(tree)).diagonal().norm(),
-      evidence::kLeastModelTolerance, evidence::kMostModelTolerance);
+      options.model_tolerance * model_bounds(tree, rest_configuration(tree)).diagonal().norm(),
+      options.least_model_tolerance, options.most_model_tolerance);
 }
 
 /// Of a line of so many cells: less than a stretch of it may be noise.
-double worth(int cells) {
-  return evidence::kLine * std::min(1.0, cells / (evidence::kLeastLine * kBand));
+double worth(const EvidenceOptions& options, int cells) {
+  return options.line * std::min(1.0, cells / (options.least_line * kBand));
 }
 
 /// What is matched, less what chance matches, as tests are corrected for guessing (Lyerly, A Note
@@ -65,7 +65,8 @@ struct Sums {
 }  // namespace
 
 struct Verifier::Workspace {
-  explicit Workspace(const KinematicTree& of) : tree(of), tolerance(model_tolerance(of)) {}
+  Workspace(const KinematicTree& of, const EvidenceOptions& with)
+      : tree(of), options(with), tolerance(model_tolerance(of, with)) {}
 
   void draw(const Configuration& configuration);
   Evidence sum_up();
@@ -76,6 +77,7 @@ struct Verifier::Workspace {
   double of_occluder(int u, int v) const;
 
   const KinematicTree& tree;
+  const EvidenceOptions options;
   const double tolerance;  ///< of the model, metres
   Executor executor{1};
   std::optional<SceneCells> scene;
@@ -93,7 +95,8 @@ struct Verifier::Workspace {
   std::vector<Sums> sums;  ///< by row
 };
 
-Verifier::Verifier(const KinematicTree& tree) : workspace_(std::make_unique<Workspace>(tree)) {}
+Verifier::Verifier(const KinematicTree& tree, const EvidenceOptions& options)
+    : workspace_(std::make_unique<Workspace>(tree, options)) {}
 Verifier::~Verifier() = default;
 Verifier::Verifier(Verifier&&) noexcept = default;
 Verifier& Verifier::operator=(Verifier&&) noexcept = default;
@@ -101,7 +104,8 @@ Verifier& Verifier::operator=(Verifier&&) noexcept = default;
 void Verifier::look_at(const TiledCloud& cloud, double sensor_noise, const Executor& executor) {
   Workspace& w = *workspace_;
   w.executor = executor;
-  w.scene.emplace(CoarseView(cloud, evidence::kColumns, executor), sensor_noise, w.tolerance);
+  w.scene.emplace(CoarseView(cloud, evidence::kColumns, executor), sensor_noise, w.tolerance,
+                  w.options);
   if (!w.renderer || !(w.renderer->camera() == w.scene->camera())) {
     w.renderer = std::make_unique<DepthRenderer>(w.scene->camera(), executor);
   }
@@ -126,7 +130,7 @@ void Verifier::Workspace::draw(const Configuration& configuration) {
   }
   model_lines.find(*scene, shown.cells, 1.0, executor);
   model_lines.join_lines(*scene);
-  faint_lines.find(*scene, shown.cells, evidence::kFaint, executor);
+  faint_lines.find(*scene, shown.cells, options.faint, executor);
   blurred_lines.find(*scene, window.smear(shown.cells, scene->width(), executor), 1.0, executor);
 }
 
@@ -145,7 +149,7 @@ Evidence Verifier::Workspace::sum_up() {
   evidence += all.evidence;
   for (const FaintSteps::Line& line : faint_steps.weigh(all.unseen, *scene, shown, scene_lines)) {
     const int length = model_lines.length(line.line);
-    const double nats = line.nats / evidence::kLine * worth(length) * line.cells / length;
+    const double nats = line.nats / options.line * worth(options, length) * line.cells / length;
     (nats > 0.0 ? evidence.matched : evidence.contradicted) += nats;
   }
   evidence.matched = beyond_chance(evidence.matched, all.unmatched, chance_of_a_line());
@@ -183,7 +187,7 @@ void Verifier::Workspace::compare_row(int v) {
 
 /// Whether what was measured beyond a contour is known, and does not hide what the model has there.
 bool Verifier::Workspace::is_in_sight(int u, int v, const Eigen::Vector2f& direction) const {
-  const double nearest = scene->at(u, v) + evidence::kAgree * scene->deviation(scene->at(u, v));
+  const double nearest = scene->at(u, v) + options.agree * scene->deviation(scene->at(u, v));
   const Eigen::Vector2f way = direction.normalized();
   for (const int beyond : {kSights.front().near, kSights.front().far}) {
     const int at_u = u + static_cast<int>(std::lround(static_cast<float>(beyond) * way.x()));
@@ -208,12 +212,11 @@ void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
   const int reach = scene->contour_reach(shown.at(u, v));
   if (!of_scene.isZero()) {
     const int length = scene_lines.cells_of_line(cell);
-    const double share = worth(length) / length;
+    const double share = worth(options, length) / length;
     if (model_lines.passes(*scene, u, v, reach, of_scene)) {
       sum.evidence.matched += share;
-    } else if (is_in_sight(u, v, of_scene) && !faint_lines.passes(*scene, u, v, reach, of_scene) &&
-               !faint_lines.has_strip(*scene, u, v, reach)) {
-      sum.evidence.contradicted += std::log(evidence::kUnmodelled) / evidence::kLine * share;
+    } else if (is_in_sight(u, v, of_scene) && !faint_lines.passes(*scene, u, v, reach, of_scene)) {
+      sum.evidence.contradicted += std::log(options.unmodelled) / options.line * share;
       sum.unmatched += share;
     }
   }
@@ -233,7 +236,7 @@ double Verifier::Workspace::of_occluder(int u, int v) const {
        {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0), std::pair(0, -1)}) {
     if (!scene->contains(u + du, v + dv)) continue;
     const Seen there = classified.at(shown.index(u + du, v + dv));
-    if (there == Seen::explained || there == Seen::behind) nats -= evidence::kOccluderEdge;
+    if (there == Seen::explained || there == Seen::behind) nats -= options.occluder_edge;
   }
   return nats;
 }

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "lockbox/core/parallel.hpp"
-#include "lockbox/core/stop_request.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/statistics.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/simulation/deviation.hpp"
 #include "lockbox/simulation/scene.hpp"
 #include "lockbox/simulation/sensor_model.hpp"
+#include "lockbox/tracking/tracker_options.hpp"
 
 namespace lockbox {
 
@@ -35,8 +35,8 @@ struct MismatchSettings {
   PinholeCamera camera;  ///< the calibration
   SensorModel sensor;
   Scene scene;
-  std::uint64_t seed = 1;              ///< of the sensor's noise
-  StopRequest stop_request = nullptr;  ///< of the tracker's searches
+  std::uint64_t seed = 1;  ///< of the sensor's noise
+  TrackerOptions tracker;
 };
 
 /// Simulates the run with the deviation and tracks it without a guess: the tracker gets the model

@@ -14,12 +14,14 @@
 #include "lockbox/core/stop_request.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
+#include "lockbox/verification/evidence_options.hpp"
 
 namespace lockbox {
 
 /// How the object is sought.
 struct InitializerOptions {
   RegistrationOptions registration;  ///< of the alignments that refine what is found
+  EvidenceOptions evidence;          ///< by which answers are compared
   std::size_t most_candidates = 3;   ///< to be returned
   /// A search that it stops throws Stopped within some tenths of a second. The next one begins
   /// anew.

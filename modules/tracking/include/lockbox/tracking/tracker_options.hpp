@@ -7,6 +7,7 @@
 #include "lockbox/cloud/cloud_options.hpp"
 #include "lockbox/core/stop_request.hpp"
 #include "lockbox/registration/registration_options.hpp"
+#include "lockbox/verification/evidence_options.hpp"
 
 namespace lockbox {
 
@@ -16,6 +17,7 @@ struct SensorProfile;
 struct TrackerOptions {
   RegistrationOptions registration;  ///< of every alignment
   CloudOptions cloud;                ///< which measurements are used
+  EvidenceOptions evidence;          ///< by which answers are compared and believed
   /// Threads of the tracker. 0: all cores. Unit: threads. Source: the user's, `--threads`.
   int threads = 0;
 

@@ -9,13 +9,14 @@
 #include "lockbox/model/configuration.hpp"
 #include "lockbox/model/kinematic_tree.hpp"
 #include "lockbox/verification/evidence.hpp"
+#include "lockbox/verification/evidence_options.hpp"
 
 namespace lockbox {
 
 /// Not thread-safe. The tree must outlive it.
 class Verifier {
  public:
-  explicit Verifier(const KinematicTree& tree);
+  explicit Verifier(const KinematicTree& tree, const EvidenceOptions& options = {});
   ~Verifier();
   Verifier(Verifier&&) noexcept;
   Verifier& operator=(Verifier&&) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parameters.hpp"
+#include "command_line/parameters.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <limits>
 #include <locale>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "command_line/nearest_name.hpp"
+#include "command_line/option_checks.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/terms/collision_mode_name.hpp"
@@ -87,8 +89,34 @@ void visit_registration(RegistrationOptions& registration, const Visit& visit) {
 }
 
 template <typename Visit>
+void visit_evidence(EvidenceOptions& evidence, const Visit& visit) {
+  visit("evidence_model_tolerance", evidence.model_tolerance);
+  visit("evidence_most_model_tolerance", evidence.most_model_tolerance);
+  visit("evidence_least_model_tolerance", evidence.least_model_tolerance, Range::positive);
+  visit("evidence_contour_tolerance", evidence.contour_tolerance);
+  visit("evidence_contour_pixels", evidence.contour_pixels);
+  visit("evidence_line", evidence.line, Range::positive);
+  visit("evidence_least_line", evidence.least_line, Range::positive);
+  visit("evidence_alike", evidence.alike, Range::positive);
+  visit("evidence_flush", evidence.flush, Range::positive);
+  visit("evidence_faint", evidence.faint);
+  visit("evidence_unmodelled", evidence.unmodelled, Range::positive);
+  visit("evidence_contours", evidence.contours, Range::positive);
+  visit("evidence_outliers", evidence.outliers, Range::positive);
+  visit("evidence_face", evidence.face, Range::positive);
+  visit("evidence_occluder_edge", evidence.occluder_edge);
+  visit("evidence_least_seen", evidence.least_seen);
+  visit("evidence_inverse_range", evidence.inverse_range, Range::positive);
+  visit("evidence_agree", evidence.agree, Range::positive);
+  visit("evidence_places", evidence.places);
+  visit("evidence_beyond_a_box", evidence.beyond_a_box);
+  visit("evidence_most_contradicted", evidence.most_contradicted);
+}
+
+template <typename Visit>
 void visit_parameters(TrackerOptions& options, const Visit& visit) {
   visit_registration(options.registration, visit);
+  visit_evidence(options.evidence, visit);
   visit("min_depth", options.cloud.min_depth);
   visit("max_depth", options.cloud.max_depth, Range::positive);
   visit("flying_pixel_jump", options.cloud.flying_pixel_jump);
@@ -217,6 +245,19 @@ void set_parameter(const std::string& setting, TrackerOptions& options) {
   if (is_known) return;
   throw InputError("parameter " + in_quotes(name),
                    "there is none of that name" + did_you_mean(name, names));
+}
+
+void add_set_option(CLI::App& options, std::vector<std::string>& settings) {
+  options
+      .add_option("--set", settings,
+                  "Set a parameter of the tracker (docs/parameters.md), whatever else sets it: "
+                  "gate=3 (repeatable)")
+      ->check(readable([](const std::string& text) {
+        TrackerOptions any;
+        set_parameter(text, any);
+      }))
+      ->type_name("NAME=VALUE")
+      ->default_str("");
 }
 
 }  // namespace lockbox::app
