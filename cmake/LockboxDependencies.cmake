@@ -7,6 +7,8 @@ find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel FiltersCore
                                          InteractionStyle RenderingAnnotation RenderingCore
                                          RenderingFreeType RenderingOpenGL2)
 find_package(X11 REQUIRED)
+find_package(OpenGL REQUIRED COMPONENTS EGL)
+find_package(GLEW REQUIRED)
 find_package(Threads REQUIRED)
 # PCL's package would look for all of VTK again and hand it to everything that links PCL.
 set(CMAKE_DISABLE_FIND_PACKAGE_VTK TRUE)

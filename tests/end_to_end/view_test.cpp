@@ -70,15 +70,20 @@ TEST_F(View, OfARunEndsAloneWhenTheDisplayIsLost) {
 TEST_F(View, IsRefusedWhereThereIsNoDisplay) {
   for (const std::string display : {"", ":4095"}) {
     const std::vector<std::string> environment = {"DISPLAY=" + display};
-    const auto view = run_tool(viewing({"--screenshot", path("never.png")}), environment);
+    const auto view = run_tool(viewing({}), environment);
     const auto run = track("never", {"--view"}, environment);
     for (const auto& result : {view, run}) {
       EXPECT_EQ(result.status, 3);
       EXPECT_THAT(result.errors, HasSubstr("xvfb-run"));
     }
   }
-  EXPECT_FALSE(std::filesystem::exists(path("never.png")));
   EXPECT_FALSE(std::filesystem::exists(path("never"))) << "nothing is begun";
+}
+
+TEST_F(View, DrawsPicturesWhereThereIsNoDisplay) {
+  const auto result = run_tool(viewing({"--screenshot", path("drawn.png")}), {"DISPLAY="});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_TRUE(std::filesystem::exists(path("drawn.png")));
 }
 
 /// Waits, at most some seconds, until the window shows something else to the right of the sliders.

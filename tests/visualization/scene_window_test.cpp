@@ -181,15 +181,19 @@ TEST_F(SceneWindowTest, IsClosedByTheUser) {
   }
 }
 
-TEST_F(SceneWindowTest, IsRefusedWithoutADisplay) {
+TEST_F(SceneWindowTest, NeedsADisplayOnlyWhereItIsSeen) {
   const std::string display = std::getenv("DISPLAY");
   const auto open_on = [&](const char* name) {
     ::setenv("DISPLAY", name, 1);
-    open(false);
+    open(true);
   };
   EXPECT_THAT([&] { open_on(""); }, ThrowsMessage<InputError>(HasSubstr("DISPLAY is not set")));
   EXPECT_THAT([&] { open_on(":4095"); },
               ThrowsMessage<InputError>(HasSubstr("display :4095 cannot be reached")));
+  ::unsetenv("DISPLAY");
+  const auto picture = open(false);
+  picture->show(block_at(0.0));
+  EXPECT_TRUE(is_red(picture->picture(), 100, 80));
   ::setenv("DISPLAY", display.c_str(), 1);
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace lockbox {
 namespace {
@@ -19,9 +20,11 @@ constexpr double kUsualHeight = 800.0;
 
 }  // namespace
 
-VtkWindow::VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& options)
+VtkWindow::VtkWindow(vtkSmartPointer<vtkRenderWindow> window, const std::vector<ScenePart>& parts,
+                     const WindowOptions& options)
     : on_loss_(options.on_display_lost),
       title_(options.title),
+      window_(std::move(window)),
       left_(parts, options.scale),
       right_(parts, options.scale),
       sliders_(*interactor_, *front_, options.scale),

@@ -5,6 +5,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 #include "display.hpp"
 #include "frame_rate.hpp"
@@ -18,8 +19,9 @@ namespace lockbox {
 
 class VtkWindow : public SceneWindow {
  public:
-  /// options: with a scale.
-  VtkWindow(const std::vector<ScenePart>& parts, const WindowOptions& options);
+  /// window: new, of VTK. options: with a scale.
+  VtkWindow(vtkSmartPointer<vtkRenderWindow> window, const std::vector<ScenePart>& parts,
+            const WindowOptions& options);
   ~VtkWindow() override;
 
   void look(const SceneCamera& camera) override;
@@ -46,7 +48,7 @@ class VtkWindow : public SceneWindow {
   bool tells_rate_ = false;
   SceneCamera camera_;
   bool closed_ = false;
-  vtkNew<vtkRenderWindow> window_;
+  vtkSmartPointer<vtkRenderWindow> window_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
   vtkNew<KeyStyle> style_;
   ScenePane left_;
