@@ -57,13 +57,13 @@ void RunOutputs::add(const DepthFrame& frame, const TrackingResult& result,
   totals_.add(result, source.faults());
   if (states_) states_->write(result);
   if (recording_) recording_->write(frame, source.file_of_frame());
-  if (snapshots_) snapshots_->add(frame, result.configuration);
-  if (view_) {
-    // Cameras count from another time each.
-    const double start = source.frame_count() ? 0.0 : first_stamp_;
-    view_->show(frame, shown(tree_, result),
-                frame_title(frame.index, frame.stamp - start, to_string(result.status)));
-  }
+  if (!snapshots_ && !view_) return;
+  // Cameras count from another time each.
+  const double start = source.frame_count() ? 0.0 : first_stamp_;
+  const std::string title = frame_title(frame.index, frame.stamp - start, to_string(result.status));
+  const ShownEstimate estimate = shown(tree_, result);
+  if (snapshots_) snapshots_->add(frame, estimate, title);
+  if (view_) view_->show(frame, estimate, title);
 }
 
 void RunOutputs::finish(const std::string& end) {

@@ -6,11 +6,14 @@
 #include <string>
 
 #include "lockbox/core/depth_frame.hpp"
+#include "lockbox/visualization/captioned_picture.hpp"
 #include "lockbox/visualization/model_painter.hpp"
+#include "lockbox/visualization/shown_estimate.hpp"
 
 namespace lockbox::app {
 
-/// Pictures of the model over the depth image, one of every few frames, as PNG files.
+/// Pictures of the model over the depth image, one of every few frames, as PNG files. Lines below
+/// say what is known of it, each with the colour of the body that it is about.
 class Snapshots {
  public:
   static constexpr auto kFirst = "frame_000000.png";
@@ -22,8 +25,8 @@ class Snapshots {
   Snapshots(const std::filesystem::path& folder, const KinematicTree& tree, std::size_t interval,
             const Executor& executor);
 
-  /// Draws frame_000000.png and so on, numbered like the frames.
-  void add(const DepthFrame& frame, const Configuration& configuration);
+  /// Draws frame_000000.png and so on, numbered like the frames. title: the first line.
+  void add(const DepthFrame& frame, const ShownEstimate& estimate, const std::string& title);
 
  private:
   std::filesystem::path folder_;
@@ -31,7 +34,8 @@ class Snapshots {
   std::size_t interval_;
   std::size_t count_ = 0;
   Executor executor_;
-  PinholeCamera camera_;                 ///< of the last frame that was painted
+  CaptionRoom room_;
+  PinholeCamera camera_;                 ///< of the last picture
   std::optional<ModelPainter> painter_;  ///< made for that camera
 };
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "letters.hpp"
 #include "lockbox/core/units.hpp"
 
 namespace lockbox {
@@ -57,10 +58,9 @@ std::string limits_text(const Joint& joint, const Unit& unit) {
   return one_decimal(unit.scale * joint.lower) + " to " + one_decimal(unit.scale * joint.upper);
 }
 
-/// Filled with blanks on the right; ± and ° are one letter, of two bytes.
+/// Filled with blanks on the right.
 std::string padded(const std::string& text, std::size_t width) {
-  const auto letters = static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
+  const std::size_t letters = count_letters(text);
   return text + std::string(width > letters ? width - letters : 0, ' ');
 }
 
@@ -89,17 +89,25 @@ std::string line_of(const KinematicTree& tree, int j, const Configuration& confi
 
 }  // namespace
 
-std::string joint_panel(const KinematicTree& tree, const Configuration& configuration,
-                        const std::vector<double>& sigma) {
+std::vector<JointLine> joint_lines(const KinematicTree& tree, const Configuration& configuration,
+                                   const std::vector<double>& sigma) {
   const auto joints = moving_joints(tree);
   const std::size_t name_width = longest_name(tree, joints);
-  std::string lines;
+  std::vector<JointLine> lines;
   for (std::size_t i = 0; i < std::min(joints.size(), kMostLines); ++i) {
-    lines += '\n' + line_of(tree, joints[i], configuration, sigma, name_width);
+    lines.push_back({line_of(tree, joints[i], configuration, sigma, name_width),
+                     static_cast<std::size_t>(joints[i])});
   }
   if (joints.size() > kMostLines) {
-    lines += "\nand " + std::to_string(joints.size() - kMostLines) + " more";
+    lines.push_back({"and " + std::to_string(joints.size() - kMostLines) + " more", std::nullopt});
   }
+  return lines;
+}
+
+std::string joint_panel(const KinematicTree& tree, const Configuration& configuration,
+                        const std::vector<double>& sigma) {
+  std::string lines;
+  for (const JointLine& line : joint_lines(tree, configuration, sigma)) lines += '\n' + line.text;
   return lines;
 }
 

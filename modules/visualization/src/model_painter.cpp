@@ -13,7 +13,7 @@ constexpr int kSamplesAPixel = 2;  // along each axis; smooths the edges
 constexpr float kAmbient = 0.35F;
 constexpr float kContour = 0.45F;
 /// A step in depth of this share of the distance is an edge that is worth a line.
-constexpr float kDepthStep = 0.002F;
+constexpr float kContourStep = 0.002F;
 
 /// Inverse depth at (u, v), 0 beyond the image.
 float inverse_depth(const RenderedDepth& rendered, int u, int v) {
@@ -52,7 +52,7 @@ bool is_edge(const RenderedDepth& rendered, int u, int v) {
   const float bend_v =
       inverse_depth(rendered, u, v - 1) + inverse_depth(rendered, u, v + 1) - 2.0F * here;
   // Only the farther side of a step is darkened, so that lines are one sample wide.
-  return std::max(bend_u, bend_v) > kDepthStep * here;
+  return std::max(bend_u, bend_v) > kContourStep * here;
 }
 
 bool is_grey(const Eigen::Vector3f& color) {
@@ -84,6 +84,14 @@ ModelPainter::ModelPainter(const KinematicTree& tree, const PinholeCamera& camer
       std::all_of(color_of_item_.begin(), color_of_item_.end(), is_grey)) {
     std::fill(color_of_item_.begin(), color_of_item_.end(), Eigen::Vector3f(1.0F, 0.6F, 0.2F));
   }
+}
+
+std::vector<std::optional<Eigen::Vector3f>> ModelPainter::body_colors() const {
+  std::vector<std::optional<Eigen::Vector3f>> colors(tree_.bodies.size());
+  for (std::size_t i = items_.size(); i-- > 0;) {
+    colors[static_cast<std::size_t>(body_of_item_[i])] = color_of_item_[i];
+  }
+  return colors;
 }
 
 void ModelPainter::place_items(const Configuration& configuration) {

@@ -13,4 +13,20 @@ using OpenWindow = SceneWindow*(const std::vector<ScenePart>& parts, const Windo
 inline constexpr char kViewerComponent[] = "liblockbox_viewer.so";
 inline constexpr char kOpenWindow[] = "lockbox_open_window";
 
+/// A line whose upper left corner is at this pixel.
+struct PlacedText {
+  std::string text;  ///< UTF-8
+  int u;
+  int v;
+};
+
+/// What it exports under kWriteTexts: writes over a picture, in light grey. letters: their size,
+/// pixels. False, and the reason in problem, if it cannot.
+using WriteTexts = bool(const std::vector<PlacedText>& texts, int letters, RgbImage& picture,
+                        std::string& problem);
+inline constexpr char kWriteTexts[] = "lockbox_write_texts";
+
+/// How wide its letters are, as a share of their size.
+inline constexpr double kLetterWidth = 0.62;
+
 }  // namespace lockbox

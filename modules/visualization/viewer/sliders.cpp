@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "../src/letters.hpp"
 #include "text_style.hpp"
 
 namespace lockbox {
@@ -56,12 +57,6 @@ std::string label_of(const SceneSlider& slider) {
   std::string label = slider.name.empty() ? value : slider.name + "  " + value;
   if (!slider.limits.empty()) label += "  (" + slider.limits + ")";
   return label;
-}
-
-/// Of UTF-8.
-double letters_in(const std::string& text) {
-  return static_cast<double>(
-      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
 }  // namespace
@@ -112,8 +107,8 @@ void Sliders::update(const Handle& handle, const SceneSlider& slider, const Plac
   look.Modified();                                // it does not notice that by itself
   const int* const window = renderer_.GetSize();  // pixels
   const std::string label = label_of(slider);
-  const double across =
-      (place.right - place.left) * window[0] / (kLetterWidth * std::max(1.0, letters_in(label)));
+  const double across = (place.right - place.left) * window[0] /
+                        (kLetterWidth * std::max(1.0, static_cast<double>(count_letters(label))));
   const double down = (place.room - kHandleHeight) * window[1] / kLineHeight;
   handle.label->GetTextProperty()->SetFontSize(
       static_cast<int>(std::max(1.0, std::min({scale_ * kLetters, across, down}))));

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <string>
 
+#include "component.hpp"
+
 namespace lockbox {
 
-/// Of Courier, as a share of the size of its letters.
-inline constexpr double kLetterWidth = 0.62;
-
-/// How the viewer writes. size: of the letters, pixels; grey: in [0, 1].
+/// How the viewer writes; letters are as wide as kLetterWidth says. size: of the letters, pixels;
+/// grey: in [0, 1].
 inline void style(vtkTextProperty& look, double size, double grey) {
   look.SetFontFamilyToCourier();
   look.SetFontSize(static_cast<int>(std::lround(size)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "lockbox/core/pinhole_camera.hpp"
@@ -24,6 +25,10 @@ class ModelPainter {
   /// The tree is referred to, not copied.
   ModelPainter(const KinematicTree& tree, const PinholeCamera& camera, const Executor& executor,
                GreyModel grey = GreyModel::as_it_is);
+
+  /// Red, green, blue in [0, 1], of the first shape of each body, before it is shaded; none where a
+  /// body has no shape.
+  std::vector<std::optional<Eigen::Vector3f>> body_colors() const;
 
   /// Paints over the image (of the camera's size); opacity 1 hides what was there.
   void paint(const Configuration& configuration, float opacity, RgbImage& image);

@@ -2,6 +2,7 @@
 // How joints stand, as lines beside the picture, and sliders that set them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,18 @@
 
 namespace lockbox {
 
-/// The joints that move by themselves, in the order of the file, one a line: name, position,
-/// standard deviation, limits. sigma: by joint, radians or metres; empty if it is not told.
+/// How a joint stands.
+struct JointLine {
+  std::string text;                  ///< name, position, standard deviation, limits
+  std::optional<std::size_t> joint;  ///< none: the line tells how many more there are
+};
+
+/// The joints that move by themselves, in the order of the file, as many as fit on a window. sigma:
+/// by joint, radians or metres; empty if it is not told.
+std::vector<JointLine> joint_lines(const KinematicTree& tree, const Configuration& configuration,
+                                   const std::vector<double>& sigma);
+
+/// The same as one text, each line after a line break.
 std::string joint_panel(const KinematicTree& tree, const Configuration& configuration,
                         const std::vector<double>& sigma);
 
