@@ -11,8 +11,8 @@ namespace lockbox {
 namespace {
 
 constexpr char kAdvice[] =
-    "; set DISPLAY to one that can be used (`ssh -X` does), or run the command within `xvfb-run`, "
-    "which draws into memory";
+    "; set DISPLAY to one that can be used (`ssh -X` does), or draw pictures, which need none: "
+    "`view --screenshot`, `--pictures` or `--video`, `track --snapshots`";
 
 }  // namespace
 
