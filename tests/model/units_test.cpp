@@ -26,7 +26,8 @@ TEST_F(Units, OfAMeshInMillimetresAreNamedWithTheFactor) {
   EXPECT_THAT(refusal_of(hinged(mesh_link("part"))),
               AllOf(HasSubstr("model.urdf:3: link 'part': its mesh part.obj is 60 m large"),
                     HasSubstr("in millimetres (then it is 60 mm large)"),
-                    HasSubstr("scale=\"0.001 0.001 0.001\""), HasSubstr("--mesh-scale 0.001 for")));
+                    HasSubstr("scale=\"0.001 0.001 0.001\""), HasSubstr("--mesh-scale 0.001 for"),
+                    HasSubstr("limits of joints are not converted")));
   EXPECT_EQ(warnings_of(hinged(mesh_link("part", "0.001 0.001 0.001"))), "");
   EXPECT_EQ(warnings_of(hinged(mesh_link("part")), 0.001), "");
 }
@@ -35,7 +36,8 @@ TEST_F(Units, OfABareMeshAreMendedByTheOption) {
   const auto file = mesh_of(380.0);
   EXPECT_THAT(message_of<InputError>([&] { load_kinematic_tree(file); }),
               AllOf(HasSubstr("part.obj: the mesh is 380 m large"), HasSubstr("millimetres"),
-                    HasSubstr("give --mesh-scale 0.001"), Not(HasSubstr("scale=\""))));
+                    HasSubstr("give --mesh-scale 0.001"), Not(HasSubstr("scale=\"")),
+                    Not(HasSubstr("joints"))));
   EXPECT_EQ(warnings_of_mesh(file, 0.001), "");
   const auto micrometres = mesh_of(2e5);
   EXPECT_THAT(
@@ -197,7 +199,8 @@ TEST_F(Units, OfTravelInMillimetresAreNamedWithTheMetres) {
                        joint("s", "prismatic", "a", "b", limits("0", upper)));
   };
   EXPECT_THAT(warning("50"), AllOf(HasSubstr("joint 's': its limits, 0 to 50, are in metres"),
-                                   HasSubstr("millimetres are meant, write 0 to 0.05")));
+                                   HasSubstr("millimetres are meant, write 0 to 0.05"),
+                                   HasSubstr("--mesh-scale converts meshes alone")));
   EXPECT_THAT(warning("400"), HasSubstr("write 0 to 0.4"));
   EXPECT_THAT(warning("1e9"), HasSubstr("give the range"));
   EXPECT_EQ(warning("2"), "");

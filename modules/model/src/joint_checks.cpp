@@ -65,7 +65,8 @@ void check_travel(const Joint& joint, double largest_link, const JointRemark& wa
     return;
   }
   warn(joint.name, text + ": if millimetres are meant, write " +
-                       range_text(joint.lower, joint.upper, kMillimetre));
+                       range_text(joint.lower, joint.upper, kMillimetre) +
+                       ", as --mesh-scale converts meshes alone");
 }
 
 /// The limits of a mimic that the joint it mimics leads to.

@@ -96,7 +96,8 @@ std::string advice_on_large(const VisualExtent& visual, const SizeContext& conte
            factor_text(unit->metres) + " times as large";
   }
   return size + "; " + meant(*unit, "it", visual.size()) + ": " +
-         remedy(visual, context, unit->metres) + or_meant(visual, context, visual.size(), 1.0);
+         remedy(visual, context, unit->metres) + or_meant(visual, context, visual.size(), 1.0) +
+         (context.is_bare ? "" : "; origins and limits of joints are not converted with it");
 }
 
 std::string advice_on_small(const VisualExtent& visual, const SizeContext& context) {
