@@ -63,7 +63,7 @@ file of `--config`; that counts more than the sensor's profile. Those of a model
 
 constexpr char kEvidence[] = R"(
 Evidence and belief go by these ([verification](verification.md)). Belief is a probability with these values alone: with them it was
-[compared](experiments.md#is-belief-the-probability-that-it-says) with how often answers are right. Who changes one has to
+[compared](experiments-objects.md#is-belief-the-probability-that-it-says) with how often answers are right. Who changes one has to
 measure that anew.
 
 ## Cells in which evidence is looked for

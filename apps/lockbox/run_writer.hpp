@@ -19,7 +19,7 @@ bool require_no_rows(const std::filesystem::path& folder, bool overwrite);
 std::string alternatives_text(const std::vector<Alternative>& alternatives);
 
 /// Writes what a run estimates, flushed frame by frame: a crash loses nothing computed before it.
-///   states.csv      one row a frame (docs/file-formats.md)
+///   states.csv      one row a frame (docs/run-files.md)
 ///   base.tum        the base's pose where it is known, as a TUM trajectory
 ///   alternatives.csv  where the object may be as well in a frame, a row each
 ///   covariance.csv  if asked for: the full matrix of each frame, row by row

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Folders of depth images (docs/file-formats.md) whose every pixel is given."""
+"""Folders of depth images (docs/recordings.md) whose every pixel is given."""
 import struct
 import zlib
 

@@ -93,7 +93,7 @@ def _change_blocks(blocks, random):
 
 
 def oni_records(data):
-    """The records of a sound recording, header, fields and payload (docs/file-formats.md)."""
+    """The records of a sound recording, header, fields and payload (docs/recordings.md)."""
     records, begin = [], ONI_HEADER
     while begin < len(data):
         fields, payload = struct.unpack_from("<II", data, begin + 12)

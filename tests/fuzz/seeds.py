@@ -84,7 +84,7 @@ def _field(folder):
 
 
 def _payloads(recording):
-    """The encoded images of a recording (docs/file-formats.md), as target oni_payload takes them."""
+    """The encoded images of a recording (docs/recordings.md), as target oni_payload takes them."""
     for record in mutation.oni_records(recording):
         kind, _, fields = struct.unpack_from("<III", record, 4)
         if kind == 0xA:

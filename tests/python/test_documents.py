@@ -64,7 +64,8 @@ def test_commands_and_their_options_are_known(document, help_of):
 PLACEHOLDERS = {"N": "2000", "NAME": "rigid"}
 
 
-@pytest.mark.parametrize("document", ["README.md", "docs/benchmarks.md", "docs/experiments.md"])
+@pytest.mark.parametrize("document", ["README.md", "docs/benchmarks.md", "docs/experiments.md",
+                                      "docs/experiments-objects.md"])
 def test_experiments_are_taken_as_they_stand(document, tool, tmp_path):
     """With --help behind them the program reads and judges every value, and runs nothing."""
     count = 0
@@ -131,8 +132,8 @@ SMALL = {
         ("kidnap --runs 4 --live-runs 4", "kidnap --model rigid_block --runs 1 --live-runs 1"),
         ("speed --runs 4 --frames 120 --fastest 16",
          "speed --model rigid_block --runs 1 --frames 8 --fastest 2"),
-        ("--pieces 4", "--pieces 1"),
     ],
+    "experiments-objects.md": [("--pieces 4", "--pieces 1")],
 }
 
 
@@ -153,7 +154,7 @@ def test_measurements_run_in_small_versions(docs, document, folder, environment)
             continue  # its library is not installed
         run(small(document, command), folder, environment)
         count += 1
-    assert count > 3
+    assert count >= 3
 
 
 def test_damage_runs(docs, tool, tmp_path):
@@ -212,7 +213,7 @@ def test_scripts_that_are_named_are_there():
 
 
 def test_options_of_the_file_example_are_known(docs, help_of):
-    block = next(block for block in code_blocks(docs / "file-formats.md", "") if "iterations" in block)
+    block = next(block for block in code_blocks(docs / "run-files.md", "") if "iterations" in block)
     page = help_of(("track",)).stdout
     for name in re.findall(r"^([a-z-]+) =", block, re.MULTILINE):
         assert f"--{name}" in page, name

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A virtual depth camera made of what docs/file-formats.md says of it."""
+"""A virtual depth camera made of what docs/recordings.md says of it."""
 
 import contextlib
 import socket

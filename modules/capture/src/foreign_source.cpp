@@ -16,10 +16,10 @@ using namespace std::string_view_literals;
 constexpr char kToDepthFolder[] =
     "convert its depth images to a folder with 16-bit grey PNG images, listed in a depth.txt, and "
     "a "
-    "camera_info.yaml (docs/file-formats.md)";
+    "camera_info.yaml (docs/recordings.md)";
 constexpr char kBagAdvice[] =
     "convert its depth topic to a folder with 16-bit grey PNG images, listed in a depth.txt, and "
-    "its camera_info topic to a camera_info.yaml (docs/file-formats.md); or its organized clouds "
+    "its camera_info topic to a camera_info.yaml (docs/recordings.md); or its organized clouds "
     "to "
     "a folder of .pcd files (bag_to_pcd of the ROS package pcl_ros)";
 
@@ -32,15 +32,14 @@ constexpr std::array kKinds{
              "a Matroska video, as the Azure Kinect's recorder writes",
              "convert its depth track to a folder with 16-bit grey PNG images (Open3D's "
              "azure_kinect_mkv_reader does), list them in a depth.txt, and add a camera_info.yaml "
-             "(docs/file-formats.md)"},
+             "(docs/recordings.md)"},
     FileKind{"# .PCD"sv, ".pcd ", "a single cloud",
              "give the folder that holds it: all its .pcd files are the sequence"},
     FileKind{
         "ply\n"sv, ".ply ", "a PLY file",
         "convert organized clouds with pcl_ply2pcd, and give the folder that holds the .pcd files"},
-    FileKind{
-        "\x89PNG"sv, ".png ", "a single image",
-        "give the folder that holds a depth.txt, which lists the images (docs/file-formats.md)"},
+    FileKind{"\x89PNG"sv, ".png ", "a single image",
+             "give the folder that holds a depth.txt, which lists the images (docs/recordings.md)"},
     FileKind{"\xff\xd8\xff"sv, ".jpg .jpeg ", "a JPEG image",
              "colours do not tell depth; give a folder with 16-bit grey PNG images of depth"},
     FileKind{"\x89HDF"sv, ".h5 .hdf5 ", "an HDF5 file", kToDepthFolder},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The records that a .oni file is made of (docs/file-formats.md has the layout).
+// The records that a .oni file is made of (docs/recordings.md has the layout).
 #pragma once
 
 #include <array>

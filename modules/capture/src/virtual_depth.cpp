@@ -21,7 +21,7 @@ namespace lockbox {
 namespace {
 
 constexpr auto kHeldByFolders =
-    "; a depth folder can (docs/file-formats.md): write into one, or leave these frames where they "
+    "; a depth folder can (docs/recordings.md): write into one, or leave these frames where they "
     "are, every command takes them from there, too";
 
 constexpr char kCamera[] = "virtual depth camera";  // where what was asked for is impossible

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How large the object looks beside its model: whether contours, which tell how large it is in the
 // image, and faces, which tell how far away it is and how high its relief, agree
-// (docs/mathematics.md, "Does the size fit?").
+// (docs/mathematics-uncertainty.md, "Does the size fit?").
 #pragma once
 
 #include <Eigen/Cholesky>

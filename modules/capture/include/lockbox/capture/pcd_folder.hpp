@@ -13,7 +13,7 @@ namespace lockbox {
 /// Delivers the clouds of a folder, in natural order of their names, as depth images. Intrinsics
 /// are recovered from the first cloud that tells them, by least squares, unless options give them.
 /// Depths that are whole millimetres stay so; others are rounded to the finest of 0.1, 0.25 and 1
-/// mm that reaches the farthest point. If all names hold stamps (docs/file-formats.md), these are
+/// mm that reaches the farthest point. If all names hold stamps (docs/recordings.md), these are
 /// the frames' times and their order; else frames are 1/30 s apart. A cloud that cannot be used,
 /// one of another size, too, becomes a frame without any depth, told to options.warn and counted.
 class PcdFolderSource : public FrameSource {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a depth image shows the contours of a body (docs/mathematics.md, "Contours").
+// Where a depth image shows the contours of a body (docs/mathematics.md, "E_free").
 //
 // Written once with Highway, compiled for every instruction set, chosen at run time.
 #pragma once

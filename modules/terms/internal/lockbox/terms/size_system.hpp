@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How residuals change with the size of the model, beside how they change with the motion of its
-// bodies (docs/mathematics.md, "Does the size fit?").
+// bodies (docs/mathematics-uncertainty.md, "Does the size fit?").
 //
 // A model that grows about the origin o of its base moves its point c (camera's frame) by
 //

@@ -38,8 +38,8 @@ struct Alternative {
 std::string to_string(Alternative::Kind kind);
 
 /// How large the object looks, as a multiple of its model: across the optical axis, at the distance
-/// that is measured, and along it (its relief); docs/mathematics.md, "Does the size fit?". Until
-/// that was measured the covariance is infinite.
+/// that is measured, and along it (its relief); docs/mathematics-uncertainty.md, "Does the size
+/// fit?". Until that was measured the covariance is infinite.
 struct ApparentSize {
   Eigen::Vector2d value = Eigen::Vector2d::Ones();  ///< (across, along)
   /// The covariance of value.

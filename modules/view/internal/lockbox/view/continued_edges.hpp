@@ -9,7 +9,8 @@
 // those that it does not see: the estimate would creep along the plane, and be called sure.
 //
 // That is so of bodies that are flush with something: of whose contour at least a quarter goes on
-// (docs/mathematics.md). Takes time in proportion to the edges of the view times the reach.
+// (docs/mathematics-refinement.md). Takes time in proportion to the edges of the view times the
+// reach.
 #pragma once
 
 #include <array>
