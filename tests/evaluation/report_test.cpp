@@ -134,9 +134,9 @@ TEST_F(Report, BoundsFilesReadBackWhatWasWritten) {
 TEST_F(Report, BoundsFilesOfOtherModelsOrWithOtherNumbersAreRefused) {
   const std::string header = "timestamp,tx,ty,tz,rx,ry,rz,slider,dial\n";
   expect_refusal_of_bounds("timestamp,tx,ty,tz,rx,ry,rz,door\n", "bounds.csv:1");
-  expect_refusal_of_bounds(header + "0,1,1,1,1,1,1,1\n", "bounds.csv:2: has 8 columns");
-  expect_refusal_of_bounds(header + "0,1,1,1,1,1,1,1,-1\n", "'-1' in column 9");
-  expect_refusal_of_bounds(header + "0,1,1,1,1,1,1,1,\n", "'' in column 9");
+  expect_refusal_of_bounds(header + "0,1,1,1,1,1,1,1\n", "bounds.csv:2: has 8 fields");
+  expect_refusal_of_bounds(header + "0,1,1,1,1,1,1,1,-1\n", "column 'dial': '-1'");
+  expect_refusal_of_bounds(header + "0,1,1,1,1,1,1,1,\n", "column 'dial': ''");
   expect_refusal_of_bounds(header + "1,1,1,1,1,1,1,1,1\n1,1,1,1,1,1,1,1,1\n", "bounds.csv:3");
 }
 

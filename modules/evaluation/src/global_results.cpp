@@ -2,12 +2,10 @@
 #include <array>
 #include <fstream>
 #include <locale>
-#include <sstream>
 
-#include "lockbox/core/csv_fields.hpp"
+#include "lockbox/core/csv_file.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
-#include "lockbox/core/text_file.hpp"
 #include "lockbox/evaluation/global_experiment.hpp"
 
 namespace lockbox {
@@ -16,73 +14,51 @@ namespace {
 constexpr const char* kHeader =
     "scene,placement,cut_off,visible,distance,determined,right,translation,rotation,wrong,"
     "status,within,explained,contradicted,belief,seconds";
-constexpr std::size_t kColumns = 16;
 constexpr std::array<const char*, 3> kPlacements{"free", "on_table", "on_wall"};
 
-Placement parse_placement(const std::string& file, int line, std::string_view word) {
+Placement placement_of(const CsvRow& row, std::size_t column) {
   for (std::size_t i = 0; i < kPlacements.size(); ++i) {
-    if (word == kPlacements[i]) return static_cast<Placement>(i);
+    if (row.field(column) == kPlacements[i]) return static_cast<Placement>(i);
   }
-  throw InputError(file, line, "'" + std::string(word) + "' is no placement");
+  row.refuse(column, in_quotes(row.field(column)) + " is no placement");
 }
 
-TrackingStatus parse_status(const std::string& file, int line, std::string_view word) {
+TrackingStatus status_of(const CsvRow& row, std::size_t column) {
   for (const auto status : {TrackingStatus::initializing, TrackingStatus::tracking,
                             TrackingStatus::uncertain, TrackingStatus::lost}) {
-    if (word == to_string(status)) return status;
+    if (row.field(column) == to_string(status)) return status;
   }
-  throw InputError(file, line, "'" + std::string(word) + "' is no status");
+  row.refuse(column, in_quotes(row.field(column)) + " is no status");
 }
 
-GlobalResult parse_row(const std::string& file, int line, std::string_view text) {
-  const auto fields = split_fields(text);
-  if (fields.size() != kColumns) {
-    throw InputError(
-        file, line,
-        "has " + std::to_string(fields.size()) + " columns instead of " + std::to_string(kColumns));
-  }
-  const auto number = [&](std::size_t column) {
-    const auto value = parse_number(fields[column]);
-    if (!value) {
-      throw InputError(file, line, "'" + std::string(fields[column]) + "' is no number");
-    }
-    return *value;
-  };
+GlobalResult result_of(const CsvRow& row) {
   GlobalResult result;
-  result.scene = static_cast<std::uint64_t>(number(0));
-  result.placement = parse_placement(file, line, fields[1]);
-  result.cut_off = number(2) != 0.0;
-  result.visible = number(3);
-  result.distance = number(4);
-  result.determined = number(5) != 0.0;
-  result.right = number(6) != 0.0;
-  result.translation = number(7);
-  result.rotation = number(8);
-  result.wrong = fields[9];
-  result.status = parse_status(file, line, fields[10]);
-  result.within = number(11) != 0.0;
-  result.explained = number(12);
-  result.contradicted = number(13);
-  result.belief = number(14);
-  result.seconds = number(15);
+  result.scene = static_cast<std::uint64_t>(row.number(0));
+  result.placement = placement_of(row, 1);
+  result.cut_off = row.number(2) != 0.0;
+  result.visible = row.number(3);
+  result.distance = row.number(4);
+  result.determined = row.number(5) != 0.0;
+  result.right = row.number(6) != 0.0;
+  result.translation = row.number(7);
+  result.rotation = row.number(8);
+  result.wrong = row.field(9);
+  result.status = status_of(row, 10);
+  result.within = row.number(11) != 0.0;
+  result.explained = row.number(12);
+  result.contradicted = row.number(13);
+  result.belief = row.number(14);
+  result.seconds = row.number(15);
   return result;
 }
 
 }  // namespace
 
 std::vector<GlobalResult> read_global_results(const std::filesystem::path& file) {
-  std::istringstream in(read_text_file(file));
-  std::string text;
-  std::getline(in, text);
-  if (trimmed(text) != kHeader) {
-    throw InputError(file.string(), 1,
-                     std::string("is not the header of such results: ") + kHeader);
-  }
+  CsvFile csv(file, UnfinishedRow::left_out);
+  csv.require_header(kHeader, "such results");
   std::vector<GlobalResult> results;
-  for (int line = 2; std::getline(in, text); ++line) {
-    if (in.eof()) break;  // a row without its end was being written when the program ended
-    results.push_back(parse_row(file.string(), line, trimmed(text)));
-  }
+  for (CsvRow row; csv.next(row);) results.push_back(result_of(row));
   return results;
 }
 

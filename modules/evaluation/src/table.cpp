@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lockbox/evaluation/table.hpp"
-#include "lockbox/core/csv_fields.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <fstream>
-#include <sstream>
 
+#include "lockbox/core/csv_file.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
-#include "lockbox/core/text_file.hpp"
 
 namespace lockbox {
 namespace {
@@ -69,22 +67,11 @@ Table read_table(const std::filesystem::path& file, const std::vector<std::strin
 }
 
 Table read_table(const std::filesystem::path& file) {
-  std::istringstream in(read_text_file(file));
-  std::string text;
-  std::getline(in, text);
-  std::vector<std::string> columns;
-  for (const auto column : split_fields(trimmed(text))) columns.emplace_back(column);
-  Table table(columns);
-  for (int line = 2; std::getline(in, text); ++line) {
-    if (in.eof()) break;  // a row without its end was being written when the program ended
-    const auto fields = split_fields(text);
-    if (fields.size() != columns.size()) {
-      throw InputError(file.string(), line,
-                       "has " + std::to_string(fields.size()) + " columns instead of " +
-                           std::to_string(columns.size()));
-    }
+  CsvFile csv(file, UnfinishedRow::left_out);
+  Table table({csv.columns().begin(), csv.columns().end()});
+  for (CsvRow line; csv.next(line);) {
     Row row;
-    for (const auto field : fields) row.emplace_back(std::string(field));
+    for (const auto field : line.fields()) row.emplace_back(std::string(field));
     table.add(std::move(row));
   }
   return table;
