@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_tree.hpp"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <limits>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
-#include "lockbox/core/csv_fields.hpp"
+#include "lockbox/core/csv_file.hpp"
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/existing_path.hpp"
 #include "lockbox/core/number_text.hpp"
-#include "lockbox/core/text_file.hpp"
+#include "lockbox/core/yaml_value.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -21,37 +18,30 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a run says of itself; nothing if it cannot be read, or is no YAML.
-YAML::Node description_in(const fs::path& run) {
-  if (!is_file(run)) return {};
+std::optional<YamlValue> description_in(const fs::path& run) {
+  if (!is_file(run)) return std::nullopt;
   try {
-    return YAML::Load(read_text_file(run, kMostWrittenBytes));
+    return YamlValue::load(run, "run");
   } catch (const InputError&) {
-    return {};
-  } catch (const YAML::Exception&) {
-    return {};
+    return std::nullopt;
   }
 }
 
-std::optional<fs::path> model_file_of(const YAML::Node& run) {
-  try {
-    const fs::path model = run["model"].as<std::string>();
-    if (is_file(model)) return model;
-  } catch (const YAML::Exception&) {
-    // Somebody else's run.yaml: the columns of the states file have to do.
-  }
-  return std::nullopt;
+/// Nothing of somebody else's run.yaml: the columns of the states file have to do.
+std::optional<fs::path> model_file_of(const YamlValue& run) {
+  const auto model = run.find("model");
+  if (!model || !model->is_plain() || !is_file(model->text())) return std::nullopt;
+  return model->text();
 }
 
-/// Metres a unit of the model's meshes, if the run says so. file: that it was read from.
-double mesh_scale_of(const YAML::Node& run, const fs::path& file) {
-  const YAML::Node options = run["options"];
-  if (!options.IsDefined() || !options.IsMap()) return 1.0;
-  const YAML::Node scale = options["mesh-scale"];
-  if (!scale.IsDefined()) return 1.0;
-  const auto number = parse_finite_number(scale.IsScalar() ? scale.Scalar() : "");
+/// Metres a unit of the model's meshes, if the run says so.
+double mesh_scale_of(const YamlValue& run) {
+  const auto options = run.find("options");
+  const auto scale = options ? options->find("mesh-scale") : std::nullopt;
+  if (!scale) return 1.0;
+  const auto number = scale->is_plain() ? parse_finite_number(scale->text()) : std::nullopt;
   if (number && *number > 0.0) return *number;
-  throw InputError(file.string(), scale.Mark().line + 1,
-                   "'mesh-scale' must be a positive number: metres a unit of the mesh files");
+  scale->refuse("'mesh-scale' must be a positive number: metres a unit of the mesh files");
 }
 
 /// The columns after the pose, up to `status`.
@@ -60,12 +50,9 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
   if (std::filesystem::is_directory(states_file)) {
     throw InputError(states_file.string(), "is a folder; give the states.csv, or the truth, in it");
   }
-  std::istringstream file(read_text_file(states_file));
-  std::string header;
-  if (!std::getline(file, header)) {
-    throw InputError(states_file.string(), "cannot be read, or is empty");
-  }
-  const std::vector<std::string_view> columns = split_fields(header);
+  const CsvFile csv(states_file);
+  const std::vector<std::string_view>& columns = csv.columns();
+  if (columns.size() == 1 && columns.front().empty()) throw InputError(csv.name(), "is empty");
   const auto status = std::find(columns.begin(), columns.end(), "status");
   const auto count = static_cast<std::size_t>(status - columns.begin());
   const auto first = columns.begin() + static_cast<std::ptrdiff_t>(std::min(kPoseColumns, count));
@@ -77,11 +64,11 @@ std::vector<std::string> joint_columns(const fs::path& states_file) {
 std::optional<ArticulatedModel> model_of_run(const fs::path& states_file,
                                              const LoadOptions& options) {
   const fs::path run_file = states_file.parent_path() / "run.yaml";
-  const YAML::Node run = description_in(run_file);
-  const auto model = model_file_of(run);
+  const auto run = description_in(run_file);
+  const auto model = run ? model_file_of(*run) : std::nullopt;
   if (!model) return std::nullopt;
   LoadOptions as_then = options;
-  if (options.mesh_scale == 1.0) as_then.mesh_scale = mesh_scale_of(run, run_file);
+  if (options.mesh_scale == 1.0) as_then.mesh_scale = mesh_scale_of(*run);
   return load_model(*model, as_then);
 }
 

@@ -179,7 +179,7 @@ TEST(CameraInfo, ProblemsNameTheLine) {
        ":1: image_width and image_height are not"},
       {"image_width: 1e300\n" + sound.substr(sound.find("image_height")), "not a size"},
       {"width: 64\nheight: 48\nk: [0, 0, 0, 0, 0, 0, 0, 0, 0]\n", ":3: camera_matrix is all 0"},
-      {"a: [1, 2\n", "is not valid YAML"},
+      {"a: [1, 2\n", "is not YAML"},
       {"", "is not a camera calibration"},
   };
   for (const auto& [text, message] : cases) {

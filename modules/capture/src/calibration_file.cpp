@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "image_limits.hpp"
 #include "lockbox/core/error.hpp"
@@ -33,68 +34,48 @@ std::string text_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-CalibrationFile::CalibrationFile(const std::filesystem::path& file) : file_(file.string()) {
-  const std::string text = text_of(file);
-  try {
-    root_ = YAML::Load(text);
-  } catch (const YAML::Exception& error) {
-    throw InputError(file_, error.mark.line + 1, "is not valid YAML (" + error.msg + ")");
-  }
-  if (!root_.IsMap()) {
+CalibrationFile::CalibrationFile(const std::filesystem::path& file)
+    : file_(file.string()), root_(YamlValue::parse(file_, text_of(file))) {
+  if (!root_.is_map()) {
     throw InputError(file_, "is not a camera calibration: no entries such as image_width");
   }
 }
 
-void CalibrationFile::refuse(const YAML::Node& node, const std::string& problem) const {
-  throw InputError(file_, node.Mark().line + 1, problem);
-}
-
-YAML::Node CalibrationFile::find(const std::vector<const char*>& names) const {
+std::optional<YamlValue> CalibrationFile::find(const std::vector<const char*>& names) const {
   for (const char* const name : names) {
-    const YAML::Node node = root_[name];
-    if (node && !node.IsNull()) {
-      return node;
-    }
+    if (auto value = root_.find(name)) return value;
   }
-  return YAML::Node(YAML::NodeType::Undefined);
+  return std::nullopt;
 }
 
-YAML::Node CalibrationFile::entry(const std::vector<const char*>& names) const {
-  const YAML::Node node = find(names);
-  if (!node) {
+YamlValue CalibrationFile::entry(const std::vector<const char*>& names) const {
+  auto value = find(names);
+  if (!value) {
     throw InputError(file_, std::string("the entry ") + names.front() + " is missing");
   }
-  return node;
+  return *std::move(value);
 }
 
-double CalibrationFile::number(const YAML::Node& node, const std::string& name) const {
-  const std::optional<double> value =
-      node.IsScalar() ? parse_finite_number(node.Scalar()) : std::nullopt;
-  if (!value) {
-    refuse(node, name + " is not a number");
-  }
-  return *value;
+double CalibrationFile::number(const YamlValue& value, const std::string& name) {
+  const auto number = value.is_plain() ? parse_finite_number(value.text()) : std::nullopt;
+  if (!number) value.refuse(name + " is not a number");
+  return *number;
 }
 
-int CalibrationFile::pixels(const YAML::Node& node, const std::string& name, int minimum) const {
-  const double value = number(node, name);
-  if (!(value >= minimum && value <= kMaximumImageSize) || value != static_cast<int>(value)) {
-    refuse(node, name + " is not a size in pixels");
+int CalibrationFile::pixels(const YamlValue& value, const std::string& name, int minimum) {
+  const double size = number(value, name);
+  if (!(size >= minimum && size <= kMaximumImageSize) || size != static_cast<int>(size)) {
+    value.refuse(name + " is not a size in pixels");
   }
-  return static_cast<int>(value);
+  return static_cast<int>(size);
 }
 
-std::vector<double> CalibrationFile::numbers(const YAML::Node& node,
-                                             const std::string& name) const {
-  const YAML::Node list = node.IsMap() ? node["data"] : node;
-  if (!list || !list.IsSequence()) {
-    refuse(node, name + " has no list of numbers named data");
-  }
-  std::vector<double> values;
-  for (const YAML::Node& item : list) {
-    values.push_back(number(item, name));
-  }
-  return values;
+std::vector<double> CalibrationFile::numbers(const YamlValue& value, const std::string& name) {
+  const std::optional<YamlValue> list = value.is_map() ? value.find("data") : value;
+  if (!list || !list->is_list()) value.refuse(name + " has no list of numbers named data");
+  std::vector<double> numbers;
+  for (const YamlValue& item : list->items()) numbers.push_back(number(item, name));
+  return numbers;
 }
 
 }  // namespace lockbox

@@ -2,11 +2,12 @@
 // A camera calibration as YAML, in the dialects that there are of it.
 #pragma once
 
-#include <yaml-cpp/yaml.h>
-
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "lockbox/core/yaml_value.hpp"
 
 namespace lockbox {
 
@@ -18,25 +19,23 @@ class CalibrationFile {
  public:
   explicit CalibrationFile(const std::filesystem::path& file);
 
-  [[noreturn]] void refuse(const YAML::Node& node, const std::string& problem) const;
-
-  /// The entry under the first of these names that is there and not empty; else not defined.
-  YAML::Node find(const std::vector<const char*>& names) const;
+  /// The entry under the first of these names that is there and not empty, if any is.
+  std::optional<YamlValue> find(const std::vector<const char*>& names) const;
 
   /// The same, refused under the first name if it is missing.
-  YAML::Node entry(const std::vector<const char*>& names) const;
+  YamlValue entry(const std::vector<const char*>& names) const;
 
-  double number(const YAML::Node& node, const std::string& name) const;
+  static double number(const YamlValue& value, const std::string& name);
 
   /// A whole number from minimum to 16384.
-  int pixels(const YAML::Node& node, const std::string& name, int minimum) const;
+  static int pixels(const YamlValue& value, const std::string& name, int minimum);
 
   /// The list of an entry, or the list `data` in it.
-  std::vector<double> numbers(const YAML::Node& node, const std::string& name) const;
+  static std::vector<double> numbers(const YamlValue& value, const std::string& name);
 
  private:
   std::string file_;
-  YAML::Node root_;
+  YamlValue root_;
 };
 
 }  // namespace lockbox

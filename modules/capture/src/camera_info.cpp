@@ -23,45 +23,47 @@ struct CutOut {
 CutOut cut_out(const CalibrationFile& file, int full, const char* binning, const char* offset,
                const char* extent) {
   CutOut result{full, 0, 1};
-  if (const YAML::Node node = file.find({binning})) {
-    result.binning = std::max(1, file.pixels(node, binning, 0));
+  if (const auto value = file.find({binning})) {
+    result.binning = std::max(1, CalibrationFile::pixels(*value, binning, 0));
   }
-  const YAML::Node roi = file.find({"roi"});
-  if (roi && roi.IsMap() && roi[offset] && roi[extent]) {
-    result.offset = file.pixels(roi[offset], offset, 0);
-    const int part = file.pixels(roi[extent], extent, 0);
-    result.size = part > 0 ? part : full;
+  const auto roi = file.find({"roi"});
+  const auto first = roi ? roi->find(offset) : std::nullopt;
+  const auto part = roi ? roi->find(extent) : std::nullopt;
+  if (first && part) {
+    result.offset = CalibrationFile::pixels(*first, offset, 0);
+    const int pixels = CalibrationFile::pixels(*part, extent, 0);
+    result.size = pixels > 0 ? pixels : full;
   }
   result.size /= result.binning;
   return result;
 }
 
-std::vector<double> matrix_of(const CalibrationFile& file, const YAML::Node& node) {
-  const std::vector<double> k = file.numbers(node, "camera_matrix");
+std::vector<double> numbers_of(const YamlValue& matrix) {
+  const std::vector<double> k = CalibrationFile::numbers(matrix, "camera_matrix");
   if (k.size() != 9) {
-    file.refuse(node, "camera_matrix needs 9 numbers, has " + std::to_string(k.size()));
+    matrix.refuse("camera_matrix needs 9 numbers, has " + std::to_string(k.size()));
   }
   if (std::all_of(k.begin(), k.end(), [](double value) { return value == 0.0; })) {
-    file.refuse(node, "camera_matrix is all 0, as of a camera that was never calibrated");
+    matrix.refuse("camera_matrix is all 0, as of a camera that was never calibrated");
   }
   if (!(k[0] > 0.0) || !(k[4] > 0.0)) {
-    file.refuse(node, "camera_matrix has a focal length that is not positive");
+    matrix.refuse("camera_matrix has a focal length that is not positive");
   }
   if (k[1] != 0.0 || k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0) {
-    file.refuse(node, "camera_matrix is not of the form [fx 0 cx; 0 fy cy; 0 0 1]");
+    matrix.refuse("camera_matrix is not of the form [fx 0 cx; 0 fy cy; 0 0 1]");
   }
   return k;
 }
 
 PinholeCamera camera_of(const CalibrationFile& file) {
-  const YAML::Node node = file.entry({"camera_matrix", "K", "k"});
-  const std::vector<double> k = matrix_of(file, node);
-  const YAML::Node width = file.entry({"image_width", "width"});
-  const YAML::Node height = file.entry({"image_height", "height"});
-  const CutOut across =
-      cut_out(file, file.pixels(width, "image_width", 1), "binning_x", "x_offset", "width");
-  const CutOut down =
-      cut_out(file, file.pixels(height, "image_height", 1), "binning_y", "y_offset", "height");
+  const YamlValue matrix = file.entry({"camera_matrix", "K", "k"});
+  const std::vector<double> k = numbers_of(matrix);
+  const YamlValue width = file.entry({"image_width", "width"});
+  const YamlValue height = file.entry({"image_height", "height"});
+  const CutOut across = cut_out(file, CalibrationFile::pixels(width, "image_width", 1), "binning_x",
+                                "x_offset", "width");
+  const CutOut down = cut_out(file, CalibrationFile::pixels(height, "image_height", 1), "binning_y",
+                              "y_offset", "height");
   const PinholeCamera camera{across.size,
                              down.size,
                              k[0] / across.binning,
@@ -71,11 +73,11 @@ PinholeCamera camera_of(const CalibrationFile& file) {
   if (camera.width < 1 || camera.height < 1 ||
       !is_image_size(static_cast<std::uint64_t>(camera.width),
                      static_cast<std::uint64_t>(camera.height))) {
-    file.refuse(width, "image_width and image_height are not those of an image of at most " +
-                           std::to_string(kMaximumImagePixels) + " pixels");
+    width.refuse("image_width and image_height are not those of an image of at most " +
+                 std::to_string(kMaximumImagePixels) + " pixels");
   }
   if (const std::optional<std::string> problem = impossible_focal_length(camera)) {
-    file.refuse(node, *problem);
+    matrix.refuse(*problem);
   }
   return camera;
 }
@@ -94,10 +96,10 @@ CameraCalibration read_camera_info(const std::filesystem::path& file) {
                                 .distortion = std::move(lens.coefficients),
                                 .depth_scale = {},
                                 .is_equidistant = lens.is_equidistant};
-  if (const YAML::Node node = info.find({"depth_scale"})) {
-    calibration.depth_scale = info.number(node, "depth_scale");
+  if (const auto scale = info.find({"depth_scale"})) {
+    calibration.depth_scale = CalibrationFile::number(*scale, "depth_scale");
     if (!(*calibration.depth_scale > 0.0)) {
-      info.refuse(node, "depth_scale must be positive: units per metre, 1000 for millimetres");
+      scale->refuse("depth_scale must be positive: units per metre, 1000 for millimetres");
     }
   }
   return calibration;

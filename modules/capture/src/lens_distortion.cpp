@@ -18,11 +18,8 @@ bool all_zero(std::vector<double>::const_iterator begin, std::vector<double>::co
 
 /// OpenCV writes no name; its list of eight is the rational polynomial.
 std::string model_of(const CalibrationFile& file, std::size_t coefficients) {
-  const YAML::Node node = file.find({"distortion_model"});
-  const std::string name = node && node.IsScalar() ? node.Scalar() : std::string();
-  if (!name.empty()) {
-    return name;
-  }
+  const auto named = file.find({"distortion_model"});
+  if (named && named->is_plain() && !named->text().empty()) return named->text();
   return coefficients >= kRational ? "rational_polynomial" : "plumb_bob";
 }
 
@@ -32,18 +29,17 @@ bool is_fisheye(const std::string& model) {
 }
 
 void refuse_model(const CalibrationFile& file, const std::string& model) {
-  file.refuse(file.entry({"distortion_model"}),
-              "distortion model " + model +
-                  " is not supported (plumb_bob, rational_polynomial and equidistant are); rectify "
-                  "the images "
-                  "first, give the camera of the rectified ones, and set the coefficients to 0");
+  file.entry({"distortion_model"})
+      .refuse("distortion model " + model +
+              " is not supported (plumb_bob, rational_polynomial and equidistant are); rectify the "
+              "images first, give the camera of the rectified ones, and set the coefficients to 0");
 }
 
-LensDistortion equidistant(const CalibrationFile& file, const YAML::Node& node,
+LensDistortion equidistant(const CalibrationFile& file, const std::optional<YamlValue>& list,
                            std::vector<double> values) {
   if (values.size() != kEquidistant) {
-    file.refuse(node ? node : file.entry({"distortion_model"}),
-                "equidistant needs 4 coefficients, found " + std::to_string(values.size()));
+    (list ? *list : file.entry({"distortion_model"}))
+        .refuse("equidistant needs 4 coefficients, found " + std::to_string(values.size()));
   }
   return {std::move(values), true};
 }
@@ -51,29 +47,27 @@ LensDistortion equidistant(const CalibrationFile& file, const YAML::Node& node,
 }  // namespace
 
 LensDistortion read_distortion(const CalibrationFile& file) {
-  const YAML::Node node = file.find({"distortion_coefficients", "D", "d"});
+  const auto list = file.find({"distortion_coefficients", "D", "d"});
   std::vector<double> values =
-      node ? file.numbers(node, "distortion_coefficients") : std::vector<double>();
+      list ? CalibrationFile::numbers(*list, "distortion_coefficients") : std::vector<double>();
   const std::string model = model_of(file, values.size());
-  if (is_fisheye(model)) return equidistant(file, node, std::move(values));
-  if (all_zero(values.begin(), values.end())) {
-    return {};
-  }
+  if (is_fisheye(model)) return equidistant(file, list, std::move(values));
+  if (!list || all_zero(values.begin(), values.end())) return {};
   if (model != "plumb_bob" && model != "rational_polynomial") {
     refuse_model(file, model);
   }
   const std::size_t known = model == "plumb_bob" ? kPlumbBob : kRational;
   if (values.size() < kShort) {
-    file.refuse(node, model + " needs " + std::to_string(known) + " coefficients, found " +
-                          std::to_string(values.size()));
+    list->refuse(model + " needs " + std::to_string(known) + " coefficients, found " +
+                 std::to_string(values.size()));
   }
   if (values.size() > known &&
       !all_zero(values.begin() + static_cast<std::ptrdiff_t>(known), values.end())) {
-    file.refuse(node, model + " has " + std::to_string(known) + " coefficients, and here are " +
-                          std::to_string(values.size()) + " that are not 0; " +
-                          (model == "plumb_bob" && values.size() == kRational
-                               ? "eight belong to distortion_model: rational_polynomial"
-                               : "rectify the images first and set the coefficients to 0"));
+    list->refuse(model + " has " + std::to_string(known) + " coefficients, and here are " +
+                 std::to_string(values.size()) + " that are not 0; " +
+                 (model == "plumb_bob" && values.size() == kRational
+                      ? "eight belong to distortion_model: rational_polynomial"
+                      : "rectify the images first and set the coefficients to 0"));
   }
   values.resize(known);
   return {std::move(values), false};

@@ -15,12 +15,22 @@ YamlValue YamlValue::load(const std::filesystem::path& file, const std::string& 
   if (!is_file(file)) {
     throw InputError(file.string(), "is not a " + kind + " file that can be read");
   }
-  const std::string text = read_text_file(file, kMostWrittenBytes);
+  return parse(file.string(), read_text_file(file, kMostWrittenBytes));
+}
+
+YamlValue YamlValue::parse(const std::string& file, const std::string& text) {
   try {
-    return {file.string(), YAML::Load(text)};
+    return {file, YAML::Load(text)};
   } catch (const YAML::Exception& error) {
-    throw InputError(file.string(), error.mark.line + 1, "is not YAML: " + error.msg);
+    throw InputError(file, error.mark.line + 1, "is not YAML: " + error.msg);
   }
+}
+
+std::optional<YamlValue> YamlValue::find(const std::string& key) const {
+  if (!is_map()) return std::nullopt;
+  const YAML::Node value = node_[key];
+  if (!value.IsDefined() || value.IsNull()) return std::nullopt;
+  return YamlValue{file_, value};
 }
 
 std::vector<std::pair<YamlValue, YamlValue>> YamlValue::entries() const {

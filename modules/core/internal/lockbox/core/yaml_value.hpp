@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,17 @@ class YamlValue {
   /// The content of a file. kind: what it should be, as a sentence has it. Throws InputError.
   static YamlValue load(const std::filesystem::path& file, const std::string& kind);
 
+  /// The first document of a text that was read from a file. Throws InputError.
+  static YamlValue parse(const std::string& file, const std::string& text);
+
   bool is_empty() const { return node_.IsNull(); }
+  bool is_map() const { return node_.IsMap(); }
+  bool is_list() const { return node_.IsSequence(); }
+  bool is_plain() const { return node_.IsScalar(); }
+
+  /// The value of a key; nothing if it is not there or empty, or if this is no map. For files of
+  /// others, whose further keys are none of our business.
+  std::optional<YamlValue> find(const std::string& key) const;
 
   /// Keys and values; refuses what is no map, keys that are no text, and keys that come twice.
   std::vector<std::pair<YamlValue, YamlValue>> entries() const;
