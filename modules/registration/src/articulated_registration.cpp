@@ -50,7 +50,7 @@ struct ArticulatedRegistration::Stages {
 
   /// Steps by contours and by low prominence. at: where the descent has ended.
   void refine_without_edges(const Comparison& with, const Configuration& start,
-                            const AlignOptions& align_options, Linearization& at,
+                            const AlignOptions& align_options, const Linearization& at,
                             SolutionSystem& system, Estimate& refined, JointMatches& seen);
   /// Before edges add to it.
   void estimate_covariance(const SolutionSystem& system, const JointMatches& seen,
@@ -127,7 +127,7 @@ SizeMeasurement ArticulatedRegistration::Stages::measure_size(const TiledCloud& 
 
 void ArticulatedRegistration::Stages::refine_without_edges(
     const Comparison& with, const Configuration& start, const AlignOptions& align_options,
-    Linearization& at, SolutionSystem& system, Estimate& refined, JointMatches& seen) {
+    const Linearization& at, SolutionSystem& system, Estimate& refined, JointMatches& seen) {
   seen.assign(static_cast<std::size_t>(model.tree.variables()), std::nullopt);
   if (!objective.sees_free_space(with.cloud)) return;
   contour_step.take(with.cloud.camera(), align_options.hold_joints, system, refined);

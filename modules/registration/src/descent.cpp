@@ -109,8 +109,9 @@ bool Descent::improve(const Comparison& with, bool hold_joints, double next_sigm
     }
     candidate_ = found.configuration;
     apply_step(step, candidate_);
-    const auto ahead = trial == 0 ? std::optional(next_sigma) : std::nullopt;
-    if (objective_.cost(with, candidate_, at, ahead) < at.cost) {
+    const double cost = trial == 0 ? objective_.cost_ahead(with, candidate_, next_sigma, at)
+                                   : objective_.cost(with, candidate_, at);
+    if (cost < at.cost) {
       found.configuration = candidate_;
       found.last_step = step;
       return true;

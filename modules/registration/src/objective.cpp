@@ -89,21 +89,34 @@ void Objective::select_free_space(const Comparison& with, const Configuration& c
   at.selected_at.set(view, configuration, annealing_sigma);
 }
 
-double Objective::cost(const Comparison& with, const Configuration& configuration,
-                       Linearization& under, std::optional<double> next_sigma) {
-  if (next_sigma && !with.view.shows(configuration, moves_)) next_sigma.reset();
+/// cost_of_points: at the trial's poses, with collisions in the same loop.
+template <typename PointCost>
+double Objective::cost_with(const Comparison& with, const Configuration& configuration,
+                            const FreeSpaceTerm& free_term, PointCost&& cost_of_points) {
   forward_kinematics(model_.tree, configuration, trial_poses_);
   const auto collide = [&](std::size_t i) { collision_.evaluate_part(model_, trial_poses_, i); };
-  const Loop collisions{collision_.begin(trial_poses_), collide};
-  ModelTerm& points = under.model_term;
-  double cost = next_sigma ? points.cost_ahead(scene(with), trial_poses_, *next_sigma, collisions)
-                           : points.cost(scene(with), trial_poses_, collisions);
-  if (next_sigma) under.ahead_at.set(with.view, configuration, *next_sigma);
-  if (sees_free_space(with.cloud)) cost += under.free_term.cost(trial_poses_);
+  double cost = cost_of_points(Loop{collision_.begin(trial_poses_), collide});
+  if (sees_free_space(with.cloud)) cost += free_term.cost(trial_poses_);
   return cost / options_.noise_correlation + collision_.sum_up(model_, trial_poses_, nullptr);
 }
 
-void Objective::weigh_solution(const Comparison& with, Linearization& at,
+double Objective::cost(const Comparison& with, const Configuration& configuration,
+                       const Linearization& under) {
+  return cost_with(with, configuration, under.free_term, [&](const Loop& collisions) {
+    return under.model_term.cost(scene(with), trial_poses_, collisions);
+  });
+}
+
+double Objective::cost_ahead(const Comparison& with, const Configuration& configuration,
+                             double next_sigma, Linearization& under) {
+  if (!with.view.shows(configuration, moves_)) return cost(with, configuration, under);
+  under.ahead_at.set(with.view, configuration, next_sigma);
+  return cost_with(with, configuration, under.free_term, [&](const Loop& collisions) {
+    return under.model_term.cost_ahead(scene(with), trial_poses_, next_sigma, collisions);
+  });
+}
+
+void Objective::weigh_solution(const Comparison& with, const Linearization& at,
                                SolutionSystem& solution) {
   solution.jacobians = at.jacobians;
   solution.data = at.data;

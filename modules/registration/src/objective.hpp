@@ -4,7 +4,6 @@
 // correspondences) of one of them (docs/mathematics.md).
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "linearization.hpp"
@@ -41,19 +40,25 @@ class Objective {
                  Linearization& at);
 
   /// The cost at another configuration, under the selection of a linearisation with the same view.
-  /// With next_sigma, it has the model term's next linearisation ready on the way, unless the model
-  /// has to be drawn anew for that; else only its scratch memory changes.
-  double cost(const Comparison& with, const Configuration& configuration, Linearization& under,
-              std::optional<double> next_sigma = std::nullopt);
+  double cost(const Comparison& with, const Configuration& configuration,
+              const Linearization& under);
+
+  /// The same, and has the model term's next linearisation ready on the way, with next_sigma,
+  /// unless the model has to be drawn anew for that.
+  double cost_ahead(const Comparison& with, const Configuration& configuration, double next_sigma,
+                    Linearization& under);
 
   /// Where the descent has ended, contours weigh what their pixels are worth instead of
-  /// lambda_free. Of the linearisation only scratch memory changes.
-  void weigh_solution(const Comparison& with, Linearization& at, SolutionSystem& solution);
+  /// lambda_free.
+  void weigh_solution(const Comparison& with, const Linearization& at, SolutionSystem& solution);
 
   CollisionTerm& collision() { return collision_; }
 
  private:
   ModelTerm::Scene scene(const Comparison& with) const;
+  template <typename PointCost>
+  double cost_with(const Comparison& with, const Configuration& configuration,
+                   const FreeSpaceTerm& free_term, PointCost&& cost_of_points);
   void linearize_points(const Comparison& with, const Configuration& configuration,
                         double annealing_sigma, Linearization& at);
   void select_free_space(const Comparison& with, const Configuration& configuration,

@@ -42,8 +42,9 @@ ProminenceStep::ProminenceStep(const ArticulatedModel& model, const Registration
       steps_(steps),
       low_prominence_(model, options, executor) {}
 
-void ProminenceStep::take(const Comparison& with, const Eigen::VectorXd& start, Linearization& at,
-                          SolutionSystem& solution, Estimate& estimate, JointMatches& matches) {
+void ProminenceStep::take(const Comparison& with, const Eigen::VectorXd& start,
+                          const Linearization& at, SolutionSystem& solution, Estimate& estimate,
+                          JointMatches& matches) {
   for (int v = 0; v < model_.tree.variables() && options_.match_low_prominence; ++v) {
     const double prominence = low_prominence_.prominence(v, estimate.configuration);
     if (prominence > LowProminence::kSurelyStandsOut ||
@@ -68,7 +69,7 @@ void ProminenceStep::take(const Comparison& with, const Eigen::VectorXd& start, 
 /// at an edge for the mean of both sides.
 bool ProminenceStep::is_elsewhere(const Comparison& with, const Configuration& estimate,
                                   int variable, const std::optional<JointMatch>& match,
-                                  Linearization& at) {
+                                  const Linearization& at) {
   if (!match) return false;
   const double off = std::abs(match->position - estimate.q[variable]);
   const double pixel = low_prominence_.pixel_step(with.cloud.camera(), estimate, variable);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What follows the descent: steps that would lead astray from farther off (docs/mathematics.md).
-// Each takes the estimate, and what is known of it by then, and improves both.
+// What follows the descent: steps that would lead astray from farther off
+// (docs/mathematics-refinement.md). Each takes the estimate, and what is known of it by then, and
+// improves both.
 #pragma once
 
 #include <optional>
@@ -51,12 +52,12 @@ class ProminenceStep {
   /// start: the joint variables before the descent. at: where it has ended; costs are those under
   /// its selection. solution: what it says about such joints is forgotten. matches: none of each
   /// variable before.
-  void take(const Comparison& with, const Eigen::VectorXd& start, Linearization& at,
+  void take(const Comparison& with, const Eigen::VectorXd& start, const Linearization& at,
             SolutionSystem& solution, Estimate& estimate, JointMatches& matches);
 
  private:
   bool is_elsewhere(const Comparison& with, const Configuration& estimate, int variable,
-                    const std::optional<JointMatch>& match, Linearization& at);
+                    const std::optional<JointMatch>& match, const Linearization& at);
 
   const ArticulatedModel& model_;
   RegistrationOptions options_;

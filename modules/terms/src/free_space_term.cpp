@@ -142,7 +142,7 @@ kernels::CorrespondenceLoss FreeSpaceTerm::correspondence_loss() const {
 
 void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
                                         double contour_weight, const Executor& executor,
-                                        std::vector<TileSystem>& systems) {
+                                        std::vector<TileSystem>& systems) const {
   const std::size_t of_samples = violations_.blocks().size();
   const std::size_t blocks = of_samples + contours_.blocks().size();
   block_systems_.resize(std::max(block_systems_.size(), blocks));

@@ -28,7 +28,7 @@ std::size_t tiles_in_chunk(const PointTiles& points, std::size_t first, std::siz
 
 }  // namespace
 
-void ModelTerm::begin(const Scene& scene, const BodyPoses& T_camera_body) {
+void ModelTerm::begin(const Scene& scene, const BodyPoses& T_camera_body) const {
   bodies_.resize(T_camera_body.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     PosedBody& body = bodies_[b];
@@ -38,14 +38,13 @@ void ModelTerm::begin(const Scene& scene, const BodyPoses& T_camera_body) {
     body.from_camera = to_rigid_motion(body.T_body_camera);
     body.box = OrientedBox(field ? field->bounds() : Eigen::AlignedBox3d(), T_camera_body[b]);
   }
-  chunks_ = chunk_count(scene.points.tiles().size(), Chunk::kTiles);
-  chunk_costs_.assign(chunks_, 0.0);
+  chunk_costs_.assign(chunk_count(scene.points.tiles().size(), Chunk::kTiles), 0.0);
   scratch_.resize(static_cast<std::size_t>(scene.executor.threads()) + 1);
 }
 
 /// Makes room for whatever may be selected, so that nothing is allocated later.
 void ModelTerm::prepare(Linearization& linearization) const {
-  linearization.resize(std::max(linearization.size(), chunks_));
+  linearization.resize(std::max(linearization.size(), chunk_costs_.size()));
   const std::size_t most =
       Chunk::kTiles * std::min(ModelTileScratch::kMaxCandidates, bodies_.size());
   for (Chunk& chunk : linearization) {
@@ -103,7 +102,7 @@ void ModelTerm::select_candidates(const Scene& scene, std::size_t chunk_index,
 
 double ModelTerm::linearize_chunk(const Scene& scene, std::size_t chunk_index,
                                   double annealing_sigma, const Chunk* frozen,
-                                  Linearization& linearization) {
+                                  Linearization& linearization) const {
   const PointTiles& points = scene.points;
   ModelTileScratch scratch(scratch_[Executor::worker()]);
   Chunk& chunk = linearization[chunk_index];
@@ -126,6 +125,7 @@ double ModelTerm::linearize(const Scene& scene, const BodyPoses& T_camera_body,
                             double annealing_sigma, std::vector<BodySystem>& systems,
                             const Loop& beside) {
   begin(scene, T_camera_body);
+  chunks_ = chunk_costs_.size();
   prepare(last_);
   const auto linearize_one = [&](std::size_t chunk) {
     linearize_chunk(scene, chunk, annealing_sigma, nullptr, last_);
@@ -134,7 +134,8 @@ double ModelTerm::linearize(const Scene& scene, const BodyPoses& T_camera_body,
   return sum_up(systems);
 }
 
-double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body, const Loop& beside) {
+double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body,
+                       const Loop& beside) const {
   begin(scene, T_camera_body);
   const auto cost_of_one = [&](std::size_t chunk) {
     ModelTileScratch scratch(scratch_[Executor::worker()]);
@@ -144,7 +145,7 @@ double ModelTerm::cost(const Scene& scene, const BodyPoses& T_camera_body, const
       chunk_costs_[chunk] += tile.frozen_cost(last_[chunk], nullptr, scratch);
     }
   };
-  scene.executor.for_each({{chunks_, cost_of_one}, beside});
+  scene.executor.for_each({{chunk_costs_.size(), cost_of_one}, beside});
   return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
 }
 
@@ -155,7 +156,7 @@ double ModelTerm::cost_ahead(const Scene& scene, const BodyPoses& T_camera_body,
   const auto linearize_one = [&](std::size_t chunk) {
     chunk_costs_[chunk] = linearize_chunk(scene, chunk, annealing_sigma, &last_[chunk], ahead_);
   };
-  scene.executor.for_each({{chunks_, linearize_one}, beside});
+  scene.executor.for_each({{chunk_costs_.size(), linearize_one}, beside});
   return std::accumulate(chunk_costs_.begin(), chunk_costs_.end(), 0.0);
 }
 

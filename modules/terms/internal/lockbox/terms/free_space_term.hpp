@@ -56,7 +56,7 @@ class FreeSpaceTerm {
   /// times. first_tile: number of the first tile of the image among the tiles of the systems.
   void append_tile_systems(const BodyPoses& T_camera_body, std::size_t first_tile,
                            double contour_weight, const Executor& executor,
-                           std::vector<TileSystem>& systems);
+                           std::vector<TileSystem>& systems) const;
 
   std::size_t matched_samples() const { return violations_.size() + contours_.size(); }
 
@@ -76,12 +76,12 @@ class FreeSpaceTerm {
   double gate_ = 0.0;
   double annealing_variance_ = 0.0;  ///< m^2, of the last linearisation
   std::vector<std::vector<std::uint32_t>>
-      chunk_violations_;                                ///< seen through: numbers within the chunk
-  std::vector<std::size_t> chunk_begins_;               ///< how many before each chunk; all
-  CorrespondenceSet violations_;                        ///< by chunks of samples
-  CorrespondenceSet contours_;                          ///< by bands of contours
-  std::vector<BodySystem> contour_systems_;             ///< by body, of the last linearisation
-  std::vector<std::vector<TileSystem>> block_systems_;  ///< of both
+      chunk_violations_;                     ///< seen through: numbers within the chunk
+  std::vector<std::size_t> chunk_begins_;    ///< how many before each chunk; all
+  CorrespondenceSet violations_;             ///< by chunks of samples
+  CorrespondenceSet contours_;               ///< by bands of contours
+  std::vector<BodySystem> contour_systems_;  ///< by body, of the last linearisation
+  mutable std::vector<std::vector<TileSystem>> block_systems_;  ///< of both; memory
   SampleLandings landings_;
   std::vector<ObservedContour> observed_contours_;  ///< by worker
 };

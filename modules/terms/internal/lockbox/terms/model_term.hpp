@@ -22,7 +22,8 @@
 
 namespace lockbox {
 
-/// Owns the frozen selection of the last linearisation and all scratch memory.
+/// Owns the frozen selection of the last linearisation, and memory that is used again. It is for
+/// one thread at a time: costs, which change nothing that is seen, use that memory, too.
 class ModelTerm {
  public:
   /// What a linearisation is made from, by reference.
@@ -42,7 +43,7 @@ class ModelTerm {
                    std::vector<BodySystem>& systems, const Loop& beside = {});
 
   /// The cost at other poses under the selection of the last linearisation.
-  double cost(const Scene& scene, const BodyPoses& T_camera_body, const Loop& beside = {});
+  double cost(const Scene& scene, const BodyPoses& T_camera_body, const Loop& beside = {}) const;
 
   /// The same, and on the way the linearisation there: what it takes is looked up already.
   double cost_ahead(const Scene& scene, const BodyPoses& T_camera_body, double annealing_sigma,
@@ -61,22 +62,23 @@ class ModelTerm {
   using Chunk = ModelTermChunk;
   using Linearization = std::vector<Chunk>;
 
-  void begin(const Scene& scene, const BodyPoses& T_camera_body);
+  void begin(const Scene& scene, const BodyPoses& T_camera_body) const;
   void prepare(Linearization& linearization) const;
   void select_candidates(const Scene& scene, std::size_t chunk_index, double annealing_sigma,
                          Chunk& chunk) const;
   /// Of one chunk; returns its cost under a frozen selection, if there is one.
   double linearize_chunk(const Scene& scene, std::size_t chunk_index, double annealing_sigma,
-                         const Chunk* frozen, Linearization& linearization);
+                         const Chunk* frozen, Linearization& linearization) const;
   double sum_up(std::vector<BodySystem>& systems);
 
-  std::vector<PosedBody> bodies_;  ///< at the poses in hand
-  std::size_t chunks_ = 0;         ///< of the points in hand; there may have been more before
+  std::size_t chunks_ = 0;  ///< of the last linearisation; there may have been more before
   Linearization last_;
   Linearization ahead_;
-  std::vector<double> chunk_costs_;          ///< under the frozen selection
-  std::vector<std::vector<float>> scratch_;  ///< one block of memory a worker
   Totals totals_;
+  // Memory, which each call fills before it reads it.
+  mutable std::vector<PosedBody> bodies_;            ///< at the poses in hand
+  mutable std::vector<double> chunk_costs_;          ///< under the frozen selection
+  mutable std::vector<std::vector<float>> scratch_;  ///< one block a worker
 };
 
 }  // namespace lockbox
