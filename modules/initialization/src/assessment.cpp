@@ -65,7 +65,7 @@ void Assessment::add_answers(SearchImage& image, const std::vector<Hypothesis>& 
 void Assessment::add_look_alikes(const TiledCloud& cloud, std::vector<Candidate>& answers) {
   if (answers.empty()) return;
   const Configuration best = answers.front().configuration;
-  for (Configuration& other : sought_.look_alikes.of(best)) {
+  for (Configuration& other : sought_.look_alikes->of(best)) {
     // One that the search has found by itself is not as exact.
     std::erase_if(answers, [&](const Candidate& answer) {
       return are_one(sought_, answer.configuration, other) &&

@@ -2,6 +2,7 @@
 #include "lockbox/initialization/initializer.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "exact_fit.hpp"
 #include "joint_search.hpp"
@@ -24,8 +25,8 @@ void check(const TiledCloud& cloud) {
 /// What a search is made of; all of it is reused by the next one.
 struct Initializer::Workspace {
   Workspace(const ArticulatedModel& model, const InitializerOptions& options,
-            const Executor& executor)
-      : sought(model, options.registration, options.evidence),
+            const Executor& executor, std::shared_ptr<const LookAlikes> look_alikes)
+      : sought(model, options.registration, options.evidence, std::move(look_alikes)),
         noise(options.registration.noise.sigma_inverse_depth()),
         image(sought, noise, options.stop_request, executor),
         exact(model, options, executor),
@@ -41,8 +42,8 @@ struct Initializer::Workspace {
 };
 
 Initializer::Initializer(const ArticulatedModel& model, const InitializerOptions& options,
-                         const Executor& executor)
-    : workspace_(std::make_unique<Workspace>(model, options, executor)) {}
+                         const Executor& executor, std::shared_ptr<const LookAlikes> look_alikes)
+    : workspace_(std::make_unique<Workspace>(model, options, executor, std::move(look_alikes))) {}
 Initializer::~Initializer() = default;
 Initializer::Initializer(Initializer&&) noexcept = default;
 Initializer& Initializer::operator=(Initializer&&) noexcept = default;

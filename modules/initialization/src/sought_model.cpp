@@ -2,6 +2,7 @@
 #include "sought_model.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "box_turns.hpp"
 #include "lockbox/model/drawn_mesh.hpp"
@@ -38,7 +39,8 @@ KinematicTree seen_from_afar(const ArticulatedModel& model) {
 }  // namespace
 
 SoughtModel::SoughtModel(const ArticulatedModel& articulated_model,
-                         const RegistrationOptions& options, const EvidenceOptions& of_evidence)
+                         const RegistrationOptions& options, const EvidenceOptions& of_evidence,
+                         std::shared_ptr<const LookAlikes> known)
     : model(articulated_model),
       evidence(of_evidence),
       from_afar(seen_from_afar(articulated_model)),
@@ -46,7 +48,8 @@ SoughtModel::SoughtModel(const ArticulatedModel& articulated_model,
       extent(model_extent(model.tree)),
       symmetries(find_lasting_symmetries(model)),
       turns(box_turns(extent, symmetries)),
-      look_alikes(model, options.locked),
+      look_alikes(known ? std::move(known)
+                        : std::make_shared<const LookAlikes>(model, options.locked)),
       variables(options.free_variables(model.tree.variables())),
       all_bodies(model.tree.bodies.size(), 1) {
   add_turns_of_base(extent, find_body_symmetries(model, 0), symmetries, turns);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hypothesis.hpp"
@@ -16,8 +17,10 @@ namespace lockbox {
 
 /// What is known of the object before any image. The model has to outlive it.
 struct SoughtModel {
+  /// known: its look-alikes; null: they are found here.
   SoughtModel(const ArticulatedModel& articulated_model, const RegistrationOptions& options,
-              const EvidenceOptions& of_evidence = {});
+              const EvidenceOptions& of_evidence = {},
+              std::shared_ptr<const LookAlikes> known = nullptr);
 
   const ArticulatedModel& model;
   EvidenceOptions evidence;
@@ -28,7 +31,7 @@ struct SoughtModel {
   std::vector<Eigen::Isometry3d> turns;       ///< of its box, or its base, that are none of it
   /// Of what is mostly round: those that leave most of its base where it is, and some by little.
   std::vector<Eigen::Isometry3d> round_turns;
-  LookAlikes look_alikes;
+  std::shared_ptr<const LookAlikes> look_alikes;
   std::vector<int> variables;            ///< of joints that are not locked
   std::vector<std::uint8_t> all_bodies;  ///< 1 for each, as drawings take them
 };

@@ -7,7 +7,6 @@
 
 #include "lockbox/cloud/segmentation.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
-#include "lockbox/model/look_alikes.hpp"
 #include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/verification/belief.hpp"
 
@@ -56,7 +55,8 @@ Acquisition::Acquisition(const ArticulatedModel& model, const TrackerOptions& op
       options_(options),
       executor_(executor),
       registration_(registration),
-      cloud_(cloud) {}
+      cloud_(cloud),
+      look_alikes_(std::make_shared<const LookAlikes>(model, options.registration.locked)) {}
 
 std::optional<Answer> Acquisition::find(const DepthFrame& frame,
                                         const std::optional<Configuration>& guess,
@@ -139,10 +139,7 @@ bool Acquisition::is_found() const {
 SearchFailure Acquisition::explain(const DepthFrame& frame) {
   const RegistrationResult* const best = best_ ? &*best_ : nullptr;
   SearchFailure failure = search_failure(frame, model_.tree, options_, best);
-  if (best_) {
-    const LookAlikes look_alikes(model_, options_.registration.locked);
-    failure.look_alikes = look_alikes.of(best_->configuration).size();
-  }
+  if (best_) failure.look_alikes = look_alikes().of(best_->configuration).size();
   if (failure_) {
     failure.is_mirrored = failure_->is_mirrored;
     failure.depth_factor = failure_->depth_factor;
@@ -271,7 +268,7 @@ Initializer& Acquisition::initializer() {
     InitializerOptions options{options_.registration, options_.evidence};
     options.registration.fixed_base = false;  // it is held where it was found
     options.stop_request = options_.stop_request;
-    initializer_.emplace(model_, options, executor_);
+    initializer_.emplace(model_, options, executor_, look_alikes_);
   }
   return *initializer_;
 }

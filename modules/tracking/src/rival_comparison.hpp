@@ -17,10 +17,10 @@ namespace lockbox {
 /// takes a hundred times as long. All that is given must outlive it.
 class RivalComparison {
  public:
-  RivalComparison(const ArticulatedModel& model, const TrackerOptions& options,
+  RivalComparison(const LookAlikes& look_alikes, const TrackerOptions& options,
                   ArticulatedRegistration& registration, const TiledCloud& cloud,
                   ImageBelief& image_belief)
-      : look_alikes_(model, options.registration.locked),
+      : look_alikes_(look_alikes),
         options_(options),
         registration_(registration),
         cloud_(cloud),
@@ -55,7 +55,7 @@ class RivalComparison {
     double evidence = 0.0;  ///< nats, the sum over the frames
   };
 
-  LookAlikes look_alikes_;
+  const LookAlikes& look_alikes_;
   const TrackerOptions& options_;
   ArticulatedRegistration& registration_;
   const TiledCloud& cloud_;

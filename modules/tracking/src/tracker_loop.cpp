@@ -33,7 +33,7 @@ Tracker::Loop::Loop(const ArticulatedModel& model, const TrackerOptions& options
       acquisition_(model, options, executor_, registration_, cloud_),
       search_(model, options_, registration_, acquisition_, cloud_),
       image_belief_(model.tree, cloud_, options_, executor_),
-      rivals_(model, options_, registration_, cloud_, image_belief_),
+      rivals_(acquisition_.look_alikes(), options_, registration_, cloud_, image_belief_),
       report_(model.tree, options_, image_belief_),
       predictor_(model.tree),
       joint_sight_(model.tree),

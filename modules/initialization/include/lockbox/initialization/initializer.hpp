@@ -66,12 +66,15 @@ struct SearchProgress {
   std::vector<Configuration> answers;  ///< the best ones up to now
 };
 
+class LookAlikes;
+
 /// Finds the model in a cloud without a guess. It is not thread-safe. The model must outlive it.
 class Initializer {
  public:
-  /// executor: its workers do the searches.
+  /// executor: its workers do the searches. look_alikes: of the model, with its locked joints, if
+  /// they are known already.
   Initializer(const ArticulatedModel& model, const InitializerOptions& options,
-              const Executor& executor);
+              const Executor& executor, std::shared_ptr<const LookAlikes> look_alikes = nullptr);
   ~Initializer();
   Initializer(Initializer&&) noexcept;
   Initializer& operator=(Initializer&&) noexcept;

@@ -2,10 +2,12 @@
 // Finds the object in a frame when following it is not possible: at the start, and when lost.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "lockbox/core/depth_frame.hpp"
 #include "lockbox/initialization/initializer.hpp"
+#include "lockbox/model/look_alikes.hpp"
 #include "lockbox/tracking/classification.hpp"
 #include "lockbox/tracking/search_failure.hpp"
 #include "lockbox/tracking/tracker.hpp"
@@ -64,6 +66,9 @@ class Acquisition {
   /// Of what the last search of the whole frame has found: what it could not tell from it.
   const std::vector<Alternative>& alternatives() const { return alternatives_; }
 
+  /// Configurations that no image tells apart.
+  const LookAlikes& look_alikes() const { return *look_alikes_; }
+
   /// Seeks joints over their whole range and registers everything from there. Those of which it is
   /// doubtful where they are count as not observable. The cloud must hold the frame.
   Answer with_joints_sought(const Configuration& start, const std::vector<int>& variables);
@@ -92,7 +97,8 @@ class Acquisition {
   Executor executor_;
   ArticulatedRegistration& registration_;
   const TiledCloud& cloud_;
-  TiledCloud object_;                       ///< the same, but for points that cannot be the object
+  TiledCloud object_;  ///< the same, but for points that cannot be the object
+  std::shared_ptr<const LookAlikes> look_alikes_;
   std::optional<Initializer> initializer_;  ///< made when it is first needed: it draws the model
   std::optional<Answer> best_;
   std::optional<SearchFailure> failure_;
