@@ -131,7 +131,7 @@ TEST(DepthModes, AreRecorded) {
   const CameraWithModes camera;
   SourceOptions options;
   options.mode = parse_depth_mode("320x240@60,100um");
-  record("openni2:" + camera.uri(), folder / "a.oni", {[&camera] { return camera.sent() > 60; }},
+  record("openni2:" + camera.uri(), folder / "a.oni", {[&camera] { return camera.taken() > 60; }},
          options);
   OniPlayer player(folder / "a.oni");
   DepthFrame frame;

@@ -58,8 +58,9 @@ class VirtualCamera {
   void stall() { is_stalled_ = true; }
   void go_on() { is_stalled_ = false; }
 
-  /// The number of frames sent, whether they were taken or not.
-  std::uint64_t sent() const { return sent_; }
+  /// Frames on their way to the user of the device. Those that it was too busy for, or came before
+  /// it was started, are not among them, but for two or three that the socket holds.
+  std::uint64_t taken() const { return taken_; }
 
  private:
   void serve() {
@@ -78,7 +79,7 @@ class VirtualCamera {
     auto next = std::chrono::steady_clock::now();
     while (is_plugged_) {
       const auto mode = sender.mode();
-      if (mode && !is_stalled_) sender.try_send(frame_(sent_++, *mode));
+      if (mode && !is_stalled_ && sender.try_send(frame_(sent_++, *mode))) ++taken_;
       next += std::chrono::microseconds(1'000'000 / modes_[mode.value_or(0)].frames_per_second);
       std::this_thread::sleep_until(next);
     }
@@ -89,7 +90,8 @@ class VirtualCamera {
   std::vector<VirtualMode> modes_;
   std::atomic<bool> is_plugged_{false};
   std::atomic<bool> is_stalled_{false};
-  std::atomic<std::uint64_t> sent_{0};
+  std::uint64_t sent_ = 0;  ///< whether they were taken or not; of the thread
+  std::atomic<std::uint64_t> taken_{0};
   std::unique_ptr<VirtualDepthServer> server_;
   std::thread thread_;
 };

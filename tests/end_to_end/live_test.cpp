@@ -171,7 +171,7 @@ TEST_F(Live, GoesOnWhereTheCameraWasUnpluggedAndCountsWhatItMissed) {
 TEST_F(Live, SaysThatARecordingAloneEndsWhereTheCameraIsUnplugged) {
   BlockCamera camera(path("block"), kUsual);
   Tool tool({"record", "--source", "openni2:" + camera.uri(), "--output", path("alone.oni")});
-  while (camera.sent() < 20) std::this_thread::sleep_for(20ms);
+  while (camera.taken() < 20) std::this_thread::sleep_for(20ms);
   std::this_thread::sleep_for(500ms);
   camera.unplug();
   const auto result = tool.wait();

@@ -39,6 +39,7 @@ class StreamRecorder {
  public:
   StreamRecorder(openni::VideoStream& stream, const std::filesystem::path& file, bool is_virtual)
       : stream_(stream), file_(file), is_virtual_(is_virtual) {
+    hold_frames();
     if (recorder_.create(file.c_str()) != openni::STATUS_OK ||
         recorder_.attach(stream) != openni::STATUS_OK || recorder_.start() != openni::STATUS_OK) {
       throw lockbox::DeviceError(file.string() +
@@ -56,7 +57,7 @@ class StreamRecorder {
   StreamRecorder& operator=(const StreamRecorder&) = delete;
 
   /// Lets the virtual device deliver a few frames more than are on disk. The first ones come after
-  /// start() of the stream has returned, before which OpenNI2 would drop them.
+  /// start() of the stream has returned.
   void allow_frames() {
     if (is_virtual_) {
       file_.update();
@@ -65,6 +66,15 @@ class StreamRecorder {
   }
 
  private:
+  /// OpenNI2 drops what a device delivers before start() of the stream has returned, which on a
+  /// busy machine can take any time. Frames that are dropped count as delivered, but are never on
+  /// disk: after a few of them the device would deliver nothing any more.
+  void hold_frames() {
+    if (is_virtual_) {
+      stream_.setProperty(lockbox::kVirtualDepthLimit, 0);
+    }
+  }
+
   /// The recorder works in a thread of its own and silently drops frames until a few instructions
   /// after it has written "data begin", which on a busy machine can take any time. It takes
   /// messages in turn, frames and changes of properties alike; so a property that was set after
