@@ -104,6 +104,19 @@ TEST(CameraInfo, FocalLengthsInOtherUnitsAreRefusedWithTheFactor) {
   EXPECT_EQ(refusal("525, 0, 319.5, 0, 525, 239.5"), "read");
 }
 
+TEST(CameraInfo, PrincipalPointsThatNoCutOutHasAreRefused) {
+  const auto read_with = [](const std::string& cx, const std::string& cy) {
+    read(kImageSize + ("camera_matrix: [525, 0, " + cx + ", 0, 525, " + cy + ", 0, 0, 1]\n"));
+  };
+  for (const std::string far : {"9223372036854775807", "-1e300", "1e4", "-1e4"}) {
+    EXPECT_THAT([&] { read_with(far, "239.5"); },
+                ThrowsMessage<InputError>(HasSubstr("no camera sees so far")));
+    EXPECT_THAT([&] { read_with("319.5", far); },
+                ThrowsMessage<InputError>(HasSubstr("no camera sees so far")));
+  }
+  EXPECT_NO_THROW(read_with("-640", "960"));
+}
+
 TEST(CameraInfo, AMatrixOfAnotherResolutionIsToldWithTheFactor) {
   const TemporaryFolder folder;
   DepthFolderWriter(folder / "sequence").write(synthetic_frame(0));

@@ -79,6 +79,9 @@ PinholeCamera camera_of(const CalibrationFile& file) {
   if (const std::optional<std::string> problem = impossible_focal_length(camera)) {
     matrix.refuse(*problem);
   }
+  if (const std::optional<std::string> problem = impossible_principal_point(camera)) {
+    file.refuse(node, *problem);
+  }
   return camera;
 }
 

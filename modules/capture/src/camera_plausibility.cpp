@@ -71,6 +71,15 @@ std::optional<std::string> impossible_focal_length(const PinholeCamera& camera) 
   return std::nullopt;
 }
 
+std::optional<std::string> impossible_principal_point(const PinholeCamera& camera) {
+  const double across = std::max(camera.cx, camera.width - 1 - camera.cx) / camera.fx;
+  const double down = std::max(camera.cy, camera.height - 1 - camera.cy) / camera.fy;
+  if (std::max(across, down) <= half_angle_tangent(kMaximumFieldOfView)) return std::nullopt;
+  return "the principal point " + pair_text(camera.cx, camera.cy) +
+         " is impossible for images of " + size_text(camera.width, camera.height) +
+         ", also of those that are cut out of larger ones: no camera sees so far to the side";
+}
+
 std::optional<std::string> doubtful_principal_point(const PinholeCamera& camera) {
   const double across = camera.cx / (0.5 * std::max(1, camera.width - 1));
   const double down = camera.cy / (0.5 * std::max(1, camera.height - 1));

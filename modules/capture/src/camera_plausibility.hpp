@@ -13,6 +13,10 @@ namespace lockbox {
 /// do: millimetres, micrometres, or shares of the image's size instead of pixels.
 std::optional<std::string> impossible_focal_length(const PinholeCamera& camera);
 
+/// What is wrong with the principal point, if it is so far off that pixels look farther to the side
+/// than those of any depth camera.
+std::optional<std::string> impossible_principal_point(const PinholeCamera& camera);
+
 /// What is doubtful about the principal point: far off the middle, as if the matrix were for
 /// another resolution. Cut-outs of images may have such a one.
 std::optional<std::string> doubtful_principal_point(const PinholeCamera& camera);
