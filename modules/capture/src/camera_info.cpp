@@ -80,7 +80,7 @@ PinholeCamera camera_of(const CalibrationFile& file) {
     matrix.refuse(*problem);
   }
   if (const std::optional<std::string> problem = impossible_principal_point(camera)) {
-    file.refuse(node, *problem);
+    matrix.refuse(*problem);
   }
   return camera;
 }
