@@ -69,7 +69,8 @@ TEST(ParametersPage, IsWhatTheSourcesSay) {
 
 TEST(ParametersPage, TellsOfEachWhatItDoesAndWhereItIsFrom) {
   const std::string page = generated_page();
-  for (const auto* heading : {"Parameters of the tracker", "Quantities that evidence depends on"}) {
+  for (const auto* heading :
+       {"Parameters of the tracker", "Cells in which evidence is looked for"}) {
     const auto rows = rows_below(page, heading);
     EXPECT_THAT(rows, Not(IsEmpty()));
     for (const Cells& row : rows) {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "lockbox/core/stopwatch.hpp"
 #include "lockbox/evaluation/frame_outcome.hpp"
 #include "lockbox/evaluation/recording.hpp"
 #include "lockbox/model/articulated_model.hpp"
+#include "lockbox/tracking/tracker.hpp"
 
 namespace lockbox::app {
 

@@ -7,6 +7,7 @@
 
 #include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/tracking/classification.hpp"
+#include "lockbox/tracking/stopwatch.hpp"
 
 namespace lockbox {
 namespace {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "lockbox/core/depth_frame.hpp"
-#include "lockbox/core/stopwatch.hpp"
 #include "lockbox/model/configuration.hpp"
 #include "lockbox/tracking/tracker_options.hpp"
 #include "lockbox/tracking/tracking_status.hpp"
@@ -53,6 +52,12 @@ struct ApparentSize {
   bool may_be_scale() const;
   /// Whether it may be the focal length. Where there is too little relief to tell, both may be.
   bool may_be_focal_length() const;
+};
+
+/// How long something took, milliseconds.
+struct Elapsed {
+  double wall_ms = 0.0;  ///< by the clock
+  double cpu_ms = 0.0;   ///< of the calling thread alone: the same however busy the machine is
 };
 
 /// What is known of the object in one frame.

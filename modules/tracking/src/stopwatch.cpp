@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lockbox/core/stopwatch.hpp"
+#include "lockbox/tracking/stopwatch.hpp"
 
 #include <ctime>
 
