@@ -70,8 +70,7 @@ void add_clutter(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to_ca
   const double reach = 0.5 * object.diagonal().norm();
   const int boxes = static_cast<int>(random.uniform(2.0, 6.0));
   while (static_cast<int>(scene.boxes.size()) < boxes) {
-    const Eigen::Vector3d size(random.uniform(0.04, 0.2), random.uniform(0.04, 0.2),
-                               random.uniform(0.04, 0.25));
+    const Eigen::Vector3d size = random.uniform({0.04, 0.04, 0.04}, {0.2, 0.2, 0.25});
     const double turn = random.uniform(-std::numbers::pi, std::numbers::pi);
     Eigen::Vector3d way = random.direction();
     if (on_table) way = Eigen::Vector3d(way.x(), way.y(), 0.0).normalized();
@@ -93,22 +92,23 @@ void add_room(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to_camer
   scene.planes.push_back(
       {SceneFrame::base, object.center() - behind * to_camera, normal.normalized(), {8.0, 8.0}});
   if (!on_table) return;
+  const double turn = random.uniform(-std::numbers::pi, std::numbers::pi);
+  const double x = random.uniform(-0.3, 0.3);
+  const double y = random.uniform(-0.2, 0.2);
   scene.boxes.push_back(
-      box_at({1.4, 0.9, 0.04},
-             {random.uniform(-0.3, 0.3), random.uniform(-0.2, 0.2), table_of(object) - 0.02},
-             random.uniform(-std::numbers::pi, std::numbers::pi), Eigen::Vector3d::UnitZ()));
+      box_at({1.4, 0.9, 0.04}, {x, y, table_of(object) - 0.02}, turn, Eigen::Vector3d::UnitZ()));
 }
 
 SceneBox draw_cover(const Eigen::AlignedBox3d& object, const Eigen::Vector3d& to_camera,
                     RandomDraws& random) {
   const double size = object.diagonal().norm();
-  const Eigen::Vector3d edges(random.uniform(0.2, 1.0) * size, random.uniform(0.2, 1.0) * size,
-                              random.uniform(0.2, 1.0) * size);
+  const Eigen::Vector3d edges = random.uniform({0.2, 0.2, 0.2}, {1.0, 1.0, 1.0}) * size;
+  const Eigen::Vector3d aside = random.direction();
   const Eigen::Vector3d centre = object.center() +
                                  (0.5 * size + 0.5 * edges.norm() + 0.02) * to_camera +
-                                 random.uniform(0.0, 0.8) * size * random.direction();
-  return box_at(edges, centre, random.uniform(-std::numbers::pi, std::numbers::pi),
-                random.direction());
+                                 random.uniform(0.0, 0.8) * size * aside;
+  const Eigen::Vector3d axis = random.direction();
+  return box_at(edges, centre, random.uniform(-std::numbers::pi, std::numbers::pi), axis);
 }
 
 /// drawn: with its joints, and whether it is on a table and covered.

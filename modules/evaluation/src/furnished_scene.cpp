@@ -40,8 +40,7 @@ class Piece {
 };
 
 void draw_table(Piece& piece, RandomDraws& random) {
-  const Eigen::Vector3d top(random.uniform(1.0, 1.8), random.uniform(0.02, 0.04),
-                            random.uniform(0.6, 0.9));
+  const Eigen::Vector3d top = random.uniform({1.0, 0.02, 0.6}, {1.8, 0.04, 0.9});
   const double height = random.uniform(0.70, 0.78);
   piece.box(top, {0.0, height - 0.5 * top.y(), 0.0});
   for (const double x : {-0.5 * top.x() + 0.05, 0.5 * top.x() - 0.05}) {
@@ -51,12 +50,11 @@ void draw_table(Piece& piece, RandomDraws& random) {
   }
   const int things = static_cast<int>(random.uniform(1.0, 5.0));
   for (int i = 0; i < things; ++i) {
-    const Eigen::Vector3d size(random.uniform(0.05, 0.45), random.uniform(0.03, 0.4),
-                               random.uniform(0.05, 0.35));
-    piece.box(size,
-              {random.uniform(-0.4, 0.4) * top.x(), height + 0.5 * size.y(),
-               random.uniform(-0.3, 0.3) * top.z()},
-              random.uniform(-1.0, 1.0));
+    const Eigen::Vector3d size = random.uniform({0.05, 0.03, 0.05}, {0.45, 0.4, 0.35});
+    const double turn = random.uniform(-1.0, 1.0);
+    const double x = random.uniform(-0.4, 0.4) * top.x();
+    const double z = random.uniform(-0.3, 0.3) * top.z();
+    piece.box(size, {x, height + 0.5 * size.y(), z}, turn);
   }
 }
 
@@ -65,8 +63,7 @@ void draw_books(Piece& piece, double left, double right, double floor, double de
                 RandomDraws& random) {
   double x = left + random.uniform(0.0, 0.3);
   while (true) {
-    const Eigen::Vector3d size(random.uniform(0.02, 0.12), random.uniform(0.17, 0.29),
-                               random.uniform(0.12, 0.22));
+    const Eigen::Vector3d size = random.uniform({0.02, 0.17, 0.12}, {0.12, 0.29, 0.22});
     if (x + size.x() > right) return;
     piece.box(size, {x + 0.5 * size.x(), floor + 0.5 * size.y(), 0.5 * (depth - size.z()) - 0.04});
     x += size.x() + (random.chance(0.2) ? random.uniform(0.05, 0.2) : 0.0);
@@ -95,8 +92,7 @@ void draw_shelf(Piece& piece, RandomDraws& random) {
 
 /// Two doors with handles, which stand out.
 void draw_cupboard(Piece& piece, RandomDraws& random) {
-  const Eigen::Vector3d size(random.uniform(0.5, 1.2), random.uniform(0.8, 2.0),
-                             random.uniform(0.35, 0.6));
+  const Eigen::Vector3d size = random.uniform({0.5, 0.8, 0.35}, {1.2, 2.0, 0.6});
   piece.box(size, {0.0, 0.5 * size.y(), 0.0});
   const Eigen::Vector3d door(0.5 * size.x() - 0.01, size.y() - 0.1, 0.02);
   for (const double side : {-1.0, 1.0}) {

@@ -79,11 +79,11 @@ SceneBox draw_box(const Eigen::AlignedBox3d& object, RandomDraws& random) {
   SceneBox box;
   box.frame = SceneFrame::base;
   for (int i = 0; i < 3; ++i) box.size[i] = random.uniform(0.08, 0.5);
-  box.pose.linear() =
-      Eigen::AngleAxisd(random.uniform(-kPi, kPi), random.direction()).toRotationMatrix();
+  const Eigen::Vector3d axis = random.direction();
+  box.pose.linear() = Eigen::AngleAxisd(random.uniform(-kPi, kPi), axis).toRotationMatrix();
   do {
-    box.pose.translation() =
-        object.center() + random.direction() * random.uniform(0.3, 1.0) * (size + 0.5);
+    const double away = random.uniform(0.3, 1.0);
+    box.pose.translation() = object.center() + random.direction() * away * (size + 0.5);
   } while (object.exteriorDistance(box.pose.translation()) < 0.5 * box.size.norm() + 0.01);
   return box;
 }
@@ -94,9 +94,9 @@ SceneArm draw_arm(const Eigen::AlignedBox3d& object, RandomDraws& random) {
   const double angle = random.uniform(-kPi, kPi);
   const Eigen::Vector3d inward(std::cos(angle), std::sin(angle), 0.0);
   const Eigen::Vector3d centre(object.center().x(), object.center().y(), z);
-  const Eigen::Vector3d wrist =
-      centre + 0.4 * object.sizes().head<2>().norm() *
-                   Eigen::Vector3d(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0);
+  const double up = random.uniform(-1.0, 1.0);
+  const Eigen::Vector3d wrist = centre + 0.4 * object.sizes().head<2>().norm() *
+                                             Eigen::Vector3d(random.uniform(-1.0, 1.0), up, 0.0);
   SceneArm arm;
   arm.frame = SceneFrame::base;
   arm.elbow = Eigen::Vector3d(-inward.y(), inward.x(), 0.4);

@@ -86,7 +86,8 @@ ObjectDraft draw_board(const ObjectBlock& block, std::uint64_t number) {
   RandomDraws random = block.draws(ObjectBlock::Purpose::shape, number);
   ObjectDraft draft;
   draft.name = "board_" + std::to_string(number);
-  const Eigen::Vector2d size(style.edge.draw(random), style.edge.draw(random));
+  const double height = style.edge.draw(random);
+  const Eigen::Vector2d size(style.edge.draw(random), height);
   const double cell = std::min(style.cell.draw(random), size.minCoeff() - 2.0 * kMargin);
   const bool has_round_grips = random.chance(style.round_grips);
   add_board(style, size, random, draft);

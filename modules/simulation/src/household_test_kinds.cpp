@@ -45,8 +45,7 @@ ObjectDraft draw_gripper(RandomDraws& random) {
 }
 
 ObjectDraft draw_printer(RandomDraws& random) {
-  const Vector size(random.uniform(0.38, 0.48), random.uniform(0.28, 0.36),
-                    random.uniform(0.12, 0.18));
+  const Vector size = random.uniform({0.38, 0.28, 0.12}, {0.48, 0.36, 0.18});
   HouseholdDraft printer(
       "printer",
       {box_part({size.x(), size.y(), size.z() - 0.06}, {0.0, 0.0, 0.06 + 0.5 * (size.z() - 0.06)}),
@@ -91,7 +90,7 @@ ObjectDraft draw_camera(RandomDraws& random) {
 }
 
 ObjectDraft draw_oven(RandomDraws& random) {
-  const Vector size(random.uniform(0.4, 0.5), random.uniform(0.32, 0.4), random.uniform(0.3, 0.38));
+  const Vector size = random.uniform({0.4, 0.32, 0.3}, {0.5, 0.4, 0.38});
   constexpr double kPanel = 0.07;
   std::vector<DraftPart> parts = case_open_to_front(size, 0.018);
   parts.push_back(
@@ -113,8 +112,7 @@ ObjectDraft draw_oven(RandomDraws& random) {
 }
 
 ObjectDraft draw_suitcase(RandomDraws& random) {
-  const Vector size(random.uniform(0.32, 0.4), random.uniform(0.1, 0.14),
-                    random.uniform(0.42, 0.5));
+  const Vector size = random.uniform({0.32, 0.1, 0.42}, {0.4, 0.14, 0.5});
   HouseholdDraft suitcase("suitcase", case_open_to_front({size.x(), size.y(), size.z()}, 0.012));
   const double shell = random.uniform(0.05, 0.08);
   suitcase.add(

@@ -21,8 +21,7 @@ ObjectDraft draw_laptop(RandomDraws& random) {
 }
 
 ObjectDraft draw_box(RandomDraws& random) {
-  const Vector size(random.uniform(0.2, 0.35), random.uniform(0.14, 0.22),
-                    random.uniform(0.08, 0.15));
+  const Vector size = random.uniform({0.2, 0.14, 0.08}, {0.35, 0.22, 0.15});
   const double lid = random.uniform(0.012, 0.04);
   HouseholdDraft box("box", case_open_to_top(size, 0.01));
   box.add("lid", "base", hinge({0.0, 0.5 * size.y(), size.z()}, -kX, 0.0, 1.8),
@@ -65,8 +64,7 @@ ObjectDraft draw_lamp(RandomDraws& random) {
 }
 
 ObjectDraft draw_microwave(RandomDraws& random) {
-  const Vector size(random.uniform(0.4, 0.5), random.uniform(0.28, 0.36),
-                    random.uniform(0.22, 0.29));
+  const Vector size = random.uniform({0.4, 0.28, 0.22}, {0.5, 0.36, 0.29});
   const double panel = random.uniform(0.08, 0.12);
   const double door = size.x() - panel - 0.004;
   std::vector<DraftPart> parts = case_open_to_front(size, 0.02);
@@ -101,8 +99,7 @@ ObjectDraft draw_chair(RandomDraws& random) {
 }
 
 ObjectDraft draw_safe(RandomDraws& random) {
-  const Vector size(random.uniform(0.3, 0.42), random.uniform(0.26, 0.34),
-                    random.uniform(0.28, 0.38));
+  const Vector size = random.uniform({0.3, 0.26, 0.28}, {0.42, 0.34, 0.38});
   const Vector door = size - Vector(0.034, 0.0, 0.034);
   HouseholdDraft safe("safe", case_open_to_front(size, 0.015));
   safe.add("door", "base", hinge({-0.5 * door.x(), -0.5 * size.y(), 0.5 * size.z()}, -kZ, 0.0, 1.8),
@@ -133,8 +130,7 @@ ObjectDraft draw_levers(RandomDraws& random) {
 }
 
 ObjectDraft draw_toolbox(RandomDraws& random) {
-  const Vector size(random.uniform(0.34, 0.45), random.uniform(0.18, 0.24),
-                    random.uniform(0.15, 0.22));
+  const Vector size = random.uniform({0.34, 0.18, 0.15}, {0.45, 0.24, 0.22});
   HouseholdDraft box("toolbox", case_open_to_top(size, 0.01));
   const double lid = 0.5 * size.y() - 0.012;
   for (const double side : {-1.0, 1.0}) {

@@ -42,8 +42,9 @@ Mechanism draw_slider(double cell, bool has_round_grips, RandomDraws& random) {
   }
   slider.moving.push_back(box_part(to.turned(length, width, height), {0.0, 0.0, 0.5 * height}));
   if (random.chance(0.5)) {
-    slider.moving.push_back(grip(has_round_grips, random.uniform(0.018, 0.03),
-                                 random.uniform(0.012, 0.03), {0.0, 0.0}, height));
+    const double reach = random.uniform(0.012, 0.03);
+    slider.moving.push_back(
+        grip(has_round_grips, random.uniform(0.018, 0.03), reach, {0.0, 0.0}, height));
   }
   const double travel = way - length;
   slider.joint.type = JointType::prismatic;
@@ -91,8 +92,9 @@ Mechanism draw_disk(double cell, bool has_round_grips, RandomDraws& random) {
   Mechanism disk{MechanismKind::disk, {}, {}, {}};
   disk.moving.push_back(cylinder_part(radius, height, 2, {0.0, 0.0, 0.5 * height}));
   if (random.chance(0.5)) {
-    disk.moving.push_back(grip(has_round_grips, random.uniform(0.02, 0.035),
-                               random.uniform(0.015, 0.035), {0.65 * radius, 0.0}, height));
+    const double reach = random.uniform(0.015, 0.035);
+    disk.moving.push_back(
+        grip(has_round_grips, random.uniform(0.02, 0.035), reach, {0.65 * radius, 0.0}, height));
   } else {
     const double bar = random.uniform(0.015, 0.03);
     disk.moving.push_back(box_part({1.1 * radius, random.uniform(0.012, 0.02), bar},
@@ -121,8 +123,9 @@ Mechanism draw_door(double cell, bool has_round_grips, RandomDraws& random) {
   door.moving.push_back(box_part(turned(across, along, thickness).cwiseAbs(),
                                  turned(0.5 * across, 0.0, -0.5 * thickness)));
   const Eigen::Vector3d place = turned(across - 0.025, 0.0, 0.0);
-  door.moving.push_back(grip(has_round_grips, random.uniform(0.014, 0.026),
-                             random.uniform(0.014, 0.03), place.head<2>(), 0.0));
+  const double reach = random.uniform(0.014, 0.03);
+  door.moving.push_back(
+      grip(has_round_grips, random.uniform(0.014, 0.026), reach, place.head<2>(), 0.0));
   door.joint.type = JointType::revolute;
   door.joint.origin = turned(-0.5 * across, 0.0, thickness);
   door.joint.axis = turned(0.0, -1.0, 0.0);

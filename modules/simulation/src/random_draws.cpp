@@ -15,6 +15,12 @@ double RandomDraws::uniform(double low, double high) {
   return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1.0p-53;
 }
 
+Eigen::Vector3d RandomDraws::uniform(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+  Eigen::Vector3d drawn;
+  for (int i = 2; i >= 0; --i) drawn[i] = uniform(low[i], high[i]);
+  return drawn;
+}
+
 Eigen::Vector3d RandomDraws::direction() {
   const double z = uniform(-1.0, 1.0);
   const double angle = uniform(-std::numbers::pi, std::numbers::pi);

@@ -16,6 +16,10 @@ class RandomDraws {
   double uniform(double low, double high);
   bool chance(double probability) { return uniform(0.0, 1.0) < probability; }
 
+  /// Coordinates between those of low and high. The last one is drawn first: arguments that draw
+  /// are evaluated in an order of the compiler's.
+  Eigen::Vector3d uniform(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
+
   /// A unit vector, all directions alike.
   Eigen::Vector3d direction();
 
