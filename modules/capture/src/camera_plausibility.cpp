@@ -77,7 +77,8 @@ std::optional<std::string> impossible_principal_point(const PinholeCamera& camer
   if (std::max(across, down) <= half_angle_tangent(kMaximumFieldOfView)) return std::nullopt;
   return "the principal point " + pair_text(camera.cx, camera.cy) +
          " is impossible for images of " + size_text(camera.width, camera.height) +
-         ", also of those that are cut out of larger ones: no camera sees so far to the side";
+         ", also of those that are cut out of larger ones: no camera sees so far to the side; give "
+         "cx and cy of the matrix in pixels, as the calibration has them";
 }
 
 std::optional<std::string> doubtful_principal_point(const PinholeCamera& camera) {
