@@ -123,7 +123,6 @@ void draw_household_view(const ArticulatedModel& model, const PinholeCamera& cam
   view.scene = drawn.scene;
   view.placement = drawn.on_table ? "table" : "air";
   view.is_oblique = true;
-  view.is_covered = drawn.is_covered;
 }
 
 }  // namespace

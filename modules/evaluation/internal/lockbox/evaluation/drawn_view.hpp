@@ -23,7 +23,6 @@ struct DrawnView {
   /// household stands among others; `air`: it is held there, turned anyhow.
   std::string placement;
   bool is_oblique = false;  ///< from the side and above, as all of a household
-  bool is_covered = false;  ///< a box before it hides about a third
   int open = 0;             ///< joints that do not stand at rest
 };
 
