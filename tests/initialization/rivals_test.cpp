@@ -91,6 +91,14 @@ TEST(Rivals, WithTheLeastEvidenceItIsAsProbableAsNot) {
   EXPECT_NEAR(even[0].rival_distance, std::sqrt(0.5), 0.01);  // a metre away, or not at all
 }
 
+TEST(Rivals, OfOnePlaceDoNotMakeThePlaceLessProbable) {
+  const auto turned = compared({candidate(200.0, 0.0), candidate(200.0, M_PI)});
+  EXPECT_GT(belief_in_place_of_first(SoughtModel(house(), {}), turned), 0.999999);
+  const auto elsewhere = compared({candidate(200.0, 0.0), candidate(200.0, 0.0, 1.0)});
+  EXPECT_NEAR(belief_in_place_of_first(SoughtModel(house(), {}), elsewhere), 0.5, 1e-9);
+  EXPECT_EQ(belief_in_place_of_first(SoughtModel(house(), {}), {}), 0.0);
+}
+
 /// Turned about the middle, the base's origin moves by 0.2 m, the corners by their diagonal.
 TEST(Rivals, ATurnedOneThatIsAsGoodIsAsProbable) {
   const auto even = compared({candidate(200.0, 0.0), candidate(200.0, M_PI)});

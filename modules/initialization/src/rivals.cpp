@@ -99,4 +99,13 @@ void compare(const SoughtModel& sought, std::vector<Candidate>& candidates) {
   }
 }
 
+double belief_in_place_of_first(const SoughtModel& sought, const std::vector<Candidate>& compared) {
+  if (compared.empty()) return 0.0;
+  std::vector<double> elsewhere;
+  for (const Candidate& candidate : compared) {
+    if (!candidate.is_in_place_of_first) elsewhere.push_back(candidate.evidence);
+  }
+  return belief(credible_evidence(sought.evidence, compared.front()), elsewhere, sought.evidence);
+}
+
 }  // namespace lockbox

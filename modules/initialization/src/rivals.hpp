@@ -27,4 +27,8 @@ void sort_best_first(std::vector<Candidate>& candidates);
 /// the object is not in view.
 void compare(const SoughtModel& sought, std::vector<Candidate>& candidates);
 
+/// The probability that the model is in the place of the first of them, whichever of those there is
+/// right. 0 without any. compared: by compare().
+double belief_in_place_of_first(const SoughtModel& sought, const std::vector<Candidate>& compared);
+
 }  // namespace lockbox

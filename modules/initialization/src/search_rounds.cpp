@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lockbox/verification/belief.hpp"
+#include "rivals.hpp"
 #include "turned_answers.hpp"
 
 namespace lockbox {
@@ -256,12 +257,13 @@ std::vector<Candidate> SearchRounds::seek(SearchImage& image, const Configuratio
       is_convinced = !answers.empty() && is_clear(sought_.evidence, answers.front());
       if (is_convinced) break;
     }
-    is_convinced |= !answers.empty() && answers.front().belief >= round.enough;
+    is_convinced |= belief_in_place_of_first(sought_, answers) >= round.enough;
   }
   progress.answers.clear();
   // What is merely possible is looked at closer in the next image.
-  const bool is_over = !answers.empty() && (is_clear(sought_.evidence, answers.front()) ||
-                                            answers.front().belief >= kConvincing);
+  const bool is_over =
+      !answers.empty() && (is_clear(sought_.evidence, answers.front()) ||
+                           belief_in_place_of_first(sought_, answers) >= kConvincing);
   assessment_.add_look_alikes(image.cloud(), answers);
   answers.resize(std::min(answers.size(), most_candidates_));
   if (is_over || progress.rounds == std::ssize(rounds)) {
