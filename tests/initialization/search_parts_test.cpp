@@ -111,7 +111,7 @@ TEST_F(SearchParts, TwoThatComeToTheSamePlaceAreOne) {
 }
 
 TEST_F(SearchParts, WhatIsFarBehindTheBestIsNotFollowed) {
-  Assessment assessment(sought_, exact_);
+  Assessment assessment(sought_, {}, exact_);
   assessment.look_at(image_, executor_);
   std::vector<Hypothesis> hypotheses{off_by(0.3, 0.0), off_by(0.0, 0.0)};
   assessment.leave_out_hopeless(0.0, 20.0, 4, hypotheses);
@@ -122,7 +122,7 @@ TEST_F(SearchParts, WhatIsFarBehindTheBestIsNotFollowed) {
 }
 
 TEST_F(SearchParts, AnswersAreExactAndTheMostConvincingComesFirst) {
-  Assessment assessment(sought_, exact_);
+  Assessment assessment(sought_, {}, exact_);
   assessment.look_at(image_, executor_);
   std::vector<Hypothesis> hypotheses{off_by(0.3, 0.0), off_by(0.004, 0.0)};
   for (Hypothesis& hypothesis : hypotheses) hypothesis.score = 1.0;

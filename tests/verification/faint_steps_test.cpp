@@ -49,7 +49,7 @@ Verifier seen_by(const KinematicTree& with, const KinematicTree& thing, const Co
   TiledCloud cloud;
   cloud.assign(frame, {}, Executor());
   Verifier verifier(with);
-  verifier.look_at(cloud, SensorNoise{}.sigma_inverse_depth(), Executor());
+  verifier.look_at(cloud, SensorNoise{}, Executor());
   return verifier;
 }
 

@@ -56,7 +56,7 @@ Verifier looking_at(const KinematicTree& thing, const KinematicTree& with, doubl
   TiledCloud cloud;
   cloud.assign(frame, {}, Executor());
   Verifier verifier(with);
-  verifier.look_at(cloud, SensorNoise{}.sigma_inverse_depth(), Executor());
+  verifier.look_at(cloud, SensorNoise{}, Executor());
   return verifier;
 }
 
@@ -137,7 +137,7 @@ TEST(SmallThings, ABodyOfWhichThreeQuartersAreHiddenTellsNothing) {
   TiledCloud cloud;
   cloud.assign(frame, {}, Executor());
   Verifier verifier(thing);
-  verifier.look_at(cloud, SensorNoise{}.sigma_inverse_depth(), Executor());
+  verifier.look_at(cloud, SensorNoise{}, Executor());
   const Evidence shown = verifier.evidence(state.configuration);
   Configuration hidden = state.configuration;
   hidden.q[0] = 0.15;

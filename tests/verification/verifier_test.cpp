@@ -31,7 +31,7 @@ Configuration moved(const Configuration& truth, const Eigen::Isometry3d& motion)
 class VerifierTest : public ::testing::TestWithParam<const char*> {
  protected:
   void look_at(const Configuration& truth, const Scene& scene) {
-    verifier_.look_at(seen(model_, truth, scene), SensorNoise{}.sigma_inverse_depth(), Executor(2));
+    verifier_.look_at(seen(model_, truth, scene), SensorNoise{}, Executor(2));
   }
   double evidence(const Configuration& configuration) {
     return verifier_.evidence(configuration).total();
@@ -101,7 +101,7 @@ TEST_P(VerifierTest, NothingMeasuredSaysNothing) {
   TiledCloud cloud;
   cloud.assign({640, 480, 575.8, 575.8, 319.5, 239.5}, std::vector<float>(640 * 480, 0.0F), {},
                Executor(1));
-  verifier_.look_at(cloud, SensorNoise{}.sigma_inverse_depth(), Executor(1));
+  verifier_.look_at(cloud, SensorNoise{}, Executor(1));
   EXPECT_EQ(evidence(truth_), 0.0);
 }
 
@@ -118,7 +118,7 @@ TEST_P(VerifierTest, ErrorsThatNeighboursShareAreNotSeenThrough) {
   TiledCloud cloud;
   cloud.assign(frame, {}, Executor(2));
   const SensorNoise noise = find_sensor_profile("d4xx").noise;
-  verifier_.look_at(cloud, noise.sigma_inverse_depth(), Executor(2));
+  verifier_.look_at(cloud, noise, Executor(2));
   EXPECT_GT(verifier_.evidence(far).free_space_violation, -8.0);
 }
 

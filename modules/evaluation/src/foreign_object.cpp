@@ -115,8 +115,7 @@ class ForeignRun {
     State apparent = truth_;
     apparent.configuration.T_camera_base = apparent_base;
     frame.errors = comparison_.compare(answer, apparent, bound_);
-    verifier_.look_at(tracker_.cloud(), tracker_.options().registration.noise.sigma_inverse_depth(),
-                      executor_);
+    verifier_.look_at(tracker_.cloud(), tracker_.options().registration.noise, executor_);
     frame.evidence_of_truth = verifier_.evidence(apparent.configuration).total();
     const bool has_answer = answer.status != TrackingStatus::initializing;
     if (has_answer) frame.evidence = verifier_.evidence(answer.configuration).total();

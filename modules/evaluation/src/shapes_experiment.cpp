@@ -62,7 +62,7 @@ ShapeResult search_shape(const ObjectBlock& block, std::uint64_t number,
   const auto found = acquisition.find(frame, std::nullopt, SearchScope::anywhere);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   Verifier verifier(model.tree);
-  verifier.look_at(cloud, options.registration.noise.sigma_inverse_depth(), executor);
+  verifier.look_at(cloud, options.registration.noise, executor);
   result.evidence_of_truth = verifier.evidence(drawn.truth.configuration).total();
   if (!found) {
     result.errors.wrong = "nothing";

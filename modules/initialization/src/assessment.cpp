@@ -20,11 +20,14 @@ void set_evidence(const Evidence& evidence, Candidate& candidate) {
 
 }  // namespace
 
-Assessment::Assessment(const SoughtModel& sought, ExactFit& exact)
-    : sought_(sought), exact_(exact), verifier_(sought.model.tree, sought.evidence) {}
+Assessment::Assessment(const SoughtModel& sought, const SensorNoise& sensor, ExactFit& exact)
+    : sought_(sought),
+      sensor_(sensor),
+      exact_(exact),
+      verifier_(sought.model.tree, sought.evidence) {}
 
 void Assessment::look_at(const SearchImage& image, const Executor& executor) {
-  verifier_.look_at(image.cloud(), image.noise().pixel, executor);
+  verifier_.look_at(image.cloud(), sensor_, executor);
 }
 
 void Assessment::leave_out_hopeless(double to_beat, double gain, std::size_t most,

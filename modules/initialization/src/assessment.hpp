@@ -14,7 +14,7 @@ namespace lockbox {
 /// Not thread-safe. What is sought, and the fit, must outlive it.
 class Assessment {
  public:
-  Assessment(const SoughtModel& sought, ExactFit& exact);
+  Assessment(const SoughtModel& sought, const SensorNoise& sensor, ExactFit& exact);
 
   /// The image that evidence is sought in from now on.
   void look_at(const SearchImage& image, const Executor& executor);
@@ -39,6 +39,7 @@ class Assessment {
 
  private:
   const SoughtModel& sought_;
+  SensorNoise sensor_;
   ExactFit& exact_;
   Verifier verifier_;
 };

@@ -150,7 +150,7 @@ SearchRounds::SearchRounds(const SoughtModel& sought, const InitializerOptions& 
       exact_(exact),
       proposer_(sought, options.stop_request, executor),
       refinement_(sought, options, exact, executor),
-      assessment_(sought, exact) {}
+      assessment_(sought, options.registration.noise, exact) {}
 
 std::vector<Hypothesis> SearchRounds::proposed(SearchImage& image, const Configuration& held,
                                                const Round& round) {

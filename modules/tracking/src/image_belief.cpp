@@ -10,7 +10,7 @@ double ImageBelief::of(const Configuration& configuration) {
 }
 
 std::vector<double> ImageBelief::evidence(std::span<const Configuration> configurations) {
-  verifier_.look_at(cloud_, options_.registration.noise.sigma_inverse_depth(), executor_);
+  verifier_.look_at(cloud_, options_.registration.noise, executor_);
   std::vector<double> nats;
   for (const Configuration& configuration : configurations) {
     nats.push_back(verifier_.evidence(configuration).total());

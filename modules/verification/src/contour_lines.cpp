@@ -13,11 +13,31 @@ constexpr float kStraight = 0.95F;       // mean of unit vectors around a cell o
 constexpr int kSmoothing = 2;            // cells around
 constexpr int kGap = 2;                  // cells: with one between them in which nothing is known
 constexpr float kLeastSights = 2.0F;     // that do not go on: of a single one noise is enough
-constexpr float kLeastOfStrip = 4.0F;    // likewise, two to each side
+/// Two of eight sights, which err by themselves, are beyond so many of EvidenceOptions::agree in no
+/// more cells than a single one is beyond one of it: 28 p^2 = 1 / 370. What a model is off by, all
+/// sights see.
+constexpr double kOfTwoSights = 0.86;
+constexpr float kLeastOfStrip = 4.0F;  // likewise, two to each side
 
 float square(double value) {
   return static_cast<float>(value * value);
 }
+
+/// So many standard deviations of a cell's noise, as loops over rows want it.
+struct NoisePolynomial {
+  NoisePolynomial(const SceneCells& scene, double deviations)
+      : constant(static_cast<float>(deviations * scene.share() * scene.sensor().depth_quadratic)),
+        linear(static_cast<float>(deviations * scene.share() * scene.sensor().depth_linear)),
+        quadratic(static_cast<float>(deviations * scene.share() * scene.sensor().depth_floor)) {}
+
+  float at(float inverse_depth) const {
+    return constant + inverse_depth * (linear + inverse_depth * quadratic);
+  }
+
+  float constant;
+  float linear;
+  float quadratic;
+};
 
 /// Adds the sights of a row's cells that end, in one direction. No branches: the loop runs over
 /// every cell of an image.
@@ -33,8 +53,9 @@ void add_ends(const SceneCells& scene, std::span<const float> cells, double shar
   const float* const near = cells.data() + scene.index(0, near_v) + sight.near * sight.du;
   const float* const far = cells.data() + scene.index(0, far_v) + reach;
   const auto ratio = static_cast<float>(sight.ratio());
-  const float of_noise = square(share * scene.options().agree * scene.noise()) *
-                         static_cast<float>(1.0 + sight.variances());
+  const double of_sight =
+      share * kOfTwoSights * scene.options().agree * std::sqrt(1.0 + sight.variances());
+  const NoisePolynomial noise(scene, of_sight);
   const float of_tolerance = square(share * scene.options().agree * scene.tolerance());
   const Eigen::Vector2f way = sight.way();
   float* const count = ends.count.data();
@@ -43,7 +64,8 @@ void add_ends(const SceneCells& scene, std::span<const float> cells, double shar
   for (int u = first; u < last; ++u) {
     const float squared = here[u] * here[u];
     const float off = near[u] + ratio * (near[u] - far[u]) - here[u];
-    const bool deviates = off * off > of_noise + of_tolerance * squared * squared;
+    const float of_noise = noise.at(here[u]);
+    const bool deviates = off * off > of_noise * of_noise + of_tolerance * squared * squared;
     const bool is_near = near[u] > 0.0F;
     const bool is_far = far[u] > 0.0F;
     const bool ends_here = (deviates && is_near && is_far) || (!is_near && !is_far);

@@ -114,7 +114,8 @@ double FaintSteps::nats_of_samples(const SceneCells& scene) {
     residuals += off * off;
   }
   const auto count = static_cast<double>(samples_.size());
-  const double scatter = std::max(residuals / count, scene.noise() * scene.noise());
+  const double noise = scene.noise(double{samples_.front().value});
+  const double scatter = std::max(residuals / count, noise * noise);
   const double alike = count / static_cast<double>(independent - Surface::RowsAtCompileTime);
   const double variance = solver.solve(Surface::Unit(kStep))[kStep] * scatter * alike;
   if (!(variance > 0.0)) return std::log(scene.options().flush);

@@ -3,33 +3,66 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace lockbox {
 namespace {
 
+/// To the right and down: those to the left and up have the same cells.
+constexpr std::array kSightsOfNoise{kSights[0], kSights[2]};
 constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
-constexpr int kRowsApart = 3;                  // neighbouring rows err alike
-constexpr std::size_t kEnoughCells = 100;      // for a median to be one
+constexpr int kRowsApart = 6;                  // neighbouring rows err alike
+constexpr std::ptrdiff_t kEnoughCells = 100;   // for a median to be one
 constexpr double kLeastOfProfile = 0.3;        // of the sensor's noise is left in a cell, at least
 
-/// From second differences along rows: zero on planes, and few cells lie at contours.
-double noise_of(const std::vector<float>& cells, int width, int height) {
-  std::vector<float> bends;
-  bends.reserve(cells.size() / kRowsApart + 1);
-  for (int v = 0; v < height; v += kRowsApart) {
-    const auto row = cells.begin() + static_cast<std::ptrdiff_t>(v) * width;
-    for (int u = 1; u + 1 < width; ++u) {
-      if (row[u - 1] > 0.0F && row[u] > 0.0F && row[u + 1] > 0.0F) {
-        bends.push_back(std::abs(row[u - 1] - 2.0F * row[u] + row[u + 1]));
-      }
+/// How far cells are off from what is foretold by a sight, in deviations of a pixel's noise.
+std::vector<float> off_in(const std::vector<float>& cells, int width, int height,
+                          const Sight& sight, const SensorNoise& sensor) {
+  std::vector<float> off;
+  off.reserve(cells.size() / kRowsApart + static_cast<std::size_t>(width));
+  const auto step = static_cast<std::ptrdiff_t>(sight.dv) * width + sight.du;
+  const double deviations = std::sqrt(1.0 + sight.variances());
+  for (int v = 0; v + sight.far * sight.dv < height; v += kRowsApart) {
+    for (int u = 0; u + sight.far * sight.du < width; ++u) {
+      const auto here = cells.begin() + static_cast<std::ptrdiff_t>(v) * width + u;
+      const float near = here[sight.near * step];
+      const float far = here[sight.far * step];
+      if (!(*here > 0.0F && near > 0.0F && far > 0.0F)) continue;
+      const double sigma = deviations * sensor.sigma_inverse(*here);
+      off.push_back(static_cast<float>(std::abs(sight.foretold(near, far) - *here) / sigma));
     }
   }
-  if (bends.size() < kEnoughCells) return 0.0;
-  const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-  std::nth_element(bends.begin(), middle, bends.end());
-  constexpr double kVariances = 6.0;  // 1 + 4 + 1
-  return kMedianToDeviation * double{*middle} / std::sqrt(kVariances);
+  return off;
+}
+
+/// The deviation of noise, without what is off by more than `agree` of it, which lies at contours.
+/// Infinite where there is too little.
+double deviation_of_noise(std::vector<float>& off, double agree) {
+  double deviation = std::numeric_limits<double>::infinity();
+  for (auto end = off.end(); end - off.begin() >= kEnoughCells;) {
+    const auto middle = off.begin() + (end - off.begin()) / 2;
+    std::nth_element(off.begin(), middle, end);
+    deviation = kMedianToDeviation * double{*middle};
+    const auto most = static_cast<float>(agree * deviation);
+    const auto noise = std::partition(middle, end, [&](float one) { return one <= most; });
+    if (noise == end) break;
+    end = noise;
+  }
+  return deviation;
+}
+
+/// Of a pixel's noise, what a cell errs by beside those from which planes foretell it: that is what
+/// makes contours, however alike neighbours err. A sensor errs alike in rows and columns; what
+/// lies in a room, as boards in a shelf, adds more to one of them.
+double share_of_noise(const std::vector<float>& cells, int width, int height,
+                      const SensorNoise& sensor, double agree) {
+  double share = std::numeric_limits<double>::infinity();
+  for (const Sight& sight : kSightsOfNoise) {
+    std::vector<float> off = off_in(cells, width, height, sight, sensor);
+    share = std::min(share, deviation_of_noise(off, agree));
+  }
+  return std::isfinite(share) ? share : 0.0;
 }
 
 }  // namespace
@@ -39,22 +72,29 @@ double normal_density(double distance, double deviation) {
   return std::exp(-0.5 * z * z) / (deviation * std::sqrt(2.0 * std::numbers::pi));
 }
 
-SceneCells::SceneCells(const CoarseView& view, double sensor_noise, double tolerance,
+SceneCells::SceneCells(const CoarseView& view, const SensorNoise& sensor, double tolerance,
                        const EvidenceOptions& options)
-    : options_(options), camera_(view.camera), cells_(view.depth.size()), tolerance_(tolerance) {
+    : options_(options),
+      camera_(view.camera),
+      cells_(view.depth.size()),
+      sensor_(sensor),
+      tolerance_(tolerance) {
   std::transform(view.depth.begin(), view.depth.end(), cells_.begin(),
                  [](float z) { return z > 0.0F ? 1.0F / z : 0.0F; });
-  noise_ = std::max(noise_of(cells_, width(), height()), kLeastOfProfile * sensor_noise);
-  all_noise_ = std::max(noise_, sensor_noise);
+  share_ =
+      std::max(share_of_noise(cells_, width(), height(), sensor, options.agree), kLeastOfProfile);
 }
 
 double SceneCells::deviation(double inverse_depth) const {
-  return std::hypot(all_noise_, tolerance_ * inverse_depth * inverse_depth);
+  // With what neighbours err by alike.
+  return std::hypot(std::max(noise(inverse_depth), sensor_.sigma_inverse(inverse_depth)),
+                    tolerance_ * inverse_depth * inverse_depth);
 }
 
 double SceneCells::deviation(double inverse_depth, const Sight& sight) const {
-  return std::hypot(noise_, tolerance_ * inverse_depth * inverse_depth,
-                    noise_ * std::sqrt(sight.variances()));
+  const double here = noise(inverse_depth);
+  return std::hypot(here, tolerance_ * inverse_depth * inverse_depth,
+                    here * std::sqrt(sight.variances()));
 }
 
 int SceneCells::contour_reach(double inverse_depth) const {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "lockbox/sensor/sensor_noise.hpp"
 #include "lockbox/verification/coarse_view.hpp"
 #include "lockbox/verification/evidence_options.hpp"
 
@@ -50,10 +51,10 @@ inline constexpr std::array<Sight, 8> kSights{{{1, 0, 3, 5},
 
 class SceneCells {
  public:
-  /// sensor_noise: as the sensor's profile has it, standard deviation of a pixel's 1/depth,
-  /// 1/metre. What cells err by beside their neighbours is measured in the frame itself.
+  /// sensor: of a pixel. What cells err by beside those around them, as a share of that, is
+  /// measured in the frame itself.
   /// tolerance: what a model differs by from its object along the ray, standard deviation, metres.
-  SceneCells(const CoarseView& view, double sensor_noise, double tolerance,
+  SceneCells(const CoarseView& view, const SensorNoise& sensor, double tolerance,
              const EvidenceOptions& options);
 
   const EvidenceOptions& options() const { return options_; }
@@ -73,8 +74,12 @@ class SceneCells {
 
   std::span<const float> cells() const { return cells_; }
 
-  /// The standard deviation of a cell's noise beside its neighbours', 1/metre.
-  double noise() const { return noise_; }
+  /// The standard deviation of a cell's noise beside that of those around it, at an inverse depth:
+  /// 1/metre.
+  double noise(double inverse_depth) const { return share_ * sensor_.sigma_inverse(inverse_depth); }
+  /// The same, in the polynomial of the inverse depth that it is.
+  const SensorNoise& sensor() const { return sensor_; }
+  double share() const { return share_; }
   double tolerance() const { return tolerance_; }
   /// Of what a model shows there: all of the cell's noise and the model's tolerance.
   double deviation(double inverse_depth) const;
@@ -92,8 +97,8 @@ class SceneCells {
   EvidenceOptions options_;
   PinholeCamera camera_;
   std::vector<float> cells_;
-  double noise_;      ///< beside the neighbours'
-  double all_noise_;  ///< with what they err by alike
+  SensorNoise sensor_;
+  double share_;  ///< of a pixel's noise, what a cell errs by beside those around it
   double tolerance_;
 };
 

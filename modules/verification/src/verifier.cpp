@@ -101,11 +101,11 @@ Verifier::~Verifier() = default;
 Verifier::Verifier(Verifier&&) noexcept = default;
 Verifier& Verifier::operator=(Verifier&&) noexcept = default;
 
-void Verifier::look_at(const TiledCloud& cloud, double sensor_noise, const Executor& executor) {
+void Verifier::look_at(const TiledCloud& cloud, const SensorNoise& sensor,
+                       const Executor& executor) {
   Workspace& w = *workspace_;
   w.executor = executor;
-  w.scene.emplace(CoarseView(cloud, evidence::kColumns, executor), sensor_noise, w.tolerance,
-                  w.options);
+  w.scene.emplace(CoarseView(cloud, evidence::kColumns, executor), sensor, w.tolerance, w.options);
   if (!w.renderer || !(w.renderer->camera() == w.scene->camera())) {
     w.renderer = std::make_unique<DepthRenderer>(w.scene->camera(), executor);
   }

@@ -27,6 +27,10 @@ struct SensorNoise {
   }
   /// Across the ray at depth z, with focal length fx in pixels: metres.
   double sigma_lateral(double z, double fx) const { return lateral_pixels / fx * z; }
+  /// Of 1/depth, at that inverse depth: 1/metre.
+  double sigma_inverse(double inverse_depth) const {
+    return depth_quadratic + inverse_depth * (depth_linear + inverse_depth * depth_floor);
+  }
   /// Of 1/depth, 1/metre: nearly the same at all depths. Taken where objects usually are.
   double sigma_inverse_depth() const {
     constexpr double kUsualDepth = 1.732;  // metres

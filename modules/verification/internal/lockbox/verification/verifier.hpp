@@ -8,6 +8,7 @@
 #include "lockbox/core/parallel.hpp"
 #include "lockbox/model/configuration.hpp"
 #include "lockbox/model/kinematic_tree.hpp"
+#include "lockbox/sensor/sensor_noise.hpp"
 #include "lockbox/verification/evidence.hpp"
 #include "lockbox/verification/evidence_options.hpp"
 
@@ -21,9 +22,9 @@ class Verifier {
   Verifier(Verifier&&) noexcept;
   Verifier& operator=(Verifier&&) noexcept;
 
-  /// What the evidence is sought in from now on. sensor_noise: the standard deviation of a pixel's
-  /// 1/depth, 1/metre.
-  void look_at(const TiledCloud& cloud, double sensor_noise, const Executor& executor);
+  /// What the evidence is sought in from now on. sensor: how its noise grows with the depth; how
+  /// large it is beside neighbours is measured in the cloud itself.
+  void look_at(const TiledCloud& cloud, const SensorNoise& sensor, const Executor& executor);
 
   /// In the image looked at last.
   Evidence evidence(const Configuration& configuration);
