@@ -120,8 +120,9 @@ Figure accuracy_figure(const KinematicTree& tree, const ErrorsByUnknown& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const int unknown = static_cast<int>(i);
     const bool length = is_length(tree, unknown);
-    const std::string kind = unknown < 6 ? (length ? "base, translation" : "base, rotation")
-                                         : (length ? "sliding joints" : "turning joints");
+    const std::string kind = unknown < kBaseUnknowns
+                                 ? (length ? "base, translation" : "base, rotation")
+                                 : (length ? "sliding joints" : "turning joints");
     for (const UnknownError& frame : all[i]) {
       if (is_told(tree, unknown, frame.bound)) {
         ratios[kind].push_back(std::abs(frame.error) / frame.bound);

@@ -92,8 +92,9 @@ Creep creep_of(const std::vector<TrackingResult>& results) {
   }
   const std::vector<bool>& observable = results.back().observable;
   creep.knows_base =
-      std::all_of(observable.begin(), observable.begin() + 6, [](bool b) { return b; });
-  creep.known_joints = static_cast<int>(std::count(observable.begin() + 6, observable.end(), true));
+      std::all_of(observable.begin(), observable.begin() + kBaseUnknowns, [](bool b) { return b; });
+  creep.known_joints =
+      static_cast<int>(std::count(observable.begin() + kBaseUnknowns, observable.end(), true));
   return creep;
 }
 

@@ -33,14 +33,14 @@ struct ModeRun {
 void update_normalized_errors(const KinematicTree& tree, const TrackingResult& result,
                               const State& truth, std::vector<double>& largest) {
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    const auto unknown = static_cast<std::size_t>(6 + tree.joints[j].variable);
+    const auto unknown = static_cast<std::size_t>(unknown_of(tree.joints[j].variable));
     if (unknown >= result.observable.size() || !result.observable[unknown]) continue;
     const int joint = static_cast<int>(j);
     double error = joint_position(tree, result.configuration, joint) -
                    joint_position(tree, truth.configuration, joint);
     if (tree.joints[j].type == JointType::continuous) error = std::remainder(error, kFullTurn);
     const double sigma =
-        std::abs(tree.joints[j].multiplier) * result.sigma(6 + tree.joints[j].variable);
+        std::abs(tree.joints[j].multiplier) * result.sigma(unknown_of(tree.joints[j].variable));
     if (sigma > 0.0) largest[j] = std::max(largest[j], std::abs(error) / sigma);
   }
 }

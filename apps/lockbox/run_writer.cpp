@@ -142,7 +142,7 @@ void RunWriter::write_alternatives(const TrackingResult& result) {
 
 void RunWriter::write_covariance(const TrackingResult& result) {
   covariance_ << number_text(result.stamp);
-  const Eigen::Index unknowns = 6 + tree_.variables();
+  const Eigen::Index unknowns = tree_.unknowns();
   for (Eigen::Index row = 0; row < unknowns; ++row) {
     for (Eigen::Index column = 0; column < unknowns; ++column) {
       covariance_ << ','

@@ -109,7 +109,7 @@ class ViewCommand : public Command {
                                                          const KinematicTree& tree) {
     if (states.empty()) return {};
     const auto file = std::filesystem::path(states).replace_filename("covariance.csv");
-    return read_covariances(file, 6 + tree.variables());
+    return read_covariances(file, tree.unknowns());
   }
 
   ExitStatus run_live(FrameSource& source, const ArticulatedModel& model) const {

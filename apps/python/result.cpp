@@ -11,7 +11,7 @@ namespace {
 /// The rows of the base, then those of the variables in the order of the file.
 Eigen::MatrixXd in_order_of_file(const KinematicTree& tree, const Eigen::MatrixXd& covariance) {
   std::vector<int> rows = {0, 1, 2, 3, 4, 5};
-  for (const int variable : variables_of_file(tree)) rows.push_back(6 + variable);
+  for (const int variable : variables_of_file(tree)) rows.push_back(unknown_of(variable));
   return covariance(rows, rows);
 }
 
@@ -98,7 +98,7 @@ void bind_apparent_size(py::module_& module) {
 
 Result to_result(const KinematicTree& tree, const TrackingResult& result) {
   const bool is_told = is_known(result);
-  const Eigen::Index unknowns = 6 + tree.variables();
+  const Eigen::Index unknowns = tree.unknowns();
   Result copy;
   copy.time = result.stamp;
   copy.status = to_string(result.status);

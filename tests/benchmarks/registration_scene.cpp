@@ -17,14 +17,14 @@ constexpr double kLockboxDistance = 1.04;  // metres: its doors reach beyond the
 constexpr std::size_t kLockboxViews = 8;
 
 Configuration displaced(const KinematicTree& tree, const Configuration& truth) {
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(6 + tree.variables());
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(tree.unknowns());
   step.head<3>().setConstant(0.001 / std::sqrt(3.0));
   step.segment<3>(3).setConstant(0.05 / std::sqrt(3.0) * std::numbers::pi / 180.0);
   for (int v = 0; v < tree.variables(); ++v) {
     const VariableLimits limits = variable_limits(tree, v);
     const double range = limits.upper - limits.lower;
     const double way = 0.005 * (std::isfinite(range) ? range : 2.0 * std::numbers::pi);
-    step[6 + v] = truth.q[v] + way <= limits.upper ? way : -way;
+    step[unknown_of(v)] = truth.q[v] + way <= limits.upper ? way : -way;
   }
   return stepped(truth, step);
 }

@@ -17,7 +17,8 @@ TEST(HardFrames, LatchThatTheImageWouldTurn) {
   const int variable = model.tree.joints[static_cast<std::size_t>(joint)].variable;
   AccuracyExperiment experiment(model, {640, 480, 575.8, 575.8, 319.5, 239.5},
                                 sensor_model("primesense"), 1, {}, Executor());
-  const UnknownError latch = experiment.align_frame(83)[static_cast<std::size_t>(6 + variable)];
+  const UnknownError latch =
+      experiment.align_frame(83)[static_cast<std::size_t>(unknown_of(variable))];
   EXPECT_TRUE(latch.observable);
   EXPECT_LT(std::abs(latch.error), 4.0 * latch.sigma);
 }

@@ -36,7 +36,7 @@ template <typename TwistOf>
 BodyJacobian numerical_jacobian(const KinematicTree& tree, const Configuration& configuration,
                                 const TwistOf& twist_of) {
   constexpr double h = 1e-5;
-  BodyJacobian jacobian(6, 6 + tree.variables());
+  BodyJacobian jacobian(6, tree.unknowns());
   for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
     const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(jacobian.cols(), k);
     jacobian.col(k) = (twist_of(poses(tree, stepped(configuration, step))) -

@@ -44,7 +44,7 @@ Configuration random_configuration(const ArticulatedModel& model, const Overlaps
 double cost_of(CollisionTerm& term, const ArticulatedModel& model,
                const Configuration& configuration, NormalEquations* equations = nullptr) {
   if (equations != nullptr) {
-    equations->set_zero(6 + model.tree.variables());
+    equations->set_zero(model.tree.unknowns());
   }
   return equations == nullptr ? term.cost(model, poses_at(model, configuration))
                               : term.linearize(model, poses_at(model, configuration), *equations);
@@ -139,7 +139,7 @@ bool Penetration::push(const CollisionPair& pair, std::size_t j, const Eigen::Ve
     return false;
   }
   NormalEquations equations;
-  const auto unknown = static_cast<Eigen::Index>(6 + variable);
+  const auto unknown = unknown_of(variable);
   EXPECT_GT(cost_of(term_, model_, pushed, &equations), 0.0);
   EXPECT_GT(equations.gradient[unknown], 0.0) << "does not push back out";
   // Newton's method along the slide takes it out.

@@ -45,7 +45,7 @@ TEST_P(DeterminismOfOneRegistration, OnAnyNumberOfThreads) {
   const ArticulatedModel& model = mechanism();
   const Configuration truth = mechanism_start(model);
   const TiledCloud cloud = cloud_of(measured(model, truth, "primesense"));
-  Eigen::VectorXd step = Eigen::VectorXd::Constant(6 + model.tree.variables(), 0.005);
+  Eigen::VectorXd step = Eigen::VectorXd::Constant(model.tree.unknowns(), 0.005);
   step.segment<3>(3).setConstant(0.02);
   ArticulatedRegistration alone(model, options, Executor(1));
   const RegistrationResult first = alone.align(cloud, stepped(truth, step), {0.01, 5});

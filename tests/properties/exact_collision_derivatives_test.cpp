@@ -118,7 +118,7 @@ class ExactCollisionDerivatives : public ::testing::Test {
   }
 
   const ArticulatedModel model = load_mechanism(colliding_elements(), with_cache());
-  const Eigen::Index unknowns = 6 + model.tree.variables();
+  const Eigen::Index unknowns = model.tree.unknowns();
   const Eigen::VectorXd scales = motion_scales(model.tree);
   CollisionTerm term{model, literal()};
   const Overlaps overlaps{model};

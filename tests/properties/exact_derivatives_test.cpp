@@ -33,7 +33,7 @@ class ExactDerivatives : public ::testing::Test {
 
   const ArticulatedModel& model;
   const Configuration truth = mechanism_start(model);
-  const Eigen::Index unknowns = 6 + model.tree.variables();
+  const Eigen::Index unknowns = model.tree.unknowns();
   Executor executor{1};
   static constexpr int kSteps = 9;
   const Eigen::VectorXd scales = motion_scales(model.tree);

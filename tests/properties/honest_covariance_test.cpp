@@ -75,7 +75,7 @@ class HonestCovariance : public ::testing::TestWithParam<Subject> {
     view.T_camera_base.translation() *= GetParam().distance;
     return view;
   }();
-  const Eigen::Index unknowns_ = 6 + model_.tree.variables();
+  const Eigen::Index unknowns_ = model_.tree.unknowns();
   std::mt19937 random_{5};
 
   Eigen::VectorXd random_step(double metres, double radians) {
@@ -88,24 +88,24 @@ class HonestCovariance : public ::testing::TestWithParam<Subject> {
   }
 
   bool is_length(Eigen::Index unknown) const {
-    if (unknown < 6) {
+    if (unknown < kBaseUnknowns) {
       return unknown < 3;
     }
-    const int joint = model_.tree.variable_joint[static_cast<std::size_t>(unknown - 6)];
+    const int joint = model_.tree.variable_joint[static_cast<std::size_t>(unknown - kBaseUnknowns)];
     return model_.tree.joints[static_cast<std::size_t>(joint)].type == JointType::prismatic;
   }
 
   Eigen::VectorXd error(const Configuration& found, const Configuration& truth) const {
     Eigen::VectorXd difference(unknowns_);
     difference.head<6>() = log_se3(truth.T_camera_base.inverse() * found.T_camera_base);
-    difference.tail(unknowns_ - 6) = found.q - truth.q;
+    difference.tail(model_.tree.variables()) = found.q - truth.q;
     return difference;
   }
 
   /// What the covariance adds for itself (docs/mathematics-uncertainty.md): metres or radians.
   double floor_of(Eigen::Index unknown) const {
     if (unknown < 3) return 0.05e-3;
-    if (unknown < 6) return 0.005 * kRadians;
+    if (unknown < kBaseUnknowns) return 0.005 * kRadians;
     return 0.15e-3 / moves_.scales()[unknown];
   }
 
@@ -198,7 +198,7 @@ TEST(Observability, AHiddenSliderIsSaidToBeUnobservableAndAVisibleOneIsNot) {
   const Configuration truth = usual_view(model);
   const int joint = joint_index(model.tree, "block");
   const auto& slide = model.tree.joints[static_cast<std::size_t>(joint)];
-  const auto unknown = static_cast<std::size_t>(6 + slide.variable);
+  const auto unknown = static_cast<std::size_t>(unknown_of(slide.variable));
   BodyPoses poses;
   forward_kinematics(model.tree, truth, poses);
   SceneBox cover;  // 10 cm before all of the block's way

@@ -17,7 +17,7 @@ namespace {
 class Occluders : public ::testing::Test {
  protected:
   const ArticulatedModel& model_ = shipped("lockbox");
-  const Eigen::Index unknowns_ = 6 + model_.tree.variables();
+  const Eigen::Index unknowns_ = model_.tree.unknowns();
   const Configuration truth_ = [this] {
     Configuration configuration = *model_.parameters.initial_configuration;
     set_joint_position(model_.tree, configuration, "block", 0.1);

@@ -141,7 +141,7 @@ TEST_F(CanonicalOrder, BodiesStandDepthFirstAndJointsBeforeWhatTheyMove) {
 RegistrationResult registered(const ArticulatedModel& model) {
   static const TiledCloud cloud =
       cloud_of(measured(mechanism(), mechanism_start(mechanism()), "primesense"));
-  Eigen::VectorXd step = Eigen::VectorXd::Constant(6 + model.tree.variables(), 0.004);
+  Eigen::VectorXd step = Eigen::VectorXd::Constant(model.tree.unknowns(), 0.004);
   step.tail(model.tree.variables()).setConstant(0.01);
   return ArticulatedRegistration(model, {}, Executor(1))
       .align(cloud, stepped(mechanism_start(model), step), {0.01, 6});

@@ -215,8 +215,8 @@ TEST_F(StillFrames, AHiddenJointStaysAndNothingVisibleFreezes) {
       lowest = highest = result.configuration.q;
       continue;
     }
-    EXPECT_TRUE(result.observable[static_cast<std::size_t>(6 + slide_)]) << "frame " << k;
-    EXPECT_FALSE(result.observable[static_cast<std::size_t>(6 + turn_)]) << "frame " << k;
+    EXPECT_TRUE(result.observable[static_cast<std::size_t>(unknown_of(slide_))]) << "frame " << k;
+    EXPECT_FALSE(result.observable[static_cast<std::size_t>(unknown_of(turn_))]) << "frame " << k;
     lowest = lowest.cwiseMin(result.configuration.q);
     highest = highest.cwiseMax(result.configuration.q);
   }

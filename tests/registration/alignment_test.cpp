@@ -20,7 +20,7 @@ class AlignmentTest : public ::testing::Test {
   const TiledCloud cloud = cloud_of(measured(model, truth, "primesense"));
 
   Configuration displaced(double metres, double radians) const {
-    Eigen::VectorXd step = Eigen::VectorXd::Zero(6 + model.tree.variables());
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(model.tree.unknowns());
     step.head<6>() << metres, -metres, metres, radians, radians, -radians;
     step[6] = 0.5 * metres;
     step[7] = radians;
@@ -88,7 +88,7 @@ TEST_F(AlignmentTest, FromAPredictionErrsAndIsSureAsFromAnywhere) {
     start.q[0] += off;
     double usual = 0.0;
     double predicted = 0.0;
-    Eigen::VectorXd usual_sigma = Eigen::VectorXd::Zero(6 + truth.q.size());
+    Eigen::VectorXd usual_sigma = Eigen::VectorXd::Zero(model.tree.unknowns());
     Eigen::VectorXd predicted_sigma = usual_sigma;
     for (std::uint64_t frame = 0; frame < 8; ++frame) {
       const TiledCloud seen = cloud_of(measured(model, truth, "primesense", 7 + frame));

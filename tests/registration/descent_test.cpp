@@ -63,7 +63,7 @@ TEST_F(DescentTest, ConvergesWhereNoStepIsWorthTaking) {
       run(off_by(0.003), {.annealing_sigma = 0.005, .iterations = 40, .narrowing = 4});
   ASSERT_TRUE(found.converged);
   EXPECT_LT(found.iterations, 40);
-  EXPECT_EQ(found.last_step, Eigen::VectorXd::Zero(6 + model_.tree.variables()));
+  EXPECT_EQ(found.last_step, Eigen::VectorXd::Zero(model_.tree.unknowns()));
   const Descended again = run(found.configuration, {.iterations = 40});
   EXPECT_TRUE(again.converged);
   EXPECT_LT(steps_.moves().between(found.configuration, again.configuration), 5e-4);

@@ -11,7 +11,7 @@ namespace {
 class MotionMetricTest : public ::testing::Test {
  protected:
   MotionMetricTest() : moves_(model_.tree), start_(mechanism_start(model_)) {
-    step_.setZero(6 + model_.tree.variables());
+    step_.setZero(model_.tree.unknowns());
   }
 
   Configuration moved_by(const Eigen::VectorXd& step) const {

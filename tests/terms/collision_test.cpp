@@ -52,7 +52,7 @@ TEST_F(CollisionTest, CostDoesNotDependOnWhatWasAskedBefore) {
     NormalEquations asked_again;
     NormalEquations asked_first;
     for (NormalEquations* equations : {&asked_again, &asked_first}) {
-      equations->set_zero(6 + model.tree.variables());
+      equations->set_zero(model.tree.unknowns());
     }
     EXPECT_EQ(used.linearize(model, poses, asked_again), expected);
     CollisionTerm(fresh).linearize(model, poses, asked_first);

@@ -59,7 +59,7 @@ class LockboxEdges : public ::testing::Test {
   }
 
   Eigen::VectorXd error(const Configuration& found) const {
-    Eigen::VectorXd error(6 + truth_.q.size());
+    Eigen::VectorXd error(model_.tree.unknowns());
     error.head<6>() = log_se3(truth_.T_camera_base.inverse() * found.T_camera_base);
     error.tail(truth_.q.size()) = found.q - truth_.q;
     return error;
@@ -72,7 +72,7 @@ class LockboxEdges : public ::testing::Test {
 
 TEST_F(LockboxEdges, AreMeasuredAsExactlyAsTheySay) {
   EdgeTerm term(model_.tree, {}, Executor());
-  Eigen::ArrayXd normalized = Eigen::ArrayXd::Zero(6 + truth_.q.size());
+  Eigen::ArrayXd normalized = Eigen::ArrayXd::Zero(model_.tree.unknowns());
   for (std::uint64_t number = 0; number < kNoiseFrames; ++number) {
     linearize(term, seen(number), truth_);
     ASSERT_GT(term.pixels(), 1000.0);
@@ -104,7 +104,7 @@ TEST_F(LockboxEdges, MakeAlignmentsMoreExact) {
   without.refine_at_edges = false;
   ArticulatedRegistration by_points(model_, without, Executor());
   ArticulatedRegistration by_edges(model_, {}, Executor());
-  Eigen::ArrayXd of_points = Eigen::ArrayXd::Zero(6 + truth_.q.size());
+  Eigen::ArrayXd of_points = Eigen::ArrayXd::Zero(model_.tree.unknowns());
   Eigen::ArrayXd of_edges = of_points;
   for (std::uint64_t number = 0; number < 2 * kNoiseFrames; ++number) {
     const double z = 1.1 + 0.05 * static_cast<double>(number);

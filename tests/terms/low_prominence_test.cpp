@@ -68,10 +68,10 @@ TEST_F(FarSlider, IsFoundByAlignmentsAsExactlyAsTheySay) {
   for (std::uint64_t number = 0; number < kFrames; ++number) {
     const RegistrationResult& found =
         registration.align(seen(number), off_by(0.005), {0.005, 8, false, 4});
-    ASSERT_TRUE(found.observable[static_cast<std::size_t>(6 + variable_)]);
+    ASSERT_TRUE(found.observable[static_cast<std::size_t>(unknown_of(variable_))]);
     const double error = found.configuration.q[variable_] - truth_.q[variable_];
     squares += error * error / kFrames;
-    normalized += std::pow(error / found.sigma[6 + variable_], 2) / kFrames;
+    normalized += std::pow(error / found.sigma[unknown_of(variable_)], 2) / kFrames;
   }
   EXPECT_LT(std::sqrt(squares), 0.0015);
   EXPECT_GT(normalized, 0.2);

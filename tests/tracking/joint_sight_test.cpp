@@ -14,8 +14,8 @@ class JointSightTest : public ::testing::Test {
   /// An answer that determines the base, and of the joint variables those that are named.
   Answer determining(const std::vector<int>& variables) const {
     Answer answer;
-    answer.observable.assign(static_cast<std::size_t>(6 + tree.variables()), false);
-    for (const int v : variables) answer.observable[static_cast<std::size_t>(6 + v)] = true;
+    answer.observable.assign(static_cast<std::size_t>(tree.unknowns()), false);
+    for (const int v : variables) answer.observable[static_cast<std::size_t>(unknown_of(v))] = true;
     answer.body_agreement.resize(tree.bodies.size());
     for (Agreement& body : answer.body_agreement) body.explained = 0.9;
     answer.flush_bodies.resize(tree.bodies.size(), false);

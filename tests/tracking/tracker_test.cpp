@@ -174,7 +174,7 @@ TEST_F(TrackerTest, AnAlignmentThatIsStillOnItsWayIsUncertain) {
 TEST_F(TrackerTest, APartThatContradictsIsDoubtedAloneWhereTheObjectIsBelieved) {
   Answer registered;
   const std::size_t bodies = model.tree.bodies.size();
-  const auto unknowns = static_cast<std::size_t>(6 + model.tree.variables());
+  const auto unknowns = static_cast<std::size_t>(model.tree.unknowns());
   registered.sigma = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns));
   registered.observable.assign(unknowns, true);
   registered.agreement.explained = 0.9;
@@ -199,12 +199,12 @@ TEST_F(TrackerTest, APartThatContradictsIsDoubtedAloneWhereTheObjectIsBelieved) 
 
 TEST_F(TrackerTest, AJointOfWhichTooLittleIsKnownIsNotReportedAsKnown) {
   Answer registered;
-  const auto unknowns = static_cast<std::size_t>(6 + model.tree.variables());
+  const auto unknowns = static_cast<std::size_t>(model.tree.unknowns());
   registered.sigma = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(unknowns), 0.1);
   registered.observable.assign(unknowns, true);
   registered.body_agreement.assign(model.tree.bodies.size(), {});
   const std::vector<bool> known = known_unknowns(registered, model.tree, options());
-  EXPECT_EQ(std::count(known.begin() + 6, known.end(), true), 0);
+  EXPECT_EQ(std::count(known.begin() + kBaseUnknowns, known.end(), true), 0);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ constexpr int kNarrowing = 6;
 }  // namespace
 
 double allowed_error(const KinematicTree& tree, int unknown, double bound) {
-  const bool base = unknown < 6;
+  const bool base = unknown < kBaseUnknowns;
   const double floor =
       is_length(tree, unknown) ? (base ? 0.05e-3 : 0.15e-3) : (base ? 0.005 : 0.1) * kRadians;
   return std::hypot(1.5 * bound, floor);
@@ -47,14 +47,14 @@ Configuration AccuracyExperiment::wrong_start(const Configuration& truth,
                                               std::uint64_t number) const {
   RandomDraws random(~seed_, number);
   const KinematicTree& tree = model_.tree;
-  Eigen::VectorXd step(6 + tree.variables());
+  Eigen::VectorXd step(tree.unknowns());
   step.head<3>() = random.uniform(0.0, kStartOffset) * random.direction();
   step.segment<3>(3) = random.uniform(0.0, kStartTurn) * random.direction();
   for (int v = 0; v < tree.variables(); ++v) {
-    const double most = is_length(tree, 6 + v) ? kStartOffset : kStartTurn;
+    const double most = is_length(tree, unknown_of(v)) ? kStartOffset : kStartTurn;
     const VariableLimits limits = variable_limits(tree, v);
     const double start = truth.q[v] + random.uniform(-most, most);
-    step[6 + v] = std::clamp(start, limits.lower, limits.upper) - truth.q[v];
+    step[unknown_of(v)] = std::clamp(start, limits.lower, limits.upper) - truth.q[v];
   }
   return stepped(truth, step);
 }

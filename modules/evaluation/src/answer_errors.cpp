@@ -68,7 +68,7 @@ std::string AnswerComparison::wrong_joints(const Configuration& answer, const St
                    joint_position(model_.tree, truth.configuration, index);
     if (joint.type == JointType::continuous) error = std::remainder(error, kFullTurn);
     const double tolerance = tolerances_.joint(joint.type);
-    const double sigma = std::abs(joint.multiplier) * bound(6 + joint.variable);
+    const double sigma = std::abs(joint.multiplier) * bound(unknown_of(joint.variable));
     if (sigma < kDeterminedJoint * tolerance && std::abs(error) > tolerance) {
       wrong += (wrong.empty() ? "" : " ") + joint.name;
     }

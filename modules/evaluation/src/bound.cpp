@@ -62,7 +62,7 @@ void DepthInformation::Workspace::place(const Configuration& configuration,
 
 /// Of the pixels of a row, as if they erred independently; their weights go into the images.
 Eigen::MatrixXd DepthInformation::Workspace::sum_row(int v) {
-  const Eigen::Index unknowns = 6 + tree.variables();
+  const Eigen::Index unknowns = tree.unknowns();
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(unknowns, unknowns);
   Eigen::VectorXd derivative(unknowns);
   PixelModel pixel;
@@ -95,7 +95,7 @@ Eigen::MatrixXd DepthInformation::compute(const Configuration& configuration,
   Workspace& w = *workspace_;
   w.place(configuration, scenery);
   w.view.render(w.items);
-  const Eigen::Index unknowns = 6 + w.tree.variables();
+  const Eigen::Index unknowns = w.tree.unknowns();
   w.weights.resize(w.camera.width, w.camera.height, 1);
   w.weighted.resize(w.camera.width, w.camera.height, static_cast<std::size_t>(unknowns));
   std::vector<Eigen::MatrixXd> rows(static_cast<std::size_t>(w.camera.height));

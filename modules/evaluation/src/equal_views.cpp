@@ -92,7 +92,7 @@ bool EqualViews::looks_like_truth(const Configuration& configuration) const {
     const double sigma = depth_sigma(sensor_, camera_, std::min(z_a, z_b));
     squares += square(std::min(kMostSigmas, std::abs(z_a - z_b) / sigma));
   }
-  const auto unknowns = static_cast<double>(6 + model_.tree.variables());
+  const auto unknowns = static_cast<double>(model_.tree.unknowns());
   return squares / correlation_area(sensor_) <= square(kUsualErrors) * unknowns;
 }
 

@@ -44,7 +44,7 @@ FrameOutcome compare(const KinematicTree& tree, const TrackingResult& result, co
   const FrameErrors errors = FrameComparison(tree, {}).compare(as_state(result), truth);
   FrameOutcome outcome{result.status, result.searches, errors.translation, errors.rotation, 0.0};
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    const auto unknown = static_cast<std::size_t>(6 + tree.joints[j].variable);
+    const auto unknown = static_cast<std::size_t>(unknown_of(tree.joints[j].variable));
     if (unknown >= result.observable.size() || !result.observable[unknown]) continue;
     const double error = std::abs(errors.joints(static_cast<Eigen::Index>(j)));
     const double share = error / Tolerances{}.joint(tree.joints[j].type);
@@ -64,11 +64,11 @@ StatesFile to_states(const KinematicTree& tree, const std::vector<TrackingResult
     State& state = file.states.emplace_back(as_state(result));
     for (const int index : tree.file_order) {
       const Joint& joint = tree.joints[static_cast<std::size_t>(index)];
-      const auto unknown = static_cast<std::size_t>(6 + joint.variable);
+      const auto unknown = static_cast<std::size_t>(unknown_of(joint.variable));
       const bool observable = unknown < result.observable.size() && result.observable[unknown];
-      const double sigma = observable
-                               ? std::abs(joint.multiplier) * result.sigma(6 + joint.variable)
-                               : std::numeric_limits<double>::infinity();
+      const double sigma =
+          observable ? std::abs(joint.multiplier) * result.sigma(unknown_of(joint.variable))
+                     : std::numeric_limits<double>::infinity();
       state.extra.push_back(number_text(sigma));
     }
   }

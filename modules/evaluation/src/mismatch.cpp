@@ -26,12 +26,12 @@ std::vector<bool> missing_joints(const KinematicTree& tree, const KinematicTree&
 }
 
 bool is_determined(const TrackingResult& result, const Joint& joint) {
-  const auto unknown = static_cast<std::size_t>(6 + joint.variable);
+  const auto unknown = static_cast<std::size_t>(unknown_of(joint.variable));
   return unknown < result.observable.size() && result.observable[unknown];
 }
 
 double base_in_sigmas(const TrackingResult& result, const Eigen::Isometry3d& T_camera_base) {
-  if (result.sigma.size() < 6) return std::numeric_limits<double>::quiet_NaN();
+  if (result.sigma.size() < kBaseUnknowns) return std::numeric_limits<double>::quiet_NaN();
   const Twist error = log_se3(T_camera_base.inverse() * result.configuration.T_camera_base);
   return error.cwiseQuotient(result.sigma.head<6>()).cwiseAbs().maxCoeff();
 }
@@ -44,7 +44,7 @@ double joint_in_sigmas(const KinematicTree& tree, const TrackingResult& result, 
     if (joint.is_mimic || missing[j] || !is_determined(result, joint)) continue;
     double error = result.configuration.q[joint.variable] - truth.configuration.q[joint.variable];
     if (joint.type == JointType::continuous) error = std::remainder(error, kFullTurn);
-    const double sigma = result.sigma[6 + joint.variable];
+    const double sigma = result.sigma[unknown_of(joint.variable)];
     if (sigma > 0.0) largest = std::max(largest, std::abs(error) / sigma);
   }
   return largest;
@@ -57,7 +57,8 @@ MismatchFrame compared(const KinematicTree& tree, const TrackingResult& result, 
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {
     if (!missing[j] || !is_determined(result, tree.joints[j])) continue;
     invents_joint = true;
-    without_missing.observable[static_cast<std::size_t>(6 + tree.joints[j].variable)] = false;
+    without_missing.observable[static_cast<std::size_t>(unknown_of(tree.joints[j].variable))] =
+        false;
   }
   State apparent = truth;
   apparent.configuration.T_camera_base = apparent_base;

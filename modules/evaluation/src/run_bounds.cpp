@@ -13,7 +13,7 @@ std::vector<FrameBound> compute_run_bounds(const KinematicTree& tree, const std:
                                            const std::function<void(std::size_t)>& on_frame) {
   DepthInformation information(tree, camera, sensor, executor);
   const Eigen::VectorXd nothing =
-      Eigen::VectorXd::Constant(6 + tree.variables(), std::numeric_limits<double>::infinity());
+      Eigen::VectorXd::Constant(tree.unknowns(), std::numeric_limits<double>::infinity());
   std::vector<FrameBound> bounds;
   std::vector<RenderItem> scenery;
   for (const State& state : run) {

@@ -32,7 +32,7 @@ ArticulatedModel load_shape(const FreeFormObject& object, const ShapeSettings& s
 AnswerErrors errors_of(const ArticulatedModel& model, const TrackingResult& answer, State truth) {
   Eigen::Isometry3d& pose = truth.configuration.T_camera_base;
   pose = EqualPoses(model).nearest(pose, answer.configuration.T_camera_base);
-  const Eigen::VectorXd known = Eigen::VectorXd::Zero(6 + model.tree.variables());
+  const Eigen::VectorXd known = Eigen::VectorXd::Zero(model.tree.unknowns());
   return AnswerComparison(model, kRightShape).compare(answer, truth, known);
 }
 

@@ -11,7 +11,7 @@ Determined determined_unknowns(const KinematicTree& tree, const Eigen::VectorXd&
   determined.translation = sigma.head<3>().norm() < kDeterminedShare * tolerances.translation;
   determined.rotation = sigma.segment<3>(3).norm() < kDeterminedShare * tolerances.rotation;
   for (const Joint& joint : tree.joints) {
-    const double joint_sigma = std::abs(joint.multiplier) * sigma[6 + joint.variable];
+    const double joint_sigma = std::abs(joint.multiplier) * sigma[unknown_of(joint.variable)];
     determined.joints.push_back(joint_sigma < kDeterminedShare * tolerances.joint(joint.type));
   }
   return determined;

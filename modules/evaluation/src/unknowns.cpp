@@ -12,8 +12,8 @@ std::vector<std::string> unknown_names(const KinematicTree& tree) {
 }
 
 bool is_length(const KinematicTree& tree, int unknown) {
-  if (unknown < 6) return unknown < 3;
-  const int joint = tree.variable_joint[static_cast<std::size_t>(unknown - 6)];
+  if (unknown < kBaseUnknowns) return unknown < 3;
+  const int joint = tree.variable_joint[static_cast<std::size_t>(unknown - kBaseUnknowns)];
   return tree.joints[static_cast<std::size_t>(joint)].type == JointType::prismatic;
 }
 

@@ -15,10 +15,11 @@ namespace {
 Configuration moved(const KinematicTree& tree, const Configuration& configuration,
                     const ModelExtent& extent, int unknown, double step) {
   Configuration result = configuration;
-  if (unknown >= 6) {
-    const VariableLimits limits = variable_limits(tree, unknown - 6);
-    double& q = result.q[unknown - 6];
-    const double motion_scale = extent.variables[unknown - 6];
+  if (unknown >= kBaseUnknowns) {
+    const int variable = unknown - kBaseUnknowns;
+    const VariableLimits limits = variable_limits(tree, variable);
+    double& q = result.q[variable];
+    const double motion_scale = extent.variables[variable];
     if (motion_scale > 0.0) q = std::clamp(q + step / motion_scale, limits.lower, limits.upper);
     return result;
   }
@@ -37,7 +38,7 @@ void coordinate_search(const KinematicTree& tree, const ModelExtent& extent,
                        const Executor& executor, const CoordinateSearchPlan& plan,
                        Configuration& configuration) {
   std::vector<int> unknowns{0, 1, 2, 3, 4, 5};
-  for (const int variable : variables) unknowns.push_back(6 + variable);
+  for (const int variable : variables) unknowns.push_back(unknown_of(variable));
   double best = scores.front().fit(configuration, plan.slack);
   std::array<Configuration, 2> trials;  // to either side
   std::array<double, 2> fits{};

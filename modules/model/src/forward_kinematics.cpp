@@ -56,21 +56,21 @@ void forward_kinematics_of(const KinematicTree& tree, const Configuration& confi
 void body_jacobians(const KinematicTree& tree, const std::vector<Eigen::Isometry3d>& T_camera_body,
                     std::vector<BodyJacobian>& jacobians) {
   jacobians.resize(tree.bodies.size());
-  jacobians[0].setZero(6, 6 + tree.variables());
+  jacobians[0].setZero(6, tree.unknowns());
   jacobians[0].leftCols<6>().setIdentity();
   for (const Joint& joint : tree.joints) {
     const Eigen::Isometry3d T_child_parent =
         T_camera_body[index(joint.child_body)].inverse() * T_camera_body[index(joint.parent_body)];
     BodyJacobian& child = jacobians[index(joint.child_body)];
     child.noalias() = adjoint(T_child_parent).lazyProduct(jacobians[index(joint.parent_body)]);
-    child.col(6 + joint.variable) += variable_twist(joint);
+    child.col(unknown_of(joint.variable)) += variable_twist(joint);
   }
 }
 
 void relative_jacobian(const KinematicTree& tree,
                        const std::vector<Eigen::Isometry3d>& T_camera_body, int a, int b,
                        BodyJacobian& jacobian) {
-  jacobian.setZero(6, 6 + tree.variables());
+  jacobian.setZero(6, tree.unknowns());
   const Eigen::Isometry3d T_b_camera = T_camera_body[index(b)].inverse();
   // A parent's index is smaller than its child's, so the larger of the two is never above the
   // other.
@@ -79,7 +79,7 @@ void relative_jacobian(const KinematicTree& tree,
     int& body = moves_a ? a : b;
     const Joint& joint = tree.joints[index(tree.bodies[index(body)].parent_joint)];
     const Twist in_b = adjoint(T_b_camera * T_camera_body[index(body)]) * variable_twist(joint);
-    jacobian.col(6 + joint.variable) += moves_a ? in_b : Twist(-in_b);
+    jacobian.col(unknown_of(joint.variable)) += moves_a ? in_b : Twist(-in_b);
     body = joint.parent_body;
   }
 }

@@ -15,7 +15,7 @@ Eigen::VectorXd motion_scales(const KinematicTree& tree) {
   std::vector<BodyJacobian> jacobians;
   forward_kinematics(tree, rest, poses);
   body_jacobians(tree, poses, jacobians);
-  Eigen::VectorXd scales = Eigen::VectorXd::Zero(6 + tree.variables());
+  Eigen::VectorXd scales = Eigen::VectorXd::Zero(tree.unknowns());
   for (std::size_t b = 0; b < tree.bodies.size(); ++b) {
     const Eigen::AlignedBox3d box = bounds(tree.bodies[b].mesh);
     for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {

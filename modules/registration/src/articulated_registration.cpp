@@ -149,9 +149,9 @@ void ArticulatedRegistration::Stages::estimate_covariance(const SolutionSystem& 
                                                           CovarianceEstimator& estimated) const {
   estimated.estimate(system.data, system.clusters, options.noise_correlation, system.jacobians,
                      steps.scale(), steps.held());
-  for (std::size_t v = 0; v < seen.size(); ++v) {
-    if (!seen[v]) continue;
-    estimated.set_independent(static_cast<Eigen::Index>(6 + v), seen[v]->variance);
+  for (int v = 0; v < model.tree.variables(); ++v) {
+    const std::optional<JointMatch>& match = seen[static_cast<std::size_t>(v)];
+    if (match) estimated.set_independent(unknown_of(v), match->variance);
   }
 }
 

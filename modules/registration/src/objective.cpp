@@ -51,7 +51,7 @@ void Objective::linearize(const Comparison& with, const Configuration& configura
     select_free_space(with, configuration, annealing_sigma, at);
     at.free_cost = at.free_term.linearize(at.poses, annealing_sigma, systems_);
   }
-  at.data.set_zero(6 + model_.tree.variables());
+  at.data.set_zero(model_.tree.unknowns());
   for (std::size_t b = 0; b < systems_.size(); ++b) {
     at.data.add(systems_[b], at.jacobians[b], 1.0 / options_.noise_correlation);
   }

@@ -48,7 +48,7 @@ void ProminenceStep::take(const Comparison& with, const Eigen::VectorXd& start,
   for (int v = 0; v < model_.tree.variables() && options_.match_low_prominence; ++v) {
     const double prominence = low_prominence_.prominence(v, estimate.configuration);
     if (prominence > LowProminence::kSurelyStandsOut ||
-        steps_.held()[static_cast<std::size_t>(6 + v)])
+        steps_.held()[static_cast<std::size_t>(unknown_of(v))])
       continue;
     auto& match = matches[static_cast<std::size_t>(v)];
     match = low_prominence_.find_near(with.cloud, estimate.configuration, v, start[v]);
@@ -57,7 +57,7 @@ void ProminenceStep::take(const Comparison& with, const Eigen::VectorXd& start,
       match.reset();
       continue;
     }
-    solution.forget(6 + v);
+    solution.forget(unknown_of(v));
     if (!match) continue;
     estimate.configuration.q[v] = match->position;
     estimate.at_rest.q[v] = match->position;

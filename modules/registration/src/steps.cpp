@@ -15,9 +15,9 @@ Steps::Steps(const KinematicTree& tree, const RegistrationOptions& options)
       moves_(tree),
       scale_(step_scale(tree)),
       held_(static_cast<std::size_t>(scale_.unit.size()), false) {
-  std::fill_n(held_.begin(), 6, options.fixed_base);
+  std::fill_n(held_.begin(), kBaseUnknowns, options.fixed_base);
   for (int v = 0; v < tree.variables(); ++v) {
-    held_[static_cast<std::size_t>(6 + v)] = options.is_locked(v);
+    held_[static_cast<std::size_t>(unknown_of(v))] = options.is_locked(v);
   }
 }
 
@@ -47,9 +47,9 @@ void Steps::set_limits(const Configuration& from, bool hold_joints) {
   for (int v = 0; v < tree_.variables(); ++v) {
     const VariableLimits range = variable_limits(tree_, v);
     const double q = from.q[v];
-    const bool locked = hold_joints || held_[static_cast<std::size_t>(6 + v)];
-    limits_.lower[6 + v] = locked ? 0.0 : std::min(0.0, range.lower - q);
-    limits_.upper[6 + v] = locked ? 0.0 : std::max(0.0, range.upper - q);
+    const bool locked = hold_joints || held_[static_cast<std::size_t>(unknown_of(v))];
+    limits_.lower[unknown_of(v)] = locked ? 0.0 : std::min(0.0, range.lower - q);
+    limits_.upper[unknown_of(v)] = locked ? 0.0 : std::max(0.0, range.upper - q);
   }
 }
 

@@ -19,12 +19,13 @@ constexpr double kOwnShare = 0.9;      // of a direction's square: it is this un
 }  // namespace
 
 StepScale step_scale(const KinematicTree& tree) {
-  StepScale scale{Eigen::VectorXd::Constant(6 + tree.variables(), kBaseUnit), kLeastInformation};
+  StepScale scale{Eigen::VectorXd::Constant(tree.unknowns(), kBaseUnit), kLeastInformation};
   for (int v = 0; v < tree.variables(); ++v) {
     const VariableLimits limits = variable_limits(tree, v);
     const double range = limits.upper - limits.lower;
     // A joint without room to move still needs a unit.
-    scale.unit[6 + v] = std::isfinite(range) ? std::max(range / 4.0, 1e-3) : kContinuousUnit;
+    scale.unit[unknown_of(v)] =
+        std::isfinite(range) ? std::max(range / 4.0, 1e-3) : kContinuousUnit;
   }
   return scale;
 }

@@ -30,7 +30,7 @@ constexpr double kObservableShare = 0.1;  // of a unit: where the solver, too, d
 
 /// motion_scale: metres that surfaces move for a unit of the unknown, at most.
 double systematic_floor(Index unknown, double motion_scale) {
-  if (unknown < 6) return unknown < 3 ? kBaseFloor : kBaseTurnFloor;
+  if (unknown < kBaseUnknowns) return unknown < 3 ? kBaseFloor : kBaseTurnFloor;
   return motion_scale > 0.0 ? kJointFloor / motion_scale : 0.0;
 }
 

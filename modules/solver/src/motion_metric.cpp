@@ -19,15 +19,15 @@ MotionMetric::MotionMetric(const KinematicTree& tree) : scales_(motion_scales(tr
 
 double MotionMetric::between(const Configuration& a, const Configuration& b) const {
   double farthest = of_base(log_se3(a.T_camera_base.inverse() * b.T_camera_base));
-  for (Index v = 0; v < a.q.size(); ++v) {
-    farthest = std::max(farthest, std::abs(b.q[v] - a.q[v]) * scales_[6 + v]);
+  for (int v = 0; v < static_cast<int>(a.q.size()); ++v) {
+    farthest = std::max(farthest, std::abs(b.q[v] - a.q[v]) * scales_[unknown_of(v)]);
   }
   return farthest;
 }
 
 double MotionMetric::of(const Eigen::VectorXd& step) const {
   double farthest = of_base(step.head<6>());
-  for (Index i = 6; i < step.size(); ++i) {
+  for (Index i = kBaseUnknowns; i < step.size(); ++i) {
     farthest = std::max(farthest, std::abs(step[i]) * scales_[i]);
   }
   return farthest;
@@ -40,10 +40,10 @@ double MotionMetric::of_significant(const Eigen::VectorXd& step,
     return observable[static_cast<std::size_t>(i)] && std::abs(step[i]) > kSignificant * sigma[i];
   };
   double farthest = 0.0;
-  for (Index i = 0; i < 6; ++i) {
+  for (Index i = 0; i < kBaseUnknowns; ++i) {
     if (is_significant(i)) farthest = of_base(step.head<6>());
   }
-  for (Index i = 6; i < step.size(); ++i) {
+  for (Index i = kBaseUnknowns; i < step.size(); ++i) {
     if (is_significant(i)) farthest = std::max(farthest, std::abs(step[i]) * scales_[i]);
   }
   return farthest;

@@ -132,7 +132,7 @@ void EdgeSelection::score(const VisibleSurface& surface, const std::vector<BodyJ
         surface.view_camera().back_project(pixel.u, pixel.v, depth).cast<float>();
     const auto column = static_cast<std::size_t>(surface.camera_pixel(pixel.u, pixel.v).u / kSide);
     for (const int v : variables[body]) {
-      const float change = step.gradient.dot(flow(p, screws[body], 6 + v));
+      const float change = step.gradient.dot(flow(p, screws[body], unknown_of(v)));
       row.scores[column * variables_ + static_cast<std::size_t>(v)] +=
           change * change / (step.gradient.squaredNorm() + variance);
     }

@@ -41,10 +41,10 @@ EdgeTerm::EdgeTerm(const KinematicTree& tree, const ViewOptions& options, const 
           static_cast<float>(kLeastBend * options.noise.own_share * options.noise.depth_quadratic)),
       sample_renderer_(std::make_unique<DepthRenderer>(PinholeCamera{}, executor)) {
   for (int i = 0; i < executor.threads(); ++i) {
-    workers_.push_back(std::make_unique<Worker>(options.noise, 6 + tree.variables()));
+    workers_.push_back(std::make_unique<Worker>(options.noise, tree.unknowns()));
   }
-  information_.setZero(6 + tree.variables(), 6 + tree.variables());
-  gradient_.setZero(6 + tree.variables());
+  information_.setZero(tree.unknowns(), tree.unknowns());
+  gradient_.setZero(tree.unknowns());
 }
 
 EdgeTerm::~EdgeTerm() = default;
@@ -105,7 +105,7 @@ void EdgeTerm::express_in_camera(const BodyPoses& T_camera_body,
     screws_[b].noalias() = adjoint(T_camera_body[b]) * jacobians[b];
     variables_[b].clear();
     for (int v = 0; v < tree_.variables(); ++v) {
-      if (!jacobians[b].col(6 + v).isZero(0.0)) variables_[b].push_back(v);
+      if (!jacobians[b].col(unknown_of(v)).isZero(0.0)) variables_[b].push_back(v);
     }
   }
 }
@@ -124,7 +124,7 @@ void EdgeTerm::cut_into_strips() {
 }
 
 void EdgeTerm::sum_strip(const TiledCloud& cloud, Strip& strip) {
-  const Index unknowns = 6 + tree_.variables();
+  const Index unknowns = tree_.unknowns();
   strip.products.setZero(unknowns + 1, unknowns + 1);
   strip.pixels = 0.0;
   Worker& worker = *workers_[Executor::worker()];

@@ -26,13 +26,13 @@ struct EdgeTerm::Worker {
   Worker(const SensorNoise& sensor, Index unknowns)
       : samples(), patch(sensor.lateral_pixels), noise(sensor, kSide) {
     variables.reserve(static_cast<std::size_t>(unknowns));
-    for (auto& screw : screws) screw.setZero(6, unknowns - 6);
+    for (auto& screw : screws) screw.setZero(6, unknowns - kBaseUnknowns);
     columns.reserve(kSide);
   }
 
   /// Of a pixel's values: the derivative of its mean by the base's twist in the camera's frame and
   /// by the variables, then the residual.
-  Index residual_column() const { return 6 + static_cast<Index>(variables.size()); }
+  Index residual_column() const { return kBaseUnknowns + static_cast<Index>(variables.size()); }
 
   void find_variables(const std::vector<std::vector<int>>& by_body,
                       const std::vector<BodyJacobian>& by_unknowns) {
@@ -47,7 +47,7 @@ struct EdgeTerm::Worker {
     for (std::size_t b = 0; b < patch.bodies().size(); ++b) {
       const BodyJacobian& screw = by_unknowns[static_cast<std::size_t>(patch.bodies()[b])];
       for (std::size_t k = 0; k < variables.size(); ++k) {
-        screws[b].col(static_cast<Index>(k)) = screw.col(6 + variables[k]).cast<float>();
+        screws[b].col(static_cast<Index>(k)) = screw.col(unknown_of(variables[k])).cast<float>();
       }
     }
   }
@@ -61,7 +61,8 @@ struct EdgeTerm::Worker {
       const Eigen::Matrix<float, 6, 1> by_twist = patch.derivative(b, ray.x(), ray.y(), camera);
       derivative.head<6>() += by_twist;
       for (std::size_t k = 0; k < variables.size(); ++k) {
-        derivative[6 + static_cast<Index>(k)] += by_twist.dot(screws[b].col(static_cast<Index>(k)));
+        derivative[kBaseUnknowns + static_cast<Index>(k)] +=
+            by_twist.dot(screws[b].col(static_cast<Index>(k)));
       }
     }
   }
@@ -86,9 +87,9 @@ struct EdgeTerm::Worker {
 
   /// That of a column.
   Index unknown(Index column, const Eigen::MatrixXd& sums) const {
-    if (column < 6) return column;
+    if (column < kBaseUnknowns) return column;
     if (column == residual_column()) return sums.cols() - 1;
-    return 6 + variables[static_cast<std::size_t>(column - 6)];
+    return unknown_of(variables[static_cast<std::size_t>(column - kBaseUnknowns)]);
   }
 
   RenderedInverseDepth samples;  ///< of neighbouring patches in a row

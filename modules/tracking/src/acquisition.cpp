@@ -172,7 +172,7 @@ bool Acquisition::ends_search(const Candidate& candidate, const Answer& found) {
 void Acquisition::doubt_joints(const JointMargins& margins, Answer& answer) const {
   for (int v = 0; v < model_.tree.variables(); ++v) {
     if (is_doubtful(answer, v, margins, model_.tree, options_)) {
-      answer.observable[static_cast<std::size_t>(6 + v)] = false;
+      answer.observable[static_cast<std::size_t>(unknown_of(v))] = false;
     }
   }
 }

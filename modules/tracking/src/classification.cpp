@@ -72,10 +72,11 @@ std::vector<bool> known_unknowns(const RegistrationResult& registered, const Kin
     const int joint = tree.variable_joint[static_cast<std::size_t>(v)];
     const bool slides = tree.joints[static_cast<std::size_t>(joint)].type == JointType::prismatic;
     const double most = slides ? options.most_sliding_sigma : options.most_turning_sigma;
-    if (!(registered.sigma[6 + v] <= most)) known[static_cast<std::size_t>(6 + v)] = false;
+    if (!(registered.sigma[unknown_of(v)] <= most))
+      known[static_cast<std::size_t>(unknown_of(v))] = false;
   }
   for (const int v : contradicted_variables(registered, tree, options)) {
-    known[static_cast<std::size_t>(6 + v)] = false;
+    known[static_cast<std::size_t>(unknown_of(v))] = false;
   }
   return known;
 }

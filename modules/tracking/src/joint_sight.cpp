@@ -48,7 +48,7 @@ bool JointSight::is_flush(const Answer& found, int variable, const TrackerOption
   const int joint = tree_.variable_joint[static_cast<std::size_t>(variable)];
   const auto body =
       static_cast<std::size_t>(tree_.joints[static_cast<std::size_t>(joint)].child_body);
-  return !found.observable[static_cast<std::size_t>(6 + variable)] &&
+  return !found.observable[static_cast<std::size_t>(unknown_of(variable))] &&
          body < found.flush_bodies.size() && found.flush_bodies[body] &&
          found.body_agreement[body].explained >= options.least_of_sought_body;
 }
@@ -57,7 +57,7 @@ void JointSight::count(const Answer& found, const JointMargins& margins,
                        const TrackerOptions& options) {
   for (int v = 0; v < tree_.variables(); ++v) {
     const bool is_in_sight = !waits_[static_cast<std::size_t>(v)] &&
-                             found.observable[static_cast<std::size_t>(6 + v)] &&
+                             found.observable[static_cast<std::size_t>(unknown_of(v))] &&
                              !is_doubtful(found, v, margins, tree_, options);
     int& frames = frames_in_sight_[static_cast<std::size_t>(v)];
     frames = is_in_sight ? frames + 1 : 0;
@@ -65,7 +65,8 @@ void JointSight::count(const Answer& found, const JointMargins& margins,
 }
 
 void JointSight::begin(const Answer& found) {
-  std::transform(found.observable.begin() + 6, found.observable.end(), frames_in_sight_.begin(),
+  std::transform(found.observable.begin() + kBaseUnknowns, found.observable.end(),
+                 frames_in_sight_.begin(),
                  [](bool is_determined) { return is_determined ? kFramesToKnow : 0; });
   std::fill(waits_.begin(), waits_.end(), false);
 }

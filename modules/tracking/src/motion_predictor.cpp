@@ -20,7 +20,7 @@ MotionPredictor::MotionPredictor(const KinematicTree& tree)
 void MotionPredictor::reset(double stamp, const Configuration& configuration) {
   stamp_ = stamp;
   last_ = configuration;
-  last_observable_.assign(static_cast<std::size_t>(6 + tree_.variables()), true);
+  last_observable_.assign(static_cast<std::size_t>(tree_.unknowns()), true);
   base_velocity_.setZero();
   joint_velocity_.setZero();
   annealing_sigma_ = kLargestSigma;
@@ -45,12 +45,12 @@ void MotionPredictor::update(double stamp, const Configuration& configuration,
   const double dt = stamp - stamp_;
   if (dt > 0.0 && dt <= kLongestStep) {
     base_velocity_ = log_se3(last_.T_camera_base.inverse() * configuration.T_camera_base) / dt;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < kBaseUnknowns; ++i) {
       const auto unknown = static_cast<std::size_t>(i);
       if (!observable[unknown] || !last_observable_[unknown]) base_velocity_[i] = 0.0;
     }
     for (int v = 0; v < tree_.variables(); ++v) {
-      const auto unknown = static_cast<std::size_t>(6 + v);
+      const auto unknown = static_cast<std::size_t>(unknown_of(v));
       const bool seen_twice = observable[unknown] && last_observable_[unknown];
       joint_velocity_[v] = seen_twice ? (configuration.q[v] - last_.q[v]) / dt : 0.0;
     }

@@ -16,9 +16,9 @@ bool is_known(const TrackingResult& result) {
 
 double joint_sigma(const Joint& joint, const TrackingResult& result) {
   if (!is_known(result)) return std::numeric_limits<double>::quiet_NaN();
-  const auto unknown = static_cast<std::size_t>(6 + joint.variable);
+  const auto unknown = static_cast<std::size_t>(unknown_of(joint.variable));
   if (!result.observable[unknown]) return std::numeric_limits<double>::infinity();
-  return std::abs(joint.multiplier) * result.sigma(6 + joint.variable);
+  return std::abs(joint.multiplier) * result.sigma(unknown_of(joint.variable));
 }
 
 }  // namespace lockbox

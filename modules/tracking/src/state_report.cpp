@@ -60,7 +60,7 @@ void StateReport::write_belief(const Answer& answer, const Judgement& before, co
 
 void StateReport::withhold_unknown(const JointSight& sight) {
   for (int v = 0; v < tree_.variables(); ++v) {
-    if (!sight.is_known(v)) result_.observable[static_cast<std::size_t>(6 + v)] = false;
+    if (!sight.is_known(v)) result_.observable[static_cast<std::size_t>(unknown_of(v))] = false;
   }
 }
 

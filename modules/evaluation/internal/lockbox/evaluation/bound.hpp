@@ -46,7 +46,7 @@ class DepthInformation {
   DepthInformation& operator=(DepthInformation&&) noexcept;
 
   /// Fisher information about a step (base twist, joint variables), see forward_kinematics.hpp:
-  /// (6 + variables) squared. scenery: what stands still around the model, in the camera's frame;
+  /// unknowns x unknowns. scenery: what stands still around the model, in the camera's frame;
   /// their ids do not matter.
   Eigen::MatrixXd compute(const Configuration& configuration,
                           std::span<const RenderItem> scenery = {});

@@ -17,7 +17,7 @@ namespace lockbox {
 
 struct FrameBound {
   double stamp = 0.0;     ///< seconds
-  Eigen::VectorXd sigma;  ///< 6 + variables
+  Eigen::VectorXd sigma;  ///< one an unknown
 };
 
 /// Throws InputError if the file cannot be written.

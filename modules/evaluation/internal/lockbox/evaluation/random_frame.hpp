@@ -14,7 +14,7 @@ namespace lockbox {
 struct RandomFrame {
   RandomScene view;
   DepthFrame frame;
-  Eigen::VectorXd bound;  ///< of the truth, see bound_sigma: 6 + variables
+  Eigen::VectorXd bound;  ///< of the truth, see bound_sigma: one an unknown
 };
 
 /// That of draw_random_scene, with noise that follows from the same seed and number.

@@ -28,7 +28,7 @@ void forward_kinematics(const KinematicTree& tree, const Configuration& configur
 void forward_kinematics_of(const KinematicTree& tree, const Configuration& configuration,
                            std::span<const std::uint8_t> bodies, BodyPoses& T_camera_body);
 
-/// jacobians[b]: 6 x (6 + variables). Needs the poses that forward_kinematics gave.
+/// jacobians[b]: 6 x unknowns. Needs the poses that forward_kinematics gave.
 void body_jacobians(const KinematicTree& tree, const BodyPoses& T_camera_body,
                     std::vector<BodyJacobian>& jacobians);
 

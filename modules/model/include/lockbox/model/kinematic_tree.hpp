@@ -10,6 +10,15 @@
 
 namespace lockbox {
 
+/// Unknowns of the base's twist. In a step, its deviations and its gradient they stand before those
+/// of the joint variables.
+inline constexpr int kBaseUnknowns = 6;
+
+/// Returns where a joint variable stands among the unknowns.
+constexpr int unknown_of(int variable) {
+  return kBaseUnknowns + variable;
+}
+
 enum class JointType { revolute, continuous, prismatic };
 
 /// A movable joint. Fixed joints do not exist here: the bodies that they connect are one body.
@@ -59,6 +68,8 @@ struct KinematicTree {
 
   /// How many joint variables a configuration has.
   int variables() const { return static_cast<int>(variable_joint.size()); }
+  /// How many unknowns a step has: the base's twist, then the joint variables.
+  int unknowns() const { return unknown_of(variables()); }
 };
 
 }  // namespace lockbox
