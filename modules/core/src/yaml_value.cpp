@@ -33,6 +33,15 @@ std::optional<YamlValue> YamlValue::find(const std::string& key) const {
   return YamlValue{file_, value};
 }
 
+std::vector<std::string> YamlValue::plain_keys() const {
+  std::vector<std::string> result;
+  if (!is_map()) return result;
+  for (const auto& entry : node_) {
+    if (entry.first.IsScalar()) result.push_back(entry.first.Scalar());
+  }
+  return result;
+}
+
 std::vector<std::pair<YamlValue, YamlValue>> YamlValue::entries() const {
   if (!node_.IsMap()) refuse("a map (key: value) is needed here");
   std::vector<std::pair<YamlValue, YamlValue>> result;

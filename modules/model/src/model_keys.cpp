@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_keys.hpp"
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <numeric>
 #include <sstream>
 #include <string_view>
 #include <vector>
+
+#include "lockbox/core/error.hpp"
+#include "lockbox/core/yaml_value.hpp"
 
 namespace lockbox {
 namespace {
@@ -54,14 +55,13 @@ bool has_line_of_a_key(const std::string& text) {
 
 }  // namespace
 
-bool names_model_keys(const std::string& text) {
+bool names_model_keys(const std::string& file, const std::string& text) {
   try {
-    const YAML::Node top = YAML::Load(text);
-    if (top.IsNull()) return true;
-    return top.IsMap() && std::any_of(top.begin(), top.end(), [](const auto& entry) {
-             return entry.first.IsScalar() && is_like_a_key(entry.first.Scalar());
-           });
-  } catch (const YAML::Exception&) {
+    const YamlValue top = YamlValue::parse(file, text);
+    if (top.is_empty()) return true;
+    const std::vector<std::string> keys = top.plain_keys();
+    return std::any_of(keys.begin(), keys.end(), is_like_a_key);
+  } catch (const InputError&) {
     return has_line_of_a_key(text);
   }
 }

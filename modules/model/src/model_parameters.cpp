@@ -155,7 +155,7 @@ ModelParameters read_model_parameters(const std::filesystem::path& yaml, const K
   ModelParameters result;
   std::error_code error;  // e.g. a folder that may not be entered: no such file, as far as we know
   if (!std::filesystem::is_regular_file(yaml, error)) return result;
-  if (!names_model_keys(read_text_file(yaml))) {
+  if (!names_model_keys(yaml.string(), read_text_file(yaml))) {
     if (on_warning) {
       on_warning(yaml.string() + ": not read, because it holds none of the keys " + kKeyList);
     }

@@ -31,6 +31,10 @@ class YamlValue {
   /// others, whose further keys are none of our business.
   std::optional<YamlValue> find(const std::string& key) const;
 
+  /// The keys that are text, however often they come; none if this is no map. For files that may be
+  /// of others, too.
+  std::vector<std::string> plain_keys() const;
+
   /// Keys and values; refuses what is no map, keys that are no text, and keys that come twice.
   std::vector<std::pair<YamlValue, YamlValue>> entries() const;
 
