@@ -156,6 +156,18 @@ TEST_F(SearchStages, TheBestAreKeptAndNoPlaceCrowdsOutTheOthers) {
   EXPECT_EQ(kept[2].score, 50.0);
 }
 
+TEST_F(SearchStages, BasesAreApartOfASmallModelThatOfALargeOneAreNot) {
+  const Hypothesis here{displaced(0.0), all_};
+  const Hypothesis aside{displaced(0.02), all_};
+  ModelExtent extent = model_extent(model_.tree);
+  extent.radius = 0.05;  // a mug
+  EXPECT_TRUE(are_apart(extent, here, aside));
+  EXPECT_FALSE(has_base(extent, {here}, displaced(0.005).T_camera_base));
+  extent.radius = 0.5;
+  EXPECT_FALSE(are_apart(extent, here, aside));
+  EXPECT_TRUE(has_base(extent, {here}, displaced(0.005).T_camera_base));
+}
+
 /// A square board looks much the same in four turns, and the wrong ones may look better.
 TEST_F(SearchStages, NorDoesOneTurnCrowdOutTheOthersInItsPlace) {
   const ModelExtent extent = model_extent(model_.tree);

@@ -31,11 +31,13 @@ struct Selection {
 /// overlap.
 double place_distance(const ModelExtent& extent, const Configuration& a, const Configuration& b);
 
-/// Whether one of them has that base, to a centimetre and a hundredth of a radian.
-bool has_base(const std::vector<Hypothesis>& hypotheses, const Eigen::Isometry3d& T_camera_base);
+/// Whether one of them has that base: nearer than half of what makes two answers, and turned by
+/// less than a hundredth of a radian.
+bool has_base(const ModelExtent& extent, const std::vector<Hypothesis>& hypotheses,
+              const Eigen::Isometry3d& T_camera_base);
 
-/// Whether their bases are 40 mm or 0.15 radians from each other.
-bool are_apart(const Hypothesis& a, const Hypothesis& b);
+/// Whether their bases are 0.15 radians or twice what makes two answers from each other.
+bool are_apart(const ModelExtent& extent, const Hypothesis& a, const Hypothesis& b);
 
 /// The best hypotheses, best first, whose bases are apart.
 std::vector<Hypothesis> best_apart(std::vector<Hypothesis> hypotheses, const Selection& selection,

@@ -40,7 +40,7 @@ std::vector<Hypothesis> with_base_mistaken(const SoughtModel& sought, const Conf
   const auto add = [&](std::size_t body, const Eigen::Isometry3d& T_camera_body) {
     if (mistaken.size() == kMostMistaken) return;
     Hypothesis hypothesis = with_body_held(sought, held, body, T_camera_body);
-    if (has_base(mistaken, hypothesis.configuration.T_camera_base)) return;
+    if (has_base(sought.extent, mistaken, hypothesis.configuration.T_camera_base)) return;
     mistaken.push_back(std::move(hypothesis));
   };
   for (std::size_t body = 1; body < tree.bodies.size(); ++body) {

@@ -208,7 +208,7 @@ std::vector<Hypothesis> SearchRounds::followed(SearchImage& image,
 void SearchRounds::leave_out_followed(std::vector<Hypothesis>& hypotheses) {
   std::erase_if(hypotheses, [&](const Hypothesis& hypothesis) {
     return std::any_of(posed_.begin(), posed_.end(), [&](const Hypothesis& before) {
-      return before.score >= hypothesis.score && !are_apart(before, hypothesis);
+      return before.score >= hypothesis.score && !are_apart(sought_.extent, before, hypothesis);
     });
   });
 }

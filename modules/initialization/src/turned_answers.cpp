@@ -43,7 +43,8 @@ std::vector<Hypothesis> swung(const SoughtModel& sought, const Configuration& he
   std::vector<Hypothesis> all;
   for (const std::size_t body : bodies_before_the_base(bodies)) {
     for (Hypothesis& there : with_body_at(sought, held, body, poses[body])) {
-      if (!has_base(all, there.configuration.T_camera_base)) all.push_back(std::move(there));
+      if (!has_base(sought.extent, all, there.configuration.T_camera_base))
+        all.push_back(std::move(there));
     }
   }
   return all;

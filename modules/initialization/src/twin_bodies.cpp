@@ -63,7 +63,8 @@ std::vector<Hypothesis> moved_along_twins(const SoughtModel& sought, const Confi
       moved.configuration.T_camera_base =
           of_answer[other.body] * apart * at_origin[part.body].inverse();
       const Eigen::Isometry3d& base = moved.configuration.T_camera_base;
-      if (!has_base(known, base) && !has_base(moves, base)) moves.push_back(std::move(moved));
+      if (!has_base(sought.extent, known, base) && !has_base(sought.extent, moves, base))
+        moves.push_back(std::move(moved));
     }
   }
   return moves;
