@@ -9,7 +9,7 @@
 namespace lockbox::app {
 namespace {
 
-/// Before CLI11 reads it, which reads pipes and devices for ever. Throws InputError.
+/// Reads the file before CLI11 does, which reads pipes and devices for ever. Throws InputError.
 std::string readable_text(const std::string& file) {
   read_text_file(file, kMostWrittenBytes);
   return {};

@@ -11,7 +11,7 @@
 namespace lockbox::app {
 namespace {
 
-/// Of a line `key = value`, as CLI11 takes it.
+/// Returns the key of a line `key = value`, as CLI11 takes it.
 std::string key_of(const std::string& line) {
   std::string key = line.substr(0, std::min(line.find('='), line.find('#')));
   CLI::detail::trim(key);

@@ -8,7 +8,7 @@ namespace lockbox::app {
 /// Makes the folder, and those above it, unless they exist. Throws InputError.
 void make_folder(const std::filesystem::path& folder);
 
-/// The same for the folder that a file shall be in.
+/// Makes the folder that a file shall be in.
 void make_folder_of(const std::filesystem::path& file);
 
 /// Throws InputError if both are names of one file, so that writing would destroy what is read.

@@ -51,7 +51,7 @@ std::string name_of(const std::filesystem::filesystem_error& error) {
   return std::string("the folder for temporary files (TMPDIR=") + (folder ? folder : "") + ")";
 }
 
-/// Of a command that a signal has ended.
+/// Returns the status of a command that a signal has ended.
 ExitStatus signal_status() {
   return static_cast<ExitStatus>(interruption::exit_status(interruption::signal_number()));
 }

@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the folder of the program, installed or in a build folder; where other programs have
-/// loaded this code (Python), above the folder of its library.
+/// Returns the folder beside that of the program, installed or in a build folder; where other
+/// programs have loaded this code (Python), above the folder of its library.
 fs::path share_folder() {
   const fs::path beside_program =
       fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share" / "lockbox";

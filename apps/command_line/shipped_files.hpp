@@ -15,7 +15,7 @@ std::filesystem::path find_model(const std::string& file_or_name);
 std::vector<std::string> shipped_models();
 std::vector<std::string> shipped_scenes();
 
-/// The same for scenes: `room` stands for share/lockbox/scenes/room.yaml.
+/// Finds a scene likewise: `room` stands for share/lockbox/scenes/room.yaml.
 std::filesystem::path find_scene(const std::string& file_or_name);
 
 /// A shipped file by its name below share/lockbox. Throws InputError if it is missing.

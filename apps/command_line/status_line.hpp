@@ -22,7 +22,7 @@ class StatusLine {
 
   void show(const std::string& text);
 
-  /// The same for the last time: what is written next begins below it.
+  /// Writes for the last time: what is written next begins below it.
   void leave(const std::string& text);
 
   /// Takes away what is shown on a terminal.

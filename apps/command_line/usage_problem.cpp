@@ -22,7 +22,7 @@ void append_long_names(const CLI::App& options, std::vector<std::string>& names)
   }
 }
 
-/// Of the command and of its subcommand that was chosen, without dashes.
+/// Returns the names of the command and of its subcommand that was chosen, without dashes.
 std::vector<std::string> long_names(const CLI::App& options) {
   std::vector<std::string> names;
   append_long_names(options, names);

@@ -97,7 +97,7 @@ void write_example(std::ostream& out, const std::string& example) {
   out << ".SH EXAMPLE\n.EX\n" << escaped(example) << "\n.EE\n";
 }
 
-/// Of the help text's end, paragraphs that explain it.
+/// Writes, of the help text's end, the paragraphs that explain it.
 void write_exit_status(std::ostream& out, const std::string& footer) {
   const std::string heading = "Exit status: ";
   const std::size_t begin = footer.find(heading);

@@ -72,7 +72,7 @@ The code is laid out for these two (`modules/verification/src/evidence_constants
 
 )";
 
-/// As it stands in a cell of a table.
+/// Returns the text as it stands in a cell of a table.
 std::string cell(const std::string& text) {
   std::string result;
   for (const char letter : text) {

@@ -133,7 +133,7 @@ class CreepExperiment : public Experiment {
     return true;
   }
 
-  /// As many frames as asked for, of one image or of one each.
+  /// Tracks as many frames as asked for, of one image or of one each.
   std::vector<TrackingResult> track_still(const ArticulatedModel& model, const Recording& recording,
                                           const Configuration& start) const {
     Tracker tracker(model, TrackerOptions{});

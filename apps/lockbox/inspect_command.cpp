@@ -51,7 +51,7 @@ void print_tree(const KinematicTree& tree) {
   }
 }
 
-/// Of each body, along its own axes.
+/// Prints the sizes of each body, along its own axes.
 void print_sizes(const KinematicTree& tree) {
   std::cout << std::left << std::setw(24) << "body" << std::right;
   for (const char* const axis : {"x, mm", "y, mm", "z, mm"}) std::cout << std::setw(12) << axis;

@@ -15,7 +15,8 @@ class ModelOptions {
  public:
   void add_to(CLI::App& options);
 
-  /// For commands that can do without a model, or find out by themselves which it is.
+  /// Adds the options for commands that can do without a model, or find out by themselves which it
+  /// is.
   void add_optional_to(CLI::App& options, const std::string& help);
 
   bool is_given() const { return !model_.empty(); }

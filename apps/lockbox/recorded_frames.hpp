@@ -19,7 +19,7 @@ class RecordedFrames {
   /// the recording has no frames.
   RecordedFrames(std::unique_ptr<FrameSource> source, Open reopen);
 
-  /// As many as the recording says, until its end was seen.
+  /// Returns as many as the recording says, until its end was seen.
   std::size_t size() const { return size_; }
 
   /// Null if the recording ends before. Valid until the next call.

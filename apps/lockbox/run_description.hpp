@@ -32,8 +32,8 @@ class RunTotals {
 
   std::size_t frames() const { return latencies_.size(); }
   std::size_t frames_with(TrackingStatus status) const;
-  /// Over the run, by precision. Errors repeat, so that many frames are not taken for more exact
-  /// than one. Of infinite covariance if it was never measured.
+  /// Returns the mean over the run, by precision. Errors repeat, so that many frames are not taken
+  /// for more exact than one. Of infinite covariance if it was never measured.
   ApparentSize size() const;
   const SourceFaults& faults() const { return faults_; }
   bool ended_lost() const { return !statuses_.empty() && statuses_.back() == TrackingStatus::lost; }

@@ -27,13 +27,14 @@ class RunOutputs {
   /// source: that has delivered this frame last.
   void add(const DepthFrame& frame, const TrackingResult& result, const FrameSource& source);
 
-  /// Those in force, which may have changed since the beginning.
+  /// Sets those in force, which may have changed since the beginning.
   void set_parameters(NamedValues parameters) { description_.parameters = std::move(parameters); }
 
   /// end: why the run has ended.
   void finish(const std::string& end);
 
-  /// After an error, which the user has to hear of rather than of others that follow from it.
+  /// Ends the outputs after an error, which the user has to hear of rather than of others that
+  /// follow from it.
   void abandon(const std::string& end) noexcept;
 
   const RunTotals& totals() const { return totals_; }

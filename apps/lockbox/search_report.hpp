@@ -15,7 +15,7 @@ class SearchReport {
   /// quiet: says it only at the end.
   explicit SearchReport(bool quiet) : is_said_(quiet), is_misreading_said_(quiet) {}
 
-  /// After each frame. totals: that frame included.
+  /// Looks at it after each frame. totals: that frame included.
   void look_at(const Tracker& tracker, const DepthFrame& frame, const TrackingResult& result,
                const RunTotals& totals);
 

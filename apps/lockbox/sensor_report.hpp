@@ -12,7 +12,7 @@ class SensorReport {
   /// tracker: before the first frame. quiet: says nothing.
   SensorReport(const Tracker& tracker, bool quiet);
 
-  /// After each frame.
+  /// Looks at it after each frame.
   void look_at(const Tracker& tracker);
 
  private:

@@ -159,7 +159,7 @@ class SimulateCommand : public Command {
     }
   }
 
-  /// Of the same recording, but with nothing else beside it.
+  /// Returns the folder of the same recording, but with nothing else beside it.
   std::filesystem::path own_folder() const {
     return output_.parent_path() / (output_.stem().string() + "_recording") / output_.filename();
   }

@@ -18,7 +18,7 @@ class SizeReport {
   /// quiet: says nothing.
   explicit SizeReport(bool quiet) : is_said_(quiet) {}
 
-  /// After each frame.
+  /// Looks at it after each frame.
   void look_at(const TrackingResult& result);
 
   /// How large the object looked over the run, if it was not the size of its model.

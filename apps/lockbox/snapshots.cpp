@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kOpacity = 0.65F;
 
-/// Of a caption in which everything is known.
+/// Returns the room of a caption in which everything is known.
 CaptionRoom largest_room(const KinematicTree& tree) {
   ShownEstimate known(rest_configuration(tree), std::vector<double>(tree.joints.size(), 1.0));
   known.belief = belief_line(1.0, "");

@@ -18,7 +18,7 @@ class Snapshots {
  public:
   static constexpr auto kFirst = "frame_000000.png";
 
-  /// Of the picture of this frame.
+  /// Returns the name of the picture of this frame.
   static std::string name_of(std::size_t frame);
 
   /// Makes the folder. The tree is referred to.

@@ -16,10 +16,10 @@ class SourceArguments {
  public:
   void add_to(CLI::App& options);
 
-  /// The same for a command that can do without a source, and that takes every frame in peace.
+  /// Adds them for a command that can do without a source, and that takes every frame in peace.
   void add_optional_to(CLI::App& options);
 
-  /// The same for a command that cannot do without a source.
+  /// Adds them for a command that cannot do without a source.
   void add_peaceful_to(CLI::App& options);
 
   bool is_given() const { return !source_.empty(); }

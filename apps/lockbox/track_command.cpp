@@ -109,7 +109,7 @@ class TrackCommand : public Command {
     }
   }
 
-  /// Before the user waits for anything.
+  /// Checks the output before the user waits for anything.
   void require_free_output() const {
     if (!settings_.recording.empty()) {
       require_different(settings_.recording, source_.name());

@@ -23,7 +23,8 @@ namespace {
 constexpr int kRate = 30;             // pictures a second
 constexpr int kLongestPause = kRate;  // pictures for one frame, however long the next one takes
 
-/// Of ffmpeg: raw pictures in, any size out (of even numbers, as most decoders want).
+/// Returns the arguments of ffmpeg: raw pictures in, any size out (of even numbers, as most
+/// decoders want).
 std::vector<std::string> encoder_arguments(const std::filesystem::path& file, int width,
                                            int height) {
   return {"ffmpeg",

@@ -104,7 +104,7 @@ class ViewCommand : public Command {
     return file;
   }
 
-  /// Of the same run.
+  /// Returns the covariances of the same run.
   static std::vector<Eigen::MatrixXd> covariances_beside(const std::string& states,
                                                          const KinematicTree& tree) {
     if (states.empty()) return {};
@@ -152,7 +152,7 @@ class ViewCommand : public Command {
 
   bool shows_window() const { return screenshot_.empty() && pictures_.empty() && video_.empty(); }
 
-  /// As a series of pictures, a video, or both.
+  /// Draws them as a series of pictures, a video, or both.
   void draw_all(RunViewer& viewer, std::size_t frames) const {
     Progress progress("view", frames, false);
     std::size_t count = 0;
@@ -169,7 +169,7 @@ class ViewCommand : public Command {
     progress.finish();
   }
 
-  /// Before the user waits for anything.
+  /// Checks the output before the user waits for anything.
   void require_free_output() const {
     if (!pictures_.empty()) {
       require_new(pictures_ / Snapshots::name_of(frame_.value_or(0)), overwrite_);

@@ -17,7 +17,7 @@ class VisibilityReport {
   /// Only one of a few frames is measured: shares change slowly.
   void add(std::size_t frame, const State& state);
 
-  /// On standard error; nothing if it is little.
+  /// Prints them on standard error; nothing if it is little.
   void print_warnings() const;
 
  private:

@@ -23,7 +23,8 @@ namespace py = pybind11;
 /// to stop.
 class Interruptible {
  public:
-  /// For any thread. Python's signal handlers run in the thread of the call.
+  /// Returns whether it is asked to stop, in any thread. Python's signal handlers run in the thread
+  /// of the call.
   bool requested();
 
   /// The result of the call, or the exception that a signal handler has raised (KeyboardInterrupt).

@@ -93,7 +93,7 @@ void close(Source& self) {
   });
 }
 
-/// For `for`, which would silently do nothing at the end of the source.
+/// Serves `for`, which would silently do nothing at the end of the source.
 Source& begin(Source& self) {
   if (self.is_at_end) {
     throw InputError(self.name, "all of its frames were taken; open_source() opens it anew");

@@ -145,7 +145,7 @@ JointValues to_joint_values(const py::object& joints) {
   return values;
 }
 
-/// As they are: those of results may be NaN.
+/// Returns the values as they are: those of results may be NaN.
 py::tuple pickled_state(const State& state) {
   return py::make_tuple(state.base, state.joints);
 }

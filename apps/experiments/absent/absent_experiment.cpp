@@ -88,7 +88,7 @@ class Absent : public Experiment {
     return finished;
   }
 
-  /// Those that have no rows yet; each is written as it is done. False if interrupted.
+  /// Runs those that have no rows yet; each is written as it is done. Returns false if interrupted.
   bool run_all(const ArticulatedModel& model, const std::filesystem::path& stem,
                const std::vector<PlannedAbsentRun>& runs, const Interruption& interruption,
                bool quiet) const {

@@ -42,9 +42,9 @@ struct AbsentPlan {
 /// The rooms must outlive what is returned.
 std::vector<PlannedAbsentRun> simulated_runs(const AbsentRooms& rooms, const AbsentPlan& plan);
 
-/// Of recordings that recordings_in() names, so many frames each at most. Those of a folder that
-/// cannot be read are told on standard error, and are empty; those named themselves throw
-/// InputError when they are opened.
+/// Returns runs of the recordings that recordings_in() names, so many frames each at most. Those of
+/// a folder that cannot be read are told on standard error, and are empty; those named themselves
+/// throw InputError when they are opened.
 std::vector<PlannedAbsentRun> recorded_runs(const std::vector<std::string>& recordings,
                                             std::size_t most_frames);
 

@@ -28,7 +28,7 @@ constexpr std::size_t kRestFrames = 10;
 constexpr double kRestTranslation = 1.5e-3;  // metres; what noise moves from frame to frame
 constexpr double kRestRotation = 0.25 * kRadians;
 
-/// The same for all variants, and for all numbers of samples.
+/// Displaces it alike for all variants, and for all numbers of samples.
 Configuration displaced(const Configuration& truth, const ConvergenceRun& run, std::uint64_t seed) {
   const auto number = static_cast<std::uint64_t>(
       (std::lround(run.start_translation) * 1000 + std::lround(run.start_rotation)) * 100000 +
@@ -175,7 +175,7 @@ class Convergence : public Experiment {
     return !interruption.requested();
   }
 
-  /// Of the rows of all shards.
+  /// Reports the rows of all shards.
   void report(const std::string& name, const std::filesystem::path& stem) const {
     std::map<std::string, ConvergenceRun> runs_by_key;
     for (const auto& file : rows_files(stem)) {

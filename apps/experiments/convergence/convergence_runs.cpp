@@ -67,8 +67,8 @@ HeatMap success_map(const std::vector<ConvergenceRun>& runs, const Tolerances& s
   return map;
 }
 
-/// For each rotation the translation at which success first falls to a half, between the cells'
-/// centres by linear interpolation; NaN where it does not.
+/// Returns for each rotation the translation at which success first falls to a half, between the
+/// cells' centres by linear interpolation; NaN where it does not.
 Curve half_contour(const HeatMap& map) {
   Curve contour{"50 %", {}, map.y};
   const std::size_t columns = map.x.size();

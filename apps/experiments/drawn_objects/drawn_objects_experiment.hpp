@@ -25,9 +25,9 @@ class DrawnObjectsExperiment : public Experiment {
 
  protected:
   virtual std::string name() const = 0;
-  /// Of a row; the first is `piece`.
+  /// Returns the columns of a row; the first is `piece`.
   virtual std::vector<std::string> columns() const = 0;
-  /// After the block, of the files' names: what else the rows depend on.
+  /// Returns what comes after the block in the files' names: what else the rows depend on.
   virtual std::string variant(const ExperimentSettings& settings) const = 0;
   /// Runs one, with a folder of its own, and adds its rows. Returns what is wrong; empty: nothing.
   virtual std::string run_piece(const ObjectBlock& block, std::uint64_t piece,

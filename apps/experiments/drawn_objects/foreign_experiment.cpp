@@ -39,7 +39,8 @@ class ForeignObjects : public DrawnObjectsExperiment {
     }
     return {};
   }
-  /// Of a row's object. Pieces of furniture and boards are numbered; the others have names.
+  /// Returns the noun of a row's object. Pieces of furniture and boards are numbered; the others
+  /// have names.
   std::string noun(const ForeignResult& result) const {
     if (kind_ == DrawnKind::household) return result.object;
     return kind_ == DrawnKind::furniture ? "furniture" : "board";

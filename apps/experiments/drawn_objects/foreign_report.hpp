@@ -18,7 +18,7 @@ std::vector<std::string> foreign_columns();
 void add_foreign_rows(Table& table, std::uint64_t piece, const std::string& kind,
                       const ForeignResult& result);
 
-/// Of all shards, each frame once, by piece.
+/// Reads the rows of all shards, each frame once, by piece.
 Table read_foreign_rows(const std::vector<std::filesystem::path>& files);
 
 /// How many are right, trusted wrongly, left out; what is wrong with which piece.

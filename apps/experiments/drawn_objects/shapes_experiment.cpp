@@ -65,7 +65,7 @@ void print_report(const std::string& title, const Table& table) {
   }
 }
 
-/// Of all shards, each piece once.
+/// Returns the rows of all shards, each piece once.
 Table all_rows(const std::filesystem::path& stem) {
   std::map<double, Row> by_piece;
   for (const auto& file : rows_files(stem)) {

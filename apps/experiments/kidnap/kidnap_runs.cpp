@@ -45,7 +45,7 @@ Recording covered_recording(const ArticulatedModel& model, std::uint64_t number,
   return recording;
 }
 
-/// Along the line of sight, with a random turn of up to ten degrees.
+/// Throws it along the line of sight, with a random turn of up to ten degrees.
 Configuration thrown_behind(Configuration configuration, RandomDraws& random) {
   Eigen::Isometry3d& pose = configuration.T_camera_base;
   pose.translation() += kThrown * pose.translation().normalized();
@@ -53,7 +53,7 @@ Configuration thrown_behind(Configuration configuration, RandomDraws& random) {
   return configuration;
 }
 
-/// Of the recording; those after the event come again and again.
+/// Returns the number of the recording's frame; those after the event come again and again.
 std::size_t frame_shown_at(int number) {
   constexpr int kFirstInView = kFramesBeforeKidnap + kFramesCovered;
   if (number < kFirstInView) return static_cast<std::size_t>(number);

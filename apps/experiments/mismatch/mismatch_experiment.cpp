@@ -73,7 +73,7 @@ class Mismatch : public Experiment {
     return {"lockbox", "cabinet", "rigid_block", "board_door_block"};
   }
 
-  /// Of the files' names: what of the tracker is not as usual.
+  /// Returns what the files' names say of the tracker that is not as usual.
   std::string settings_text() const {
     std::string text;
     for (const std::string& parameter : parameters_) text += "_" + parameter;

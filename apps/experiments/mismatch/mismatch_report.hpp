@@ -12,7 +12,7 @@
 
 namespace lockbox::app {
 
-/// Those of deviation_kinds(), and the sensors `stereo` and `time-of-flight`.
+/// Returns those of deviation_kinds(), and the sensors `stereo` and `time-of-flight`.
 const std::vector<std::string>& mismatch_kinds();
 
 std::vector<std::string> mismatch_columns();

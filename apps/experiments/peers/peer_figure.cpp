@@ -9,7 +9,7 @@
 namespace lockbox::app {
 namespace {
 
-/// Of each frame the median over the runs.
+/// Returns of each frame the median over the runs.
 Curve typical_curve(const std::string& name, const std::vector<PeerRun>& runs,
                     const Measure& measure) {
   Curve curve{name, {}, {}};

@@ -19,7 +19,7 @@ double slide_mm(const PeerFrame& frame);
 
 double median(const std::vector<double>& values);
 
-/// Those on all frames of a sequence.
+/// Returns the runs on all frames of a sequence.
 std::vector<PeerRun> selected(const std::vector<PeerRun>& runs, const std::string& tracker,
                               const std::string& sequence);
 

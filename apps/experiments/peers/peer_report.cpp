@@ -70,7 +70,7 @@ void print(const TimeRow& row, const std::string& sequence) {
             << number_or_dash(row.cpu_median_ms) << '\n';
 }
 
-/// Of all frames but the first, where the tracker begins.
+/// Returns the row of all frames but the first, where the tracker begins.
 TimeRow time_row(const std::string& name, const std::vector<PeerRun>& runs,
                  Elapsed PeerFrame::*part) {
   const ErrorSummary wall = typical(

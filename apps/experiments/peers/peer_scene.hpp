@@ -21,7 +21,8 @@ struct PeerSequence {
   bool has_arm = false;  ///< an arm sweeps over the board in the middle third
 };
 
-/// With the sensors of white noise and of structured light: still, moving, and under an arm.
+/// Returns the sequences with the sensors of white noise and of structured light: still, moving,
+/// and under an arm.
 const std::vector<PeerSequence>& peer_sequences();
 
 /// The door from 0 to 60 degrees and the slide from 0 to 0.2 m over kPeerFrames, of which the first

@@ -24,7 +24,7 @@ struct SpeedRun {
 
   std::size_t frames_right() const;
 
-  /// At least 98 % of the frames right, without searching.
+  /// Returns whether at least 98 % of the frames are right, without searching.
   bool holds() const;
 };
 
@@ -42,7 +42,7 @@ struct StepRun {
   /// Frames until the error stays at noise level; 0 if it does not.
   int frames_to_noise_level() const;
 
-  /// Within five frames, without searching.
+  /// Returns whether it was found within five frames, without searching.
   bool is_in_time() const;
 };
 

@@ -21,8 +21,8 @@ std::optional<std::string> impossible_principal_point(const PinholeCamera& camer
 /// another resolution. Cut-outs of images may have such a one.
 std::optional<std::string> doubtful_principal_point(const PinholeCamera& camera);
 
-/// For messages about an image whose size is not the camera's: what probably happened, and by what
-/// factor the calibration would fit.
+/// Says in messages about an image whose size is not the camera's what probably happened, and by
+/// what factor the calibration would fit.
 std::string size_advice(const PinholeCamera& camera, int width, int height);
 
 }  // namespace lockbox

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kDepths = std::size_t{1} << 16U;
 constexpr float kMostUnits = std::numeric_limits<std::uint16_t>::max();
 
-/// By pixel.
+/// Returns the factors by pixel.
 std::vector<float> radial_factors(const PinholeCamera& camera, double radial) {
   std::vector<float> factors;
   factors.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));

@@ -44,7 +44,7 @@ class LiveConnection {
 /// that have come since are meant.
 class ReturnOfDevice {
  public:
-  /// To be made while the device is there.
+  /// Waits for the device. It has to be made while the device is there.
   explicit ReturnOfDevice(const openni::DeviceInfo& device);
 
   std::vector<std::string> candidates() const;

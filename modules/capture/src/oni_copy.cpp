@@ -90,8 +90,8 @@ std::uint64_t frame_room(const OniRecording& recording) {
   return most;
 }
 
-/// In the order that the player needs: the size of the images first. The pixel format of OpenNI 1
-/// would reset that of OpenNI2.
+/// Adds the properties in the order that the player needs: the size of the images first. The pixel
+/// format of OpenNI 1 would reset that of OpenNI2.
 void add_properties(const OniRecording& recording, CopyWriter& writer) {
   constexpr std::size_t kCroppingSize = 12;
   constexpr std::uint64_t kGreatestDepth = 65535;

@@ -72,7 +72,8 @@ bool OniNode::set_property(OniRecord& record) {
   return !is_change || (is_depth() && follow_change(record, property));
 }
 
-/// As the player does, which takes the room for images and the greatest depth from the beginning.
+/// Follows a change as the player does, which takes the room for images and the greatest depth from
+/// the beginning.
 bool OniNode::follow_change(const OniRecord& record, const OniProperty& property) {
   const std::string& name = property.name;
   if (is_one_of(name, {"oniRequiredFrameSize", "RequiredDataSize", "xnDeviceMaxDepth"})) {
@@ -89,8 +90,8 @@ bool OniNode::follow_change(const OniRecord& record, const OniProperty& property
   return true;
 }
 
-/// To the player, the pixel format of OpenNI 1 says that depth is in millimetres, until that of
-/// OpenNI2 comes.
+/// Keeps the property. To the player, the pixel format of OpenNI 1 says that depth is in
+/// millimetres, until that of OpenNI2 comes.
 void OniNode::keep(const OniProperty& property) {
   if (is_depth() && property.name == "xnPixelFormat") {
     properties_["oniPixelFormat"] = whole_number(kMillimetres);

@@ -20,7 +20,7 @@ class OniNode {
  public:
   using Properties = std::map<std::string, std::vector<std::uint8_t>>;
 
-  /// From a record of the three kinds of node_added.
+  /// Makes a node from a record of the three kinds of node_added.
   explicit OniNode(OniRecord& record);
 
   bool is_stream() const { return type_ != OniNodeType::device; }
@@ -35,7 +35,7 @@ class OniNode {
   /// How images lie at this place of the file. Cropping counts for depth only.
   OniImage image() const;
 
-  /// Those that say what the images mean, at this place of the file.
+  /// Returns those properties that say what the images mean, at this place of the file.
   const Properties& properties() const { return properties_; }
 
   /// Has the recorder written the number of frames, which it does at the end?
@@ -48,7 +48,7 @@ class OniNode {
   /// The player must know how to decode the depth.
   void check_codec(const OniRecord& record) const;
 
-  /// From any property record. Returns whether the node is what it was, or has changed into
+  /// Takes any property record. Returns whether the node is what it was, or has changed into
   /// something that can be followed.
   bool set_property(OniRecord& record);
 
@@ -62,7 +62,7 @@ class OniNode {
     std::uint64_t record;     ///< offset
   };
 
-  /// From a new_data record.
+  /// Takes a new_data record.
   const Frame& add_frame(OniRecord& record);
 
   /// Whether the player has room for the depth image at this place of the file.
@@ -70,7 +70,7 @@ class OniNode {
 
   void remove(const OniRecord& record);
 
-  /// At the end mark: all frames are there, and none is later than the header says.
+  /// Checks at the end mark that all frames are there, and none is later than the header says.
   void check_complete(const OniFile& file, const OniHeader& header) const;
 
   /// The frames are where the seek table says, and the player can read it.

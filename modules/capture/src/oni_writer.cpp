@@ -47,7 +47,7 @@ std::size_t digest(const std::vector<std::uint16_t>& depth) {
                                                         depth.size() * sizeof(std::uint16_t)));
 }
 
-/// For what is compared at the end; it is better to hear of it before.
+/// Requires the folder for what is compared at the end: it is better to hear of it before.
 void require_temporary_folder() {
   static_cast<void>(std::filesystem::temp_directory_path());
 }
@@ -136,7 +136,8 @@ struct OniWriter::Impl {
     }
   }
 
-  /// To the recorder the device is unplugged; it takes what is still under way, and ends.
+  /// Ends the recording: to the recorder the device is unplugged. It takes what is still under way,
+  /// and ends.
   void close() {
     sender.reset();
     while (recorder->is_running()) {

@@ -117,7 +117,7 @@ constexpr bool begins_image(std::uint8_t marker) {
          marker != kConditioning;
 }
 
-/// From the first 9 bytes of a segment that begins an image.
+/// Reads the size from the first 9 bytes of a segment that begins an image.
 std::size_t image_size(std::span<const std::uint8_t> segment) {
   const std::size_t height = std::size_t{segment[5]} << 8 | segment[6];
   return height * (std::size_t{segment[7]} << 8 | segment[8]);

@@ -22,7 +22,7 @@ std::optional<CameraCalibration> given_calibration(const SourceOptions& options)
 /// distorted one: interpolating would invent surfaces between foreground and background.
 class Rectification {
  public:
-  /// Without a calibration, frames pass unchanged.
+  /// Prepares to rectify frames. Without a calibration, they pass unchanged.
   explicit Rectification(std::optional<CameraCalibration> calibration);
 
   /// Throws InputError(where, ...) if the image has another size than the calibration.

@@ -18,7 +18,7 @@ class SpoiledFrames {
   /// problem: names the file.
   void add(const std::string& problem);
 
-  /// To be called when all frames were delivered; tells the count once.
+  /// Tells the count once. It is to be called when all frames were delivered.
   void finish(std::size_t frames);
 
   std::size_t count() const { return count_; }

@@ -14,7 +14,7 @@ class PixelRays {
         per_fx_(static_cast<float>(1.0 / camera.fx)),
         per_fy_(static_cast<float>(1.0 / camera.fy)) {}
 
-  /// Of column u and row v, metres per metre of depth.
+  /// Returns x of column u, as y() does of row v, metres per metre of depth.
   float x(int u) const { return (static_cast<float>(u) - cx_) * per_fx_; }
   float y(int v) const { return (static_cast<float>(v) - cy_) * per_fy_; }
 

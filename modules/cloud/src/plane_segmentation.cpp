@@ -94,7 +94,8 @@ class PlaneModel : public pcl::SampleConsensusModelPlane<pcl::PointXYZ> {
   }
 };
 
-/// Of a x + b y + c w + d = 0 in ray coordinates; nothing for a plane through the camera.
+/// Makes the plane of a x + b y + c w + d = 0 in ray coordinates; nothing for a plane through the
+/// camera.
 std::optional<Plane> to_plane(const Eigen::VectorXf& abcd) {
   if (!abcd.allFinite() || std::abs(abcd[2]) < 1e-3F) {
     return std::nullopt;

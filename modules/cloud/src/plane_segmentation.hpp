@@ -31,8 +31,8 @@ std::vector<Plane> find_planes(const SampleGrid& grid, double noise);
 int nearest_plane(const std::vector<Plane>& planes, const Eigen::Vector3f& ray, float inverse_depth,
                   float tolerance);
 
-/// For each sample the plane that the surface around it lies in, or -1. A surface that only passes
-/// through a plane does not count: all measured neighbours have to be in the plane, too.
+/// Returns for each sample the plane that the surface around it lies in, or -1. A surface that only
+/// passes through a plane does not count: all measured neighbours have to be in the plane, too.
 std::vector<int> surface_planes(const SampleGrid& grid, const std::vector<Plane>& planes,
                                 float tolerance);
 

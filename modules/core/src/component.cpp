@@ -16,7 +16,7 @@ std::filesystem::path folder_of(const void* address_in_library) {
   return std::filesystem::weakly_canonical(here.dli_fname).parent_path();
 }
 
-/// In the nearest folder above the library that has one.
+/// Finds it in the nearest folder above the library that has one.
 std::filesystem::path folder_above(const void* address_in_library,
                                    const std::filesystem::path& name) {
   std::filesystem::path folder = folder_of(address_in_library);

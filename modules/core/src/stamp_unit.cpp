@@ -25,8 +25,8 @@ StampUnit nanoseconds() {
   return {1e9, "nanoseconds", true};
 }
 
-/// Of those that are greater than the one before; 0 if there are fewer than two: one alone may be a
-/// pause.
+/// Returns the median of the steps that are greater than 0; 0 if there are fewer than two: one
+/// alone may be a pause.
 double median_step(const std::vector<double>& stamps) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < stamps.size(); ++i) {

@@ -60,7 +60,7 @@ void DepthInformation::Workspace::place(const Configuration& configuration,
   }
 }
 
-/// Of the pixels of a row, as if they erred independently; their weights go into the images.
+/// Sums the pixels of a row, as if they erred independently; their weights go into the images.
 Eigen::MatrixXd DepthInformation::Workspace::sum_row(int v) {
   const Eigen::Index unknowns = tree.unknowns();
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(unknowns, unknowns);

@@ -88,7 +88,7 @@ void draw_surroundings(DrawnKind kind, const Eigen::AlignedBox3d& bounds, Random
   view.scene.planes.push_back(plane_at(lowest(sides.up) - below * sides.up, sides.up));
 }
 
-/// From straight ahead or from the side and above.
+/// Draws a pose seen from straight ahead, or from the side and above.
 Eigen::Isometry3d draw_pose(DrawnKind kind, const Eigen::Vector3d& front, bool is_oblique,
                             bool lies, RandomDraws& random) {
   const Sides sides = sides_of(kind);

@@ -76,8 +76,8 @@ bool contains(const std::vector<Eigen::Isometry3d>& motions, const Eigen::Isomet
   });
 }
 
-/// With what follows from two of them, one after the other. Turns that a small thing passes only
-/// because its field is coarse lead on and on: then as they were found.
+/// Returns them with what follows from two of them, one after the other. Turns that a small thing
+/// passes only because its field is coarse lead on and on: then as they were found.
 std::vector<Eigen::Isometry3d> closed(const std::vector<Eigen::Isometry3d>& found) {
   constexpr std::size_t kMost = 60;  // of what is not round, an icosahedron's
   std::vector<Eigen::Isometry3d> motions = found;
@@ -104,7 +104,7 @@ std::vector<Eigen::Isometry3d> flips(const std::vector<Eigen::Isometry3d>& motio
   return kept;
 }
 
-/// On the axes of all motions.
+/// Returns a point on the axes of all motions.
 Eigen::Vector3d fixed_point(const std::vector<Eigen::Isometry3d>& motions) {
   const auto rows = static_cast<Eigen::Index>(3 * motions.size());
   Eigen::MatrixXd moves(rows, 3);

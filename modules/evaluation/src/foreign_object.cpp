@@ -33,7 +33,7 @@ std::string list(const Eigen::VectorXd& values) {
   return text + ']';
 }
 
-/// Of a scene of planes and boxes around the object.
+/// Writes a scene of planes and boxes around the object.
 std::string scene_text(const Scene& scene) {
   std::string text = "moving: camera\nplanes:\n";
   for (const ScenePlane& plane : scene.planes) {

@@ -9,9 +9,9 @@ namespace lockbox::evaluation {
 
 using DrawFreeForm = FreeFormObject (*)(RandomDraws&);
 
-/// Those to tune with: mug, animal, elbow, pliers.
+/// Returns the kinds to tune with: mug, animal, elbow, pliers.
 std::span<const DrawFreeForm> tuning_kinds();
-/// Those of test blocks: bottle, can, tap, drill, hand, lamp.
+/// Returns the kinds of test blocks: bottle, can, tap, drill, hand, lamp.
 std::span<const DrawFreeForm> test_kinds();
 
 }  // namespace lockbox::evaluation

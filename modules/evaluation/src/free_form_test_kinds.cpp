@@ -27,7 +27,7 @@ FreeFormObject draw_bottle(RandomDraws& random) {
   return {"bottle", {{"bottle", revolved(profile)}}, {}};
 }
 
-/// With a dent that its rings are fine enough to show.
+/// Draws a can with a dent that its rings are fine enough to show.
 FreeFormObject draw_can(RandomDraws& random) {
   const double radius = random.uniform(0.033, 0.043);
   const double height = random.uniform(0.11, 0.17);

@@ -14,7 +14,7 @@
 namespace lockbox {
 namespace {
 
-/// By joint: whether the model has a part there, and the object has none.
+/// Returns by joint whether the model has a part there, and the object has none.
 std::vector<bool> missing_joints(const KinematicTree& tree, const KinematicTree& built) {
   std::vector<bool> missing;
   for (const Joint& joint : tree.joints) {

@@ -49,7 +49,7 @@ Twist flow_along_u(const SurfacePoint& p, double focal_length) {
   return flow;
 }
 
-/// The same along its columns.
+/// Returns the flow along its columns.
 Twist flow_along_v(const SurfacePoint& p, double focal_length) {
   const double scale = focal_length / p.z;
   Twist flow;

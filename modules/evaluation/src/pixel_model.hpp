@@ -31,7 +31,7 @@ class PixelModeler {
   PixelModeler(const SampledView& view, const PinholeCamera& camera, const SensorModel& sensor,
                int bodies);
 
-  /// Of pixel (u, v). The model's memory is reused.
+  /// Fills the model of pixel (u, v). Its memory is reused.
   void model(int u, int v, PixelModel& pixel) const;
 
  private:

@@ -138,12 +138,12 @@ class ViewShares {
   ViewShares(const KinematicTree& tree, const PinholeCamera& camera)
       : tree_(tree), inner_(reduced(camera, kReduction)), renderer_(wide(inner_), Executor(1)) {}
 
-  /// Of the object alone: the share of its view that lies in the image.
+  /// Returns, of the object alone, the share of its view that lies in the image.
   double in_image(const State& truth) {
     whole_ = draw(truth, nullptr);
     return whole_ == 0 ? 0.0 : static_cast<double>(draw_inner()) / static_cast<double>(whole_);
   }
-  /// After in_image: the share of its whole view that is in the image and unoccluded.
+  /// Returns, after in_image, the share of its whole view that is in the image and unoccluded.
   double visible(const State& truth, const PlacedScene& scene) {
     draw(truth, &scene);
     return static_cast<double>(draw_inner()) / static_cast<double>(whole_);

@@ -69,8 +69,8 @@ class ContourSurvey {
         slack_(slack),
         stretches_(stretch_count(image)) {}
 
-  /// From a pixel of what is drawn to its neighbour in that direction (index into kNeighbours), if
-  /// the surface ends between them.
+  /// Looks from a pixel of what is drawn to its neighbour in that direction (index into
+  /// kNeighbours), if the surface ends between them.
   void look_across(int u, int v, std::size_t direction) {
     const auto [du, dv] = kNeighbours[direction];
     if (!view_.contains(u + du, v + dv)) return;

@@ -23,7 +23,7 @@ class ExactFit {
   /// How the model compares with the image just there.
   RegistrationResult compare(const TiledCloud& cloud, const Configuration& there);
 
-  /// To where it comes to rest, unless less is explained then.
+  /// Moves it to where it comes to rest, unless less is explained then.
   void refine(SearchImage& image, Configuration& configuration);
 
   /// Parts within others would push away what is seen when it is registered: of these variables,

@@ -54,8 +54,8 @@ Partition partition(const TriangleMesh& mesh) {
   return result;
 }
 
-/// By side, whether more than half of its border goes on smoothly: then it is a piece of something
-/// round.
+/// Returns by side whether more than half of its border goes on smoothly: then it is a piece of
+/// something round.
 std::vector<bool> are_round(const TriangleMesh& mesh, const Partition& partition) {
   std::vector<double> border(partition.sides.size(), 0.0);
   std::vector<double> smooth(partition.sides.size(), 0.0);

@@ -39,7 +39,7 @@ struct HeightMapSize {
   int margin;     ///< cells more on each side
 };
 
-/// Of what is seen over the region's plane. noise: standard deviation of 1/depth of a pixel,
+/// Maps what is seen over the region's plane. noise: standard deviation of 1/depth of a pixel,
 /// 1/metre.
 HeightMap height_map(const CoarseView& view, const PlanarRegion& region, double noise,
                      const HeightMapSize& size);

@@ -196,7 +196,7 @@ HeightTemplate make_height_template(const KinematicTree& tree, int body, const E
   return height_template;
 }
 
-/// Of the model's large sides, the largest first.
+/// Makes templates of the model's large sides, the largest first.
 std::vector<HeightTemplate> templates_of_sides(
     const KinematicTree& tree,
     FunctionRef<HeightTemplate(int body, const Eigen::Vector3d& normal, double offset, int draws)>

@@ -42,8 +42,8 @@ std::size_t apart(const Positions& positions, std::size_t a, std::size_t b) {
   return positions.is_turn ? std::min(way, positions.size() - way) : way;
 }
 
-/// By how much the best of the positions' scores exceeds all that are not beside it; infinite where
-/// nothing is seen that could tell them apart.
+/// Returns by how much the best of the positions' scores exceeds all that are not beside it;
+/// infinite where nothing is seen that could tell them apart.
 double margin_of(const Positions& positions, const std::vector<double>& scores) {
   const auto begin = scores.begin();
   const auto end = begin + static_cast<std::ptrdiff_t>(positions.size());
@@ -57,7 +57,7 @@ double margin_of(const Positions& positions, const std::vector<double>& scores) 
   return *best - rival;
 }
 
-/// Those whose neighbours are no better, the best first.
+/// Returns those whose neighbours are no better, the best first.
 std::vector<std::size_t> best_peaks(const Positions& positions, const std::vector<double>& scores) {
   const std::size_t last = positions.size() - 1;
   const auto beyond = [&](std::size_t i) { return positions.is_turn ? scores[i] : -kInfinity; };
@@ -115,7 +115,7 @@ class JointScan {
     }
   }
 
-  /// Those of the list that move some of what this one moves, and nothing else.
+  /// Returns those of the list that move some of what this one moves, and nothing else.
   std::vector<int> carried_by(int variable) const {
     const auto& moved = moved_[static_cast<std::size_t>(variable)];
     std::vector<int> carried;
@@ -205,7 +205,7 @@ class JointScan {
     return {positions_in(range, steps), range.extent() / steps, range.is_turn};
   }
 
-  /// Of the positions and, last, of where the variable is.
+  /// Returns the scores of the positions and, last, of where the variable is.
   std::vector<double> scores_at(const std::vector<double>& positions, int variable,
                                 const std::vector<std::uint8_t>& left_out,
                                 const Configuration& configuration) {

@@ -19,8 +19,8 @@ class JointSearch {
   JointSearch(const SoughtModel& sought, const InitializerOptions& options, const ViewNoise& noise,
               ExactFit& exact, const Executor& executor);
 
-  /// Of an answer, all joints once more, then all of it made exact. A joint of a part
-  /// that is mostly hidden is told only if evidence speaks for its position against the others.
+  /// Seeks all joints of an answer once more, then makes all of it exact. A joint of a part that is
+  /// mostly hidden is told only if evidence speaks for its position against the others.
   void rescan(SearchImage& image, Assessment& assessment, Candidate& answer);
 
   /// These variables, each over its whole range, around a base that is known.

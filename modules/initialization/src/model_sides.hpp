@@ -16,7 +16,7 @@ struct ModelSide {
   Eigen::Vector3d normal;  ///< in the base's, at rest
 };
 
-/// Those that can be told in a view, by body.
+/// Returns the sides that can be told in a view, by body.
 std::vector<ModelSide> flat_sides(const KinematicTree& tree);
 
 /// How much of a side may be seen.

@@ -18,7 +18,7 @@ constexpr double kInContact = 1.0;  // cost: nothing to be moved for
 /// Surfaces that reach 0.14 mm into each other everywhere: no contact pressed by noise costs that.
 constexpr double kOverlapping = 1000.0;
 
-/// Of a variable's range, the nearest to where it stands first.
+/// Returns positions of a variable's range, the nearest to where it stands first.
 std::vector<double> positions_nearest_first(const KinematicTree& tree, int variable, double now) {
   std::vector<double> positions = positions_in(variable_range(tree, variable, now), kSteps);
   std::stable_sort(positions.begin(), positions.end(),

@@ -36,7 +36,7 @@ float angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Of which the distance is in (0, reach).
+/// Returns the feature of two points whose distance is in (0, reach).
 Feature feature(const OrientedPoint& a, const OrientedPoint& b, float reach) {
   const Eigen::Vector3f way = b.position - a.position;
   const float distance = way.norm();
@@ -88,7 +88,7 @@ Eigen::Isometry3f local_frame(const OrientedPoint& point) {
   return T;
 }
 
-/// Of the point about x, radians in (-pi, pi].
+/// Returns the turn of the point about x, radians in (-pi, pi].
 float turn_of(const Eigen::Isometry3f& T_local, const Eigen::Vector3f& point) {
   const Eigen::Vector3f p = T_local * point;
   return std::atan2(p.z(), p.y());
@@ -179,8 +179,8 @@ std::vector<PoseVote> PointPairs::vote_of(const std::vector<OrientedPoint>& scen
   return peaks(here, sums);
 }
 
-/// Of each point of the body the best turn; of these the best. A turn is where its bin and the one
-/// after it, into which it may fall as well, have most votes together.
+/// Returns the best of the best turns of each point of the body. A turn is where its bin and the
+/// one after it, into which it may fall as well, have most votes together.
 std::vector<PoseVote> PointPairs::peaks(const OrientedPoint& reference,
                                         const std::vector<std::uint16_t>& sums) const {
   struct Peak {

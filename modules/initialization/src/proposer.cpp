@@ -57,8 +57,8 @@ std::vector<Hypothesis> Proposer::by_sides(SearchImage& image, const PlanarScene
   return best_apart(std::move(all), breadth.matched, sought_.extent);
 }
 
-/// By base and matched body alone; or with all others as they are held, if that says more: closed,
-/// a cabinet is more than one of its fronts.
+/// Scores a match by base and matched body alone, or with all others as they are held, if that says
+/// more: closed, a cabinet is more than one of its fronts.
 void Proposer::score_match(SearchImage& image, const Configuration& held, bool is_close,
                            Hypothesis& hypothesis) const {
   hypothesis.score = image.score(hypothesis, kMatchSlack, kMatchTolerance, is_close);

@@ -28,7 +28,7 @@ class Proposer {
   /// most.
   std::vector<Hypothesis> by_points(SearchImage& image, const Configuration& held,
                                     const Breadth& breadth);
-  /// The same as those of the other bodies that tell, which are held there: joints are sought from
+  /// Proposes by points of the other bodies that tell, which are held there: joints are sought from
   /// them.
   std::vector<Hypothesis> by_points_of_others(SearchImage& image, const Configuration& held,
                                               const Breadth& breadth);

@@ -167,7 +167,7 @@ void Refinement::align_coarsely(SearchImage& image, const AlignOptions& align_op
       coarse_[Executor::worker()].align(object, configuration, align_options).configuration;
 }
 
-/// To where the drawing in the coarse view fits best.
+/// Moves it to where the drawing in the coarse view fits best.
 void Refinement::search_coordinates_far(SearchImage& image, Configuration& configuration) const {
   coordinate_search(sought_.model.tree, sought_.extent, sought_.variables,
                     std::span(&image.coarse_score(), 1), Executor(1), kSearchFar, configuration);

@@ -25,7 +25,7 @@ class Refinement {
   void pose(SearchImage& image, const Breadth& breadth, std::vector<Hypothesis>& hypotheses);
   /// Base and joints together, in the coarse view.
   void fit(SearchImage& image, const Breadth& breadth, std::vector<Hypothesis>& hypotheses);
-  /// The same at full resolution.
+  /// Fits at full resolution.
   void fit_closely(SearchImage& image, const Breadth& breadth, std::vector<Hypothesis>& hypotheses);
 
  private:

@@ -49,7 +49,7 @@ class SearchImage {
   /// The cloud without the planes that are mostly elsewhere than the model. Valid until the next
   /// call of it.
   const TiledCloud& object(const Configuration& configuration);
-  /// The same of the coarse view, for each worker.
+  /// Returns the same of the coarse view, for each worker.
   const TiledCloud& coarse_object(const Configuration& configuration);
 
   /// What the bodies explain that the hypothesis knows of, in the coarse view or the finer one.
@@ -61,7 +61,7 @@ class SearchImage {
 
   /// The worker's drawing in the coarse view.
   ViewScore& coarse_score() { return coarse_[Executor::worker()]; }
-  /// Those of all workers in the finer one.
+  /// Returns the scores of all workers in the finer view.
   std::span<ViewScore> fine_scores() { return fine_; }
 
  private:

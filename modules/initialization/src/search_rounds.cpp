@@ -204,7 +204,7 @@ std::vector<Hypothesis> SearchRounds::followed(SearchImage& image,
   return hypotheses;
 }
 
-/// From no better a start a hypothesis comes to no better an end.
+/// Leaves out what was followed: from no better a start a hypothesis comes to no better an end.
 void SearchRounds::leave_out_followed(std::vector<Hypothesis>& hypotheses) {
   std::erase_if(hypotheses, [&](const Hypothesis& hypothesis) {
     return std::any_of(posed_.begin(), posed_.end(), [&](const Hypothesis& before) {

@@ -41,7 +41,7 @@ class SearchRounds {
   std::vector<Candidate> seek(SearchImage& image, const Configuration& held, int most_rounds,
                               SearchProgress& progress);
 
-  /// Of the image that was sought in last.
+  /// Returns the assessment of the image that was sought in last.
   Assessment& assessment() { return assessment_; }
 
  private:

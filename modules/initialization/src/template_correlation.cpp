@@ -38,7 +38,7 @@ int nearest_cell(float position) {
   return static_cast<int>(position + (kBeyondAll + 0.5F)) - kBeyondAll;
 }
 
-/// As many as can be summed up at once.
+/// Returns as many columns as can be summed up at once.
 int padded(int columns) {
   constexpr int kBlock = static_cast<int>(kernels::kWindowBlock);
   return (columns + kBlock - 1) / kBlock * kBlock;

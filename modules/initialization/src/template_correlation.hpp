@@ -31,7 +31,7 @@ class TemplateCorrelation {
   /// Sums up the template turned by the angle, radians, for all its shifts (columns x rows).
   void turn_to(double angle);
 
-  /// Of the turn, at that shift of kShiftStep cells each.
+  /// Returns the sum of the turn, at that shift of kShiftStep cells each.
   int sum(int column, int row) const {
     return int{sums_[static_cast<std::size_t>(row) * static_cast<std::size_t>(padded_columns_) +
                      static_cast<std::size_t>(column)]};
@@ -46,8 +46,8 @@ class TemplateCorrelation {
  private:
   using Score = std::int16_t;
 
-  /// Of the scores of one expectation: by parity of the row, of the column, then every other row
-  /// and column, so that shifts by two cells are neighbours.
+  /// Returns the index of a score of one expectation: by parity of the row, of the column, then
+  /// every other row and column, so that shifts by two cells are neighbours.
   std::size_t index(int x, int y) const {
     const int plane = (y & 1) * kShiftStep + (x & 1);
     return (static_cast<std::size_t>(plane) * static_cast<std::size_t>(plane_rows_) +

@@ -60,7 +60,8 @@ std::vector<Peak> strongest(std::vector<Peak> peaks, int turns, double apart, st
   return kept;
 }
 
-/// To the best of the neighbouring poses, one unknown after the other, until none is better.
+/// Moves the peak to the best of the neighbouring poses, one unknown after the other, until none is
+/// better.
 void search_coordinates_of_peak(const TemplateCorrelation& correlation, double step, Peak& peak) {
   const auto score = [&](const Peak& at) {
     return correlation.exactly(step * at.turn, at.x, at.y);

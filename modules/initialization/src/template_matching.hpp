@@ -18,7 +18,7 @@ struct TemplateMatch {
   int score;                        ///< comparable among the matches of one template
 };
 
-/// Of maps onto which all of these, at least one, can be laid.
+/// Returns the size of maps onto which all of these, at least one, can be laid.
 HeightMapSize map_size(const std::vector<HeightTemplate>& templates);
 
 /// The best placements of the template on the map's plane, best first, at most `most`, apart from

@@ -155,7 +155,7 @@ double ViewScore::share_in_view(const std::vector<std::uint8_t>& bodies) const {
   return facing > 0.0 ? inside / facing : 0.0;
 }
 
-/// Of what whole_ shows.
+/// Counts the pixels of what whole_ shows.
 ViewEvidence ViewScore::count_pixels() const {
   const RenderedDepth& image = whole_.image;
   const ImageWindow& drawn = image.drawn;

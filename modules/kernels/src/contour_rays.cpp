@@ -16,7 +16,7 @@ HWY_INLINE Float constant(const float value) {
   return hn::Set(FloatTag(), value);
 }
 
-/// Of a vector that is not zero.
+/// Returns 1 / length of a vector that is not zero.
 HWY_INLINE Float inverse_length(const Float squared) {
   return hn::Div(constant(1.0F), hn::Sqrt(hn::Max(squared, constant(1e-12F))));
 }

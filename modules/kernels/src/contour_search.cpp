@@ -69,7 +69,7 @@ struct Walks {
             hn::AndNot(known, inside)};
   }
 
-  /// Of the centre of a pixel, metres outwards from the model's contour.
+  /// Returns the position of the centre of a pixel, metres outwards from the model's contour.
   HWY_INLINE Number position(const Number k) const {
     const Number u = hn::Sub(pixel_at(k, 0), start[0]);
     const Number v = hn::Sub(pixel_at(k, 1), start[1]);
@@ -166,7 +166,8 @@ HWY_INLINE Limits limits_of(const ContourImage& image, const ContourSearch& sear
           reach, hn::Ceil(hn::Min(hn::Div(reach, walks.pixel_size), constant(kFarthest)))};
 }
 
-/// Between the last pixel of the surface and the next known one, which shows what lies beyond.
+/// Stores where the contour passes, between the last pixel of the surface and the next known one,
+/// which shows what lies beyond.
 HWY_INLINE void store(const Walks& walks, const ContourImage& image, const Limits& limits,
                       const Found& surface, double* offset, double* variance) {
   const Tag tag;

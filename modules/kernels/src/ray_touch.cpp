@@ -91,8 +91,9 @@ HWY_INLINE void come_nearest(const FieldView& field, const RaySpan& rays,
   }
 }
 
-/// Along a side that is turned to the camera: steps along the ray lead into the body, and back onto
-/// its surface, until the side ends. From there on the edge is what is nearest to the ray.
+/// Slides back along a side that is turned to the camera: steps along the ray lead into the body,
+/// and back onto its surface, until the side ends. From there on the edge is what is nearest to the
+/// ray.
 HWY_INLINE void slide_back(const FieldView& field, const Rays& rays, Nearest& at) {
   const FloatTag df;
   auto goes_on = hn::Eq(hn::Zero(df), hn::Zero(df));

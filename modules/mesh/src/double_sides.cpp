@@ -40,8 +40,8 @@ Sides find_sides(const TriangleMesh& mesh) {
   return sides;
 }
 
-/// For each pair, whether it lies where two solids touch, or is a sheet without thickness: where
-/// its patch ends, single triangles go on without it, two by two.
+/// Returns for each pair whether it lies where two solids touch, or is a sheet without thickness:
+/// where its patch ends, single triangles go on without it, two by two.
 std::vector<std::uint8_t> find_contacts(const TriangleMesh& mesh, const Sides& sides) {
   TriangleMesh patches{mesh.vertices, {}};
   for (const auto& [one, other] : sides.pairs) patches.triangles.push_back(mesh.triangles[one]);

@@ -20,7 +20,7 @@ constexpr std::size_t kMostBytes = 1'000'000'000;
 /// numbers are still far from the end of a double's range.
 constexpr double kFarthest = 1e6;
 
-/// Also of what has no size before it is read, like a pipe.
+/// Reads a file, also one that has no size before it is read, like a pipe.
 std::string read_content(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {

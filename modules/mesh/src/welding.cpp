@@ -67,15 +67,15 @@ class VertexIndex {
   std::unordered_multimap<Cell, std::uint32_t, CellHash> cells_;
 };
 
-/// The same for the same corners in the same sense of rotation.
+/// Returns what is the same for the same corners in the same sense of rotation.
 std::array<std::uint32_t, 3> smallest_first(std::array<std::uint32_t, 3> triangle) {
   std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
   return triangle;
 }
 
-/// Of triangles that repeat others, those without which edges would have an odd number of faces:
-/// two solids that overlap with a face in common need both, a face that a file holds twice does
-/// not.
+/// Returns, of triangles that repeat others, those without which edges would have an odd number of
+/// faces: two solids that overlap with a face in common need both, a face that a file holds twice
+/// does not.
 std::vector<std::array<std::uint32_t, 3>> needed_twice(
     const TriangleMesh& mesh, const std::vector<std::array<std::uint32_t, 3>>& repeated) {
   if (repeated.empty()) return {};

@@ -73,7 +73,7 @@ void merge_visuals(Body& body) {
   body.encloses_solid = encloses_solid(body.mesh);
 }
 
-/// For each body the joints that hang on it, sorted by content.
+/// Returns for each body the joints that hang on it, sorted by content.
 std::vector<std::vector<int>> sorted_children(const RigidBodies& rigid) {
   std::vector<std::vector<int>> children(rigid.bodies.size());
   std::vector<Content> contents(rigid.joints.size());

@@ -12,8 +12,7 @@ namespace lockbox {
 /// nothing, by its extension; nothing if it may be a URDF. Reads no more than the first bytes.
 std::optional<std::string> foreign_model(const std::filesystem::path& file);
 
-/// The same for an XML file whose first element is not <robot>: what begins so, and what to do, or
-/// "".
+/// Says of an XML file whose first element is not <robot> what begins so, and what to do, or "".
 std::string foreign_root(const std::string& element);
 
 }  // namespace lockbox

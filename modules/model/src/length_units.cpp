@@ -32,7 +32,7 @@ struct PossibleUnit {
   double logarithm;  ///< of its probability, but for a constant
 };
 
-/// Those that make the number the size of a thing, the most probable first.
+/// Returns the units that make the number the size of a thing, the most probable first.
 std::vector<PossibleUnit> possible_units(double number, double usual) {
   std::vector<PossibleUnit> units;
   for (const UnitShare& candidate : kUnits) {

@@ -32,7 +32,7 @@ bool are_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return move.translation().norm() < kSamePlace && log_so3(move.linear()).norm() < kSameTurn;
 }
 
-/// At which the joint makes that motion, if there is one.
+/// Returns the position at which the joint makes that motion, if there is one.
 std::optional<double> position_of(const Joint& joint, const Eigen::Isometry3d& motion) {
   const Eigen::Vector3d turn = log_so3(motion.linear());
   if (joint.type == JointType::prismatic) {

@@ -41,7 +41,7 @@ bool is_like_a_key(std::string_view word) {
   return false;
 }
 
-/// For text that is no YAML: whether a line begins, at the margin, with a key.
+/// Returns, for text that is no YAML, whether a line begins, at the margin, with a key.
 bool has_line_of_a_key(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {

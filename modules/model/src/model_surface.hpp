@@ -16,18 +16,18 @@ namespace lockbox {
 class ModelSurface {
  public:
   ModelSurface(const ArticulatedModel& model, const Configuration& configuration);
-  /// Of some bodies alone, in the base's frame.
+  /// Makes the surface of some bodies alone, in the base's frame.
   ModelSurface(const ArticulatedModel& model, Configuration configuration,
                std::vector<std::size_t> bodies);
-  /// Of one body in its own frame.
+  /// Makes the surface of one body in its own frame.
   ModelSurface(const ArticulatedModel& model, std::size_t body);
 
   const Eigen::Isometry3d& pose(std::size_t body) const { return poses_[body]; }
 
-  /// Of the area.
+  /// Returns the centre of the area.
   Eigen::Vector3d centre() const { return first_ / area_; }
 
-  /// Those of the base, and the principal ones.
+  /// Returns the axes of the base, and the principal ones.
   Eigen::Matrix<double, 3, 6> axes() const;
 
   /// Where an axis of that direction is that most of the surface turns about: normals of a surface
@@ -50,7 +50,7 @@ class ModelSurface {
 
  private:
   void sample();
-  /// To the union of the bodies, negative inside, metres.
+  /// Returns the distance to the union of the bodies, negative inside, metres.
   double distance(const Eigen::Vector3d& p) const;
   /// Exact for triangles: the means over the mid-points of their sides.
   void add_moments(const TriangleMesh& mesh);

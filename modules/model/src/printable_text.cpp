@@ -18,7 +18,7 @@ std::size_t character_length(unsigned char first) {
   return 0;
 }
 
-/// Of the character that the text begins with; 0 if it is none, or is cut off.
+/// Returns the length of the character that the text begins with; 0 if it is none, or is cut off.
 std::size_t printable_length(std::string_view text) {
   const std::size_t length = character_length(static_cast<unsigned char>(text.front()));
   if (length > text.size()) return 0;

@@ -68,7 +68,7 @@ std::string or_meant(const VisualExtent& visual, const SizeContext& context, dou
               : scale_text(visual, factor));
 }
 
-/// By how much the numbers of the file were multiplied.
+/// Returns by how much the numbers of the file were multiplied.
 double total_scale(const VisualExtent& visual, const SizeContext& context) {
   return std::cbrt(visual.scale.cwiseAbs().prod()) * context.mesh_scale;
 }

@@ -42,7 +42,8 @@ double largest_seen(const std::vector<double>& lengths) {
   return largest;
 }
 
-/// Of all other visuals and of the joints, as far as depth cameras see them.
+/// Returns the largest size of all other visuals and of the joints, as far as depth cameras see
+/// them.
 double largest_beside(const std::vector<VisualExtent>& visuals, const VisualExtent& visual,
                       const std::vector<double>& others) {
   double largest = largest_seen(others);

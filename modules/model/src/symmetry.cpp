@@ -22,7 +22,7 @@ Eigen::Isometry3d turned(const Eigen::Vector3d& centre, const Eigen::Vector3d& a
          Eigen::Translation3d(-centre);
 }
 
-/// In a plane through the centre.
+/// Returns the mirroring in a plane through the centre.
 Eigen::Affine3d mirrored(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal) {
   const Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose();
   return Eigen::Translation3d(centre) * Eigen::Affine3d(mirror) * Eigen::Translation3d(-centre);

@@ -18,7 +18,7 @@ class XmlElement {
   /// subject: what the element describes, e.g. "joint 'door'"; it begins every refusal.
   XmlElement(const std::string& file, const tinyxml2::XMLElement& element, std::string subject);
 
-  /// The same element, described otherwise. Its children inherit the subject.
+  /// Returns the same element, described otherwise. Its children inherit the subject.
   XmlElement about(std::string subject) const;
 
   std::string name() const;
@@ -40,7 +40,8 @@ class XmlElement {
   std::optional<std::vector<double>> numbers(const std::string& name, std::size_t count) const;
   std::optional<double> number(const std::string& name) const;
 
-  /// Of something that does not matter: as it is, empty where there is none or it is no text.
+  /// Returns an attribute that does not matter as it is, empty where there is none or it is no
+  /// text.
   std::string plain_attribute(const std::string& name) const;
 
   [[noreturn]] void refuse(const std::string& problem) const;

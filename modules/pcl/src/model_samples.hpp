@@ -39,7 +39,7 @@ class ModelSamples {
   std::vector<BodySamples> bodies_;
 };
 
-/// Between samples so that the model gets about so many of them, metres.
+/// Returns the spacing of samples with which the model gets about so many of them, metres.
 double sample_spacing(const ArticulatedModel& model, std::size_t count);
 
 }  // namespace lockbox

@@ -16,8 +16,8 @@ struct SurfacePair {
   float squared_distance;  ///< to its surface, m^2
 };
 
-/// Of the points in tiles near the model an even selection of at most max_pairs, without those
-/// that lie farther than reach (metres) from every body.
+/// Returns an even selection of the points in tiles near the model, at most max_pairs, without
+/// those that lie farther than reach (metres) from every body.
 std::vector<SurfacePair> surface_pairs(const ArticulatedModel& model,
                                        const std::vector<Eigen::Isometry3d>& T_camera_body,
                                        const PointTiles& points, double reach,

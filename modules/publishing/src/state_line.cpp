@@ -39,7 +39,7 @@ Json pose_of(const Eigen::Isometry3d& T_camera_base) {
        {{"x", number(r.x())}, {"y", number(r.y())}, {"z", number(r.z())}, {"w", number(r.w())}}}};
 }
 
-/// Of all movable joints.
+/// Returns the positions of all movable joints.
 Json positions_of(const KinematicTree& tree, const Configuration& configuration) {
   Json positions = Json::array();
   for (const int index : tree.file_order) {

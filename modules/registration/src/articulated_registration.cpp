@@ -15,7 +15,8 @@
 namespace lockbox {
 namespace {
 
-/// Of turns that change what is seen: not about the axes, of which two or more are those of a ball.
+/// Returns the deviation of turns that change what is seen: not about the axes, of which two or
+/// more are those of a ball.
 double turning_sigma(const Eigen::Matrix3d& covariance,
                      const std::vector<Eigen::Vector3d>& round_axes) {
   if (round_axes.size() > 1) return 0.0;
@@ -52,7 +53,7 @@ struct ArticulatedRegistration::Stages {
   void refine_without_edges(const Comparison& with, const Configuration& start,
                             const AlignOptions& align_options, const Linearization& at,
                             SolutionSystem& system, Estimate& refined, JointMatches& seen);
-  /// Before edges add to it.
+  /// Estimates the covariance before edges add to it.
   void estimate_covariance(const SolutionSystem& system, const JointMatches& seen,
                            CovarianceEstimator& estimated) const;
   /// The consistency check; meanwhile: what is done along with it.

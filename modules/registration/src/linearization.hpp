@@ -24,7 +24,8 @@ struct Linearization {
   class Place {
    public:
     bool is(const PredictedView& view, const Configuration& configuration, double sigma) const;
-    /// The same view, surfaces at most so many metres from there, and gates no wider.
+    /// Returns whether it is the same view, with surfaces at most so many metres from there, and
+    /// gates no wider.
     bool is_near(const PredictedView& view, const Configuration& configuration, double sigma,
                  double metres, const MotionMetric& moves) const;
     void set(const PredictedView& view, const Configuration& configuration, double sigma);

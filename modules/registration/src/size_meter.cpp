@@ -38,7 +38,8 @@ constexpr std::size_t kMostFacePoints = 3000;
 /// Of the length of a field's gradient from 1: near edges it is shorter.
 constexpr double kFlat = 0.03;
 
-/// Of a residual with this variance: 1 where it is small, 0 for outliers beyond the gate.
+/// Returns the share of inliers of a residual with this variance: 1 where it is small, 0 for
+/// outliers beyond the gate.
 double inlier_share(double residual, double variance, double gate) {
   const double gaussian = std::exp(-0.5 * residual * residual / variance);
   return gaussian / (gaussian + std::exp(-0.5 * gate * gate));
@@ -83,7 +84,7 @@ Eigen::Matrix<double, Eigen::Dynamic, 2> SizeMeter::effect() {
   return factors_.solve(of_size).topRows(size);
 }
 
-/// Of the surface that is visible, where it is flat.
+/// Chooses points of the surface that is visible, where it is flat.
 void SizeMeter::choose_faces(const PredictedView& view) {
   face_points_.clear();
   Eigen::AlignedBox3d bounds;

@@ -30,7 +30,7 @@ class Steps {
 
   const MotionMetric& moves() const { return moves_; }
   const StepScale& scale() const { return scale_; }
-  /// By unknown: whether it stays where it is in all alignments.
+  /// Returns by unknown whether it stays where it is in all alignments.
   const std::vector<bool>& held() const { return held_; }
 
  private:

@@ -83,7 +83,7 @@ Canvas resize(const ImageWindow& window, std::vector<float>& inverse_z, Image& i
   return {window, inverse_z.data(), image.id.data()};
 }
 
-/// Of rows that hold 1/z in the part that was drawn.
+/// Finds the depths of rows that hold 1/z in the part that was drawn.
 void find_depths(int first_row, int end_row, RenderedDepth& image) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (int row = first_row; row < end_row; ++row) {
@@ -152,7 +152,8 @@ void DepthRenderer::Workspace::project(std::size_t vertex_range) {
   is_cut[vertex_range] = cut ? 1 : 0;
 }
 
-/// Of a solid, fronts hide all backs, unless the near plane cuts it open.
+/// Finds backs that can be seen. Of a solid, fronts hide all backs, unless the near plane cuts it
+/// open.
 void DepthRenderer::Workspace::find_visible_backs(std::span<const RenderItem> items) {
   shows_backs.resize(items.size());
   std::transform(items.begin(), items.end(), shows_backs.begin(),

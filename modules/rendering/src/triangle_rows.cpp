@@ -29,7 +29,8 @@ struct Spans {
   HWY_ALIGN float inverse_z[kBandRows];
 };
 
-/// With MulAdd, which no compiler contracts anew in each place: neighbours get the same column.
+/// Returns the column by MulAdd, which no compiler contracts anew in each place: neighbours get the
+/// same column.
 HWY_INLINE Vector column_of(const Edge& edge, const Vector row) {
   const Rows tag;
   return hn::MulAdd(hn::Sub(row, hn::Set(tag, edge.v)), hn::Set(tag, edge.slope),

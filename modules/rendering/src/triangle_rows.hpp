@@ -19,7 +19,7 @@ struct Canvas {
   float* inverse_z;  ///< 0 is infinitely far
   std::int16_t* ids;
 
-  /// Of a column and row of the camera's image, in these arrays.
+  /// Returns the index of a column and row of the camera's image in these arrays.
   std::size_t index(int u, int v) const {
     return static_cast<std::size_t>(v - window.top) * static_cast<std::size_t>(window.width) +
            static_cast<std::size_t>(u - window.left);

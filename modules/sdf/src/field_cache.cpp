@@ -69,8 +69,8 @@ bool write_all(int descriptor, const std::string& bytes) {
   return true;
 }
 
-/// Without a name until it is complete: a process that is ended meanwhile leaves nothing. False if
-/// the file system has no such files.
+/// Writes a file that has no name until it is complete: a process that is ended meanwhile leaves
+/// nothing. False if the file system has no such files.
 bool write_nameless(const std::filesystem::path& file, const std::string& bytes) {
   const int descriptor = ::open(file.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
   if (descriptor < 0) return false;

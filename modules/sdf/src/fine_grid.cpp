@@ -28,7 +28,8 @@ double least_bytes(const Solid& solid, double voxel, double band) {
   return solid.area() * band / (block * block * block) * kBytesPerBlock;
 }
 
-/// Of the table of all blocks within the bounds. A small surface that reaches far has a large one.
+/// Returns the size of the table of all blocks within the bounds. A small surface that reaches far
+/// has a large one.
 double table_bytes(const Solid& solid, double voxel, double band) {
   const Eigen::Array3d covered = solid.bounds().sizes().array() + 2.0 * band;
   return (covered / (kBlockCells * voxel) + 1.0).prod() * kTableBytesPerBlock;

@@ -16,12 +16,12 @@ struct FineGrid {
   double bytes() const;
 };
 
-/// With the voxel and band that the options ask for, or with the finest that keep the budget.
-/// Throws InputError for a field beyond the memory limit, before its memory is taken.
+/// Chooses the grid with the voxel and band that the options ask for, or with the finest that keep
+/// the budget. Throws InputError for a field beyond the memory limit, before its memory is taken.
 FineGrid choose_fine_grid(const Solid& solid, const FieldOptions& options,
                           const Executor& executor);
 
-/// With that voxel and the usual band; nothing if that exceeds the budget.
+/// Returns the grid with that voxel and the usual band; nothing if that exceeds the budget.
 std::optional<FineGrid> grid_within_budget(const Solid& solid, double voxel,
                                            const FieldOptions& options, const Executor& executor);
 

@@ -41,7 +41,7 @@ class BuriedRemover {
   BuriedRemover(const TriangleMesh& mesh, const WindingTree& winding)
       : mesh_(mesh), winding_(winding), parts_(mesh), diagonal_(bounds(mesh).diagonal().norm()) {}
 
-  /// Of the triangles in [begin, end).
+  /// Cuts the triangles in [begin, end).
   Exposed cut(std::size_t begin, std::size_t end) const {
     Exposed exposed;
     for (std::size_t t = begin; t < end; ++t) {
@@ -108,7 +108,8 @@ class BuriedRemover {
     return left_whole && right_whole;
   }
 
-  /// Of the parts that come near the box, the finest piece; infinity if none does.
+  /// Returns the length of the finest piece of the parts that come near the box; infinity if none
+  /// does.
   double probed_length(const Eigen::AlignedBox3d& box, const std::vector<Bounded>& others) const {
     double length = std::numeric_limits<double>::infinity();
     for (const Bounded& other : others) {
@@ -119,7 +120,7 @@ class BuriedRemover {
 
   static constexpr std::size_t kProbes = 4;
 
-  /// Of four points, the middle and some near the corners.
+  /// Counts the exposed ones of four points, the middle and some near the corners.
   std::size_t count_exposed(const Corners& piece, const Eigen::Vector3d& normal) const {
     const Eigen::Vector3d middle = (piece[0] + piece[1] + piece[2]) / 3.0;
     std::size_t count = is_exposed(middle, normal) ? 1 : 0;

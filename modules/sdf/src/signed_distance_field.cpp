@@ -72,7 +72,7 @@ const std::int16_t* cell_of_block(const FieldView& view, std::int32_t first, con
   return view.samples + first + cell.x() + cell.y() * kBlockStrides.y + cell.z() * kBlockStrides.z;
 }
 
-/// The same values with the axis of the steepest change last.
+/// Returns the same values with the axis of the steepest change last.
 CellCorners steepest_axis_last(const CellCorners& corners) {
   int steepest = 0;
   interpolate(corners, Array3f::Constant(0.5F), 1.0F).gradient.cwiseAbs().maxCoeff(&steepest);
@@ -85,7 +85,7 @@ CellCorners steepest_axis_last(const CellCorners& corners) {
   return swapped;
 }
 
-/// Of the four values of a unit square, at (x, y).
+/// Interpolates the four values of a unit square at (x, y).
 double bilinear(const float* corners, double x, double y) {
   const auto along_x = [&](const float* pair) {
     return static_cast<double>(pair[0]) + x * static_cast<double>(pair[1] - pair[0]);

@@ -24,8 +24,8 @@ void require_valid(const TriangleMesh& mesh) {
   }
 }
 
-/// Before anything is computed that takes long for such a size. Twice as large, twice as much may
-/// be wrong with what is let through; depth cameras see some metres.
+/// Refuses a size before anything is computed that takes long for it. Twice as large, twice as much
+/// may be wrong with what is let through; depth cameras see some metres.
 void require_size_of_a_thing(const TriangleMesh& mesh) {
   constexpr double kLargest = 100.0;  // metres
   if (mesh.vertices.empty()) return;

@@ -16,14 +16,14 @@ class Solid {
 
   const WindingTree& winding() const { return winding_; }
   const OuterSurface& surface() const { return surface_; }
-  /// Over the triangles of surface().
+  /// Returns the tree over the triangles of surface().
   const TriangleTree& tree() const { return tree_; }
   const Eigen::AlignedBox3d& bounds() const { return tree_.nodes().front().box; }
   /// m^2
   double area() const { return area_; }
-  /// Of the thinnest wall, metres; see wall_thickness.hpp.
+  /// Returns the thickness of the thinnest wall, metres; see wall_thickness.hpp.
   double thickness() const { return thickness_; }
-  /// For each slot of the tree, whether its triangle is at an open edge.
+  /// Returns for each slot of the tree whether its triangle is at an open edge.
   std::vector<std::uint8_t> open_slots() const;
 
  private:

@@ -6,9 +6,9 @@
 
 namespace lockbox {
 
-/// By how much signed_volume() exceeds the volume of the solid, m^3: what lies in n shells counts n
-/// times there. 0 unless the bounds of shells overlap, exact where their overlaps are boxes along
-/// the axes; else sampled, to about a thousandth of the volume that the bounds share.
+/// Returns by how much signed_volume() exceeds the volume of the solid, m^3: what lies in n shells
+/// counts n times there. 0 unless the bounds of shells overlap, exact where their overlaps are
+/// boxes along the axes; else sampled, to about a thousandth of the volume that the bounds share.
 double surplus_volume(const TriangleMesh& mesh, const WindingTree& winding,
                       const Executor& executor);
 

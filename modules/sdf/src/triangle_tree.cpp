@@ -31,7 +31,7 @@ class NodeStack {
   std::size_t size_ = 0;
 };
 
-/// From p to the box, m^2; Eigen's own is a chain of branches.
+/// Returns the squared distance from p to the box, m^2; Eigen's own is a chain of branches.
 double squared_distance(const Eigen::Vector3d& p, const Eigen::AlignedBox3d& box) {
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0.0).squaredNorm();
 }

@@ -9,7 +9,8 @@
 
 namespace lockbox {
 
-/// Of a depth in metres: each bin reaches farther by the same factor, the last one to 7 m.
+/// Returns the bin of a depth in metres: each reaches farther by the same factor, the last one to 7
+/// m.
 inline std::optional<std::size_t> depth_bin(double z) {
   constexpr double kNearest = 0.2;  // metres
   constexpr double kGrowth = 1.25;

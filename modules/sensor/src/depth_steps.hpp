@@ -9,9 +9,9 @@
 
 namespace lockbox {
 
-/// By bin of depths: how far one depth that the image has is from the next one, metres, in the
-/// median over its pixels; 0 where too few pixels tell. What errs by much more than a unit has all
-/// depths, and what is rounded has few, whatever is seen.
+/// Returns by bin of depths how far one depth that the image has is from the next one, metres, in
+/// the median over its pixels; 0 where too few pixels tell. What errs by much more than a unit has
+/// all depths, and what is rounded has few, whatever is seen.
 std::array<double, NoiseRecord::kBins> depth_steps(const DepthFrame& frame);
 
 }  // namespace lockbox

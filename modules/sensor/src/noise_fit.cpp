@@ -67,7 +67,7 @@ double floor_of(const Sums& sums) {
   return (squares.inverse() * products)[0];
 }
 
-/// Through the bins. False where that is more than sensors err.
+/// Fits the curve through the bins. Returns false where that is more than sensors err.
 bool fit_curve(const Sums& sums, double rounding, SensorNoise& noise) {
   const double weights = sums.squares(0, 0);
   if (weights == 0.0) return false;
@@ -88,7 +88,7 @@ bool fit_curve(const Sums& sums, double rounding, SensorNoise& noise) {
   return true;
 }
 
-/// Through the deviations of the bins.
+/// Fits the growth through the deviations of the bins.
 bool fit_growth(const NoiseRecord::Bins& bins, double rounding, SensorNoise& noise) {
   constexpr int kRounds = 3;
   if (!fit_curve(sums_over(bins, std::nullopt), rounding, noise)) return false;

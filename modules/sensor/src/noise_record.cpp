@@ -32,8 +32,9 @@ double quantile(std::vector<double>& sizes, double share) {
   return sizes[static_cast<std::size_t>(rank)];
 }
 
-/// Of what is normal but for outliers: what lies beyond 2.5 deviations does not count, again and
-/// again. Values are discrete where a sensor rounds: their median would be, too.
+/// Returns the deviation of what is normal but for outliers: what lies beyond 2.5 deviations does
+/// not count, again and again. Values are discrete where a sensor rounds: their median would be,
+/// too.
 double core_deviation(std::vector<double>& sizes) {
   constexpr int kRounds = 12;
   constexpr double kCut = 2.5;
@@ -85,7 +86,7 @@ void add_differences(const Row& row, std::size_t lag, std::array<Seen, NoiseReco
   }
 }
 
-/// Of the rows of that part.
+/// Adds the differences of the rows of that part.
 void add_differences(const DepthFrame& frame, int part, int parts, NoiseRecord::SeenAtLags& seen) {
   Row row;
   const int step = std::max(kRowsApart, frame.camera.height / kRows);
@@ -103,15 +104,15 @@ Bin bin_from(Seen& seen, double least) {
   return {count, seen.depths / count, square(std::max(least, core_deviation(seen.sizes)))};
 }
 
-/// Of second differences of what is rounded to steps of that length. Where the steps are wide most
-/// of a wall is one depth, and most of its differences are none.
+/// Returns the deviation of second differences of what is rounded to steps of that length. Where
+/// the steps are wide most of a wall is one depth, and most of its differences are none.
 double deviation_by_steps(double step) {
   return step * std::sqrt(kDifferenceVariance / 12.0);
 }
 
-/// Without what bends adds. half, twice: the same at half and at twice the lag; where that was not
-/// seen nothing is left out. Where most would be, steps are seen rather than bends: not at this lag
-/// yet, if it shows no more than half of it, or else it tells nothing.
+/// Returns the bins without what bends add. half, twice: the same at half and at twice the lag;
+/// where that was not seen nothing is left out. Where most would be, steps are seen rather than
+/// bends: not at this lag yet, if it shows no more than half of it, or else it tells nothing.
 NoiseRecord::Bins without_bends(const NoiseRecord::Bins& bins, const NoiseRecord::Bins& half,
                                 const NoiseRecord::Bins& twice) {
   // Unit: a share of the variance. Source: 0.6 to 0.8 is left of planes and round things on a real

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr auto kExtension = ".yaml";
 
-/// Of the installation or build tree that this library is part of.
+/// Returns the folder of the installation or build tree that this library is part of.
 fs::path profiles_folder() {
   return share_folder(&kExtension) / "sensors";
 }

@@ -52,7 +52,7 @@ class FrontView {
 
   std::vector<Place> visible_places();
 
-  /// Of the pixels that show the object.
+  /// Returns their share of the pixels that show the object.
   double share_of(const std::deque<AddedPart>& parts);
 
  private:

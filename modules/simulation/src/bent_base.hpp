@@ -5,7 +5,8 @@
 
 namespace lockbox::simulation {
 
-/// The same surface of triangles whose edges are no longer than that, metres; nothing opens.
+/// Returns the same surface of triangles whose edges are no longer than that, metres; nothing
+/// opens.
 TriangleMesh with_short_edges(TriangleMesh mesh, double longest);
 
 /// Bows the base across its thinnest extent, along its longest one: its middle moves by `bow`

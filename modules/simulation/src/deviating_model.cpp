@@ -57,8 +57,8 @@ void move_joints(KinematicTree& tree, double distance, double angle, RandomDraws
   }
 }
 
-/// Over the surface: a quadratic function's integral over a triangle is its mean at the middles of
-/// the edges, times the area.
+/// Returns the best fit over the surface: a quadratic function's integral over a triangle is its
+/// mean at the middles of the edges, times the area.
 Eigen::Isometry3d best_fit(const TriangleMesh& from, const TriangleMesh& to) {
   simulation::RigidFit fit;
   for (std::size_t t = 0; t < to.triangles.size(); ++t) {

@@ -16,8 +16,8 @@ double distortion_factor(double squared_radius, const Eigen::Vector2d& k) {
   return 1.0 + squared_radius * (k.x() + squared_radius * k.y());
 }
 
-/// Of two one-sided differences the smaller one, or none where there is an edge on both sides: the
-/// surface goes on as it does away from it.
+/// Returns the smaller one of two one-sided differences, or none where there is an edge on both
+/// sides: the surface goes on as it does away from it.
 float change_along(float before, float here, float after) {
   constexpr float kSteepest = 0.02F;  // of the inverse depth, from sample to sample
   const float backward = here - before;

@@ -68,11 +68,11 @@ std::vector<DraftPart> case_open_to_top(const Eigen::Vector3d& size, double wall
 
 using DrawHousehold = ObjectDraft (*)(RandomDraws&);
 
-/// Those to tune with: laptop, box, rule, lamp, microwave, chair, safe, levers, toolbox, pliers,
-/// arm, tripod.
+/// Returns the kinds to tune with: laptop, box, rule, lamp, microwave, chair, safe, levers,
+/// toolbox, pliers, arm, tripod.
 std::span<const DrawHousehold> tuning_household();
-/// Those of test blocks: vise, gripper, printer, monitor, camera, oven, suitcase, fan, press,
-/// window, stapler, stool.
+/// Returns the kinds of test blocks: vise, gripper, printer, monitor, camera, oven, suitcase, fan,
+/// press, window, stapler, stool.
 std::span<const DrawHousehold> test_household();
 
 }  // namespace lockbox::simulation

@@ -31,7 +31,7 @@ class JointSchedule {
  public:
   JointSchedule(const KinematicTree& tree, const TrajectoryOptions& options);
 
-  /// Of all joint variables; share: of the run, 0 to 1.
+  /// Returns the positions of all joint variables; share: of the run, 0 to 1.
   Eigen::VectorXd positions(double share) const;
 
  private:

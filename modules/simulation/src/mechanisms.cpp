@@ -84,7 +84,7 @@ Mechanism draw_bolt(double cell, bool has_round_grips, RandomDraws& random) {
   return bolt;
 }
 
-/// With a grip off its middle, or a bar across it that reaches farther to one side.
+/// Draws a disk with a grip off its middle, or a bar across it that reaches farther to one side.
 Mechanism draw_disk(double cell, bool has_round_grips, RandomDraws& random) {
   constexpr double kMostTurn = 150.0 * kRadians;
   const double radius = random.uniform(0.28, 0.45) * cell;

@@ -34,10 +34,10 @@ class NormalTable {
  public:
   NormalTable();
 
-  /// From the 12 lowest bits.
+  /// Draws from the 12 lowest bits.
   float operator()(std::uint64_t bits) const { return quantiles_[bits & 0xfffU]; }
 
-  /// From the 24 lowest bits: the scaled sum of two, which reaches 5 standard deviations.
+  /// Draws from the 24 lowest bits: the scaled sum of two, which reaches 5 standard deviations.
   float long_tailed(std::uint64_t bits) const {
     return 0.70710678F * ((*this)(bits) + (*this)(bits >> 12U));
   }

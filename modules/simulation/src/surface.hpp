@@ -25,7 +25,7 @@ class Surface {
         cx_(static_cast<float>(camera.cx)),
         cy_(static_cast<float>(camera.cy)) {}
 
-  /// Of the sample, or of the nearest one in the image; metres.
+  /// Returns the depth of the sample, or of the nearest one in the image; metres.
   float depth(int u, int v) const {
     const int column = std::clamp(u, 0, width_ - 1);
     const int row = std::clamp(v, 0, height_ - 1);
@@ -68,7 +68,7 @@ class Surface {
   }
 
  private:
-  /// Of two one-sided differences the smaller one: at an edge it stays on the surface.
+  /// Returns the smaller one of two one-sided differences: at an edge it stays on the surface.
   static float slope(float before, float here, float after, bool at_begin, bool at_end) {
     const float backward = here - before;
     const float forward = after - here;

@@ -153,9 +153,9 @@ void CovarianceEstimator::sum_tiles(const std::vector<BodyJacobian>& jacobians) 
   }
 }
 
-/// By body, metres by which surfaces lie elsewhere than the model says, from gradients of tiles
-/// beyond noise: the variance between studies of DerSimonian and Laird (1986), in two parts. Not
-/// less than of all bodies together: part of its own a body has followed.
+/// Measures by body the metres by which surfaces lie elsewhere than the model says, from gradients
+/// of tiles beyond noise: the variance between studies of DerSimonian and Laird (1986), in two
+/// parts. Not less than of all bodies together: part of its own a body has followed.
 void CovarianceEstimator::measure_misfits(double noise_correlation, std::size_t bodies) {
   excess_.assign(bodies + 1, {});
   for (const TileSystem& tile : merged_) {
@@ -170,7 +170,7 @@ void CovarianceEstimator::measure_misfits(double noise_correlation, std::size_t 
   }
 }
 
-/// By unknown: how far it goes if all tiles that tell of it are off to the side that moves it.
+/// Finds by unknown how far it goes if all tiles that tell of it are off to the side that moves it.
 void CovarianceEstimator::carry_misfits(const std::vector<BodyJacobian>& jacobians) {
   const Index n = unit_.size();
   misled_.setZero(n);
@@ -241,7 +241,7 @@ void CovarianceEstimator::set_independent(Index unknown, double variance) {
   is_independent_[static_cast<std::size_t>(unknown)] = true;
 }
 
-/// By its diagonal made 1; rows and columns of held unknowns stay zero.
+/// Inverts it with its diagonal made 1; rows and columns of held unknowns stay zero.
 void CovarianceEstimator::invert(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& inverse) {
   const Index n = matrix.rows();
   inverse_.resize(n);

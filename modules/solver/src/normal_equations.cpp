@@ -17,8 +17,8 @@ void add_mapped(const Matrix6& A, const BodyJacobian& jacobian, double weight,
   }
 }
 
-/// For normals that err in any direction, sum w a a' with a = (e, p x e) is, over all directions e,
-/// sum w [I, -P; P, |p|^2 I - p p'] with P = hat(p).
+/// Returns the curvature that normals feign which err in any direction: sum w a a' with a = (e, p x
+/// e) is, over all directions e, sum w [I, -P; P, |p|^2 I - p p'] with P = hat(p).
 Matrix6 feigned_curvature(double mass, const Eigen::Vector3d& first_moment,
                           const Eigen::Matrix3d& second_moment) {
   Matrix6 result;

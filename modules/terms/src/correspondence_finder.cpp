@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kLeastWeight = 1e-3;  // below it a sample is not worth keeping
 
-/// In the mixture of kernels::associate for a single body: 1 for small residuals, 0 for outliers,
-/// whose density beside the largest of a residual is given.
+/// Returns the share in the mixture of kernels::associate for a single body: 1 for small residuals,
+/// 0 for outliers, whose density beside the largest of a residual is given.
 double gaussian_share(double residual, double inverse_variance, double outliers) {
   const double gaussian = std::exp(-0.5 * residual * residual * inverse_variance);
   return gaussian / (gaussian + outliers);
@@ -68,7 +68,7 @@ bool CorrespondenceFinder::is_beside_contour(const ViewSample& sample,
               .isZero();
 }
 
-/// From p to the nearest observed point of the object.
+/// Aims from p at the nearest observed point of the object.
 std::optional<FreeSpaceCorrespondence> CorrespondenceFinder::aim(const ViewSample& sample,
                                                                  double weight,
                                                                  const Eigen::Vector3d& p,
@@ -109,7 +109,7 @@ double CorrespondenceFinder::farthest(const Eigen::Vector3d& p) const {
   return std::sqrt(variance * (options_.gate * options_.gate - 2.0 * std::log(kLeastWeight)));
 }
 
-/// Of a point at p along a direction, by the sensor's noise.
+/// Returns the variance of a point at p along a direction, by the sensor's noise.
 double CorrespondenceFinder::variance_of(const Eigen::Vector3d& p,
                                          const Eigen::Vector3d& direction) const {
   const double along = direction.dot(p);

@@ -29,7 +29,7 @@ Taps jitter_density(double lateral_pixels, double shift) {
   return taps;
 }
 
-/// Over the samples around the pixel of a column.
+/// Blurs over the samples around the pixel of a column.
 float blur(const kernels::ColumnMoments::Sums& columns, const Taps& taps, std::size_t pixel) {
   using Weights = Eigen::Matrix<float, static_cast<int>(kernels::kWindowTaps), 1>;
   const float* const around = &columns[kernels::kSamplesPerPixel * pixel];

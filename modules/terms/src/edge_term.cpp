@@ -149,7 +149,7 @@ void EdgeTerm::sum_neighbours(const TiledCloud& cloud, int first_column, int end
   }
 }
 
-/// Of the patch in hand, whose first pixel is given, adds the pixels that measure an edge of the
+/// Adds the pixels of the patch in hand, whose first pixel is given, that measure an edge of the
 /// model before the model and agree with it at all.
 void EdgeTerm::compare(const TiledCloud& cloud, const Pixel& first, Worker& worker) const {
   worker.find_variables(variables_, screws_);

@@ -30,8 +30,8 @@ struct EdgeTerm::Worker {
     columns.reserve(kSide);
   }
 
-  /// Of a pixel's values: the derivative of its mean by the base's twist in the camera's frame and
-  /// by the variables, then the residual.
+  /// Returns where the residual stands among a pixel's values: after the derivative of its mean by
+  /// the base's twist in the camera's frame and by the variables.
   Index residual_column() const { return kBaseUnknowns + static_cast<Index>(variables.size()); }
 
   void find_variables(const std::vector<std::vector<int>>& by_body,
@@ -52,7 +52,7 @@ struct EdgeTerm::Worker {
     }
   }
 
-  /// Of the pixel that was looked at last. values: zero at first.
+  /// Differentiates the pixel that was looked at last. values: zero at first.
   void differentiate(const Pixel& pixel, const PinholeCamera& camera,
                      std::span<float> values) const {
     const Eigen::Vector3f ray = camera.back_project(pixel.u, pixel.v, 1.0).cast<float>();

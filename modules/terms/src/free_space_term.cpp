@@ -40,8 +40,8 @@ void FreeSpaceTerm::select(const Scene& scene, const BodyPoses& T_camera_body,
   aim_violations(scene, T_camera_body, annealing_sigma);
 }
 
-/// Towards what the camera saw around them. Meanwhile one thread lays out the correspondences of
-/// contours.
+/// Aims violations at what the camera saw around them. Meanwhile one thread lays out the
+/// correspondences of contours.
 void FreeSpaceTerm::aim_violations(const Scene& scene, const BodyPoses& T_camera_body,
                                    double annealing_sigma) {
   const std::size_t seen = chunk_begins_.back();
@@ -159,7 +159,7 @@ void FreeSpaceTerm::append_tile_systems(const BodyPoses& T_camera_body, std::siz
   }
 }
 
-/// Of a block, run by run.
+/// Finds the systems of a block, run by run.
 void FreeSpaceTerm::find_tile_systems(const CorrespondenceSet& correspondences,
                                       std::size_t block_index, const BodyPoses& T_camera_body,
                                       std::size_t first_tile, double weight,

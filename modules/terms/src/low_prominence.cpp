@@ -39,7 +39,7 @@ constexpr double kElsewhere = 0.015;
 /// part is there.
 constexpr double kIsThere = 0.6;
 
-/// Within the limits, each once.
+/// Puts them within the limits, each once.
 void put_between(const VariableLimits& limits, std::vector<double>& positions) {
   for (double& position : positions) position = std::clamp(position, limits.lower, limits.upper);
   positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
@@ -49,7 +49,8 @@ std::size_t best(std::span<const double> costs) {
   return static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
 }
 
-/// Of a chi^2 that is larger than its pixels, the noise is larger than assumed, or less alike.
+/// Returns how many times chi^2 is larger than its pixels, if it is: then the noise is larger than
+/// assumed, or less alike.
 double excess(double chi_squared, int pixels) {
   return std::max(1.0, chi_squared / pixels);
 }
@@ -64,7 +65,7 @@ LowProminence::LowProminence(const ArticulatedModel& model, const ViewOptions& o
       motion_scales_(motion_scales(model.tree).tail(model.tree.variables())),
       region_(model.tree, options.noise, options.gate, executor) {}
 
-/// Along the optical axis, of what the joint moves first.
+/// Returns the distance along the optical axis of what the joint moves first.
 double LowProminence::distance(int variable, const Configuration& configuration) {
   const auto joint =
       static_cast<std::size_t>(model_.tree.variable_joint[static_cast<std::size_t>(variable)]);
@@ -84,8 +85,8 @@ double LowProminence::pixel_step(const PinholeCamera& camera, const Configuratio
   return distance(variable, configuration) / (camera.fx * motion_scales_[variable]);
 }
 
-/// As far around the best position as is looked at: a slope is no match, however steep, and where
-/// it was not expected, neither is a dip on a slope.
+/// Looks around the best position only: a slope is no match, however steep, and where it was not
+/// expected, neither is a dip on a slope.
 std::optional<JointMatch> LowProminence::find_near(const TiledCloud& cloud,
                                                    const Configuration& configuration, int variable,
                                                    double before) {
@@ -135,8 +136,8 @@ double LowProminence::scatter_around(std::size_t least) const {
   return scatter / total;
 }
 
-/// At the vertex of the parabola through the best position and its neighbours, whose width adds to
-/// the variance.
+/// Returns the match at the vertex of the parabola through the best position and its neighbours,
+/// whose width adds to the variance.
 JointMatch LowProminence::match_at(std::size_t least) const {
   const double at = positions_[least];
   if (least == 0 || least + 1 >= positions_.size()) return {at, scatter_around(least)};

@@ -165,7 +165,7 @@ double ModelTerm::take_ahead(std::vector<BodySystem>& systems) {
   return sum_up(systems);
 }
 
-/// In the order of the chunks.
+/// Sums up in the order of the chunks.
 double ModelTerm::sum_up(std::vector<BodySystem>& systems) {
   totals_ = {};
   double cost = 0.0;

@@ -15,8 +15,8 @@ struct Penetration {
   Eigen::Vector3d point;
 };
 
-/// Of a sample at p that looks outward, both in the field's frame, in a body eroded by `erosion`
-/// metres; nothing if it is outside.
+/// Finds the penetration of a sample at p that looks outward, both in the field's frame, in a body
+/// eroded by `erosion` metres; nothing if it is outside.
 std::optional<Penetration> penetration(const SignedDistanceField& field, const Eigen::Vector3f& p,
                                        const Eigen::Vector3f& outward, float erosion);
 

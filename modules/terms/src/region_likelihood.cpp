@@ -41,7 +41,7 @@ RegionTaps region_jitter_density(double lateral_pixels) {
   return taps;
 }
 
-/// Of a row or column with the given number of samples, around a pixel's centre.
+/// Returns the sample of a row or column with the given number of samples, around a pixel's centre.
 std::size_t sample_near(int pixel, int tap, int samples) {
   return static_cast<std::size_t>(std::clamp(kSamplesAlong * pixel + tap - kReach, 0, samples - 1));
 }
@@ -205,7 +205,7 @@ void RegionLikelihood::read_measured(const TiledCloud& cloud) {
   }
 }
 
-/// Of all positions.
+/// Returns the least residual of all positions.
 float RegionLikelihood::least_residual(std::size_t pixel) const {
   float least = std::numeric_limits<float>::infinity();
   for (std::size_t k = 0; k < positions_.size(); ++k) {
@@ -226,8 +226,9 @@ bool RegionLikelihood::differs_in_patch(int left, int top) const {
   return false;
 }
 
-/// By the pixels that some position explains, by themselves and given their neighbours: beside some
-/// that err alike, one that is off by four standard deviations is off by fifteen of its own.
+/// Compares a patch by the pixels that some position explains, by themselves and given their
+/// neighbours: beside some that err alike, one that is off by four standard deviations is off by
+/// fifteen of its own.
 void RegionLikelihood::compare_patch(std::size_t patch) {
   const auto columns = frame_.width / kPatch;
   const int left = static_cast<int>(patch) % columns * kPatch;
@@ -267,7 +268,7 @@ void RegionLikelihood::compare_patch(std::size_t patch) {
   pixels_of_patch_[patch] = static_cast<int>(noise.count());
 }
 
-/// In the order of the patches.
+/// Sums up in the order of the patches.
 void RegionLikelihood::sum_up() {
   compared_ = std::accumulate(pixels_of_patch_.begin(), pixels_of_patch_.end(), 0);
   chi_squared_.assign(positions_.size(), 0.0);

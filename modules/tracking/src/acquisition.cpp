@@ -117,7 +117,7 @@ void Acquisition::doubt_if_rivalled(const Candidate& answer,
   note_alternatives(answer, candidates);
 }
 
-/// Those that alone would make the base uncertain.
+/// Notes those that alone would make the base uncertain.
 void Acquisition::note_alternatives(const Candidate& answer,
                                     const std::vector<Candidate>& candidates) {
   for (const Candidate& other : candidates) {

@@ -47,7 +47,7 @@ void FrameAlignment::carry_parts(const Configuration& prediction, Answer& best) 
   }
 }
 
-/// From where the last alignment of the frame has ended.
+/// Returns how to go on from where the last alignment of the frame has ended.
 AlignOptions FrameAlignment::further() const {
   return {.annealing_sigma = annealing_sigma_,
           .iterations = options_.further_iterations,

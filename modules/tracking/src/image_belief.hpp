@@ -23,7 +23,7 @@ class ImageBelief {
   /// The probability, in [0, 1].
   double of(const Configuration& configuration);
 
-  /// For each, nats (lockbox/verification/evidence.hpp).
+  /// Returns the evidence for each, nats (lockbox/verification/evidence.hpp).
   std::vector<double> evidence(std::span<const Configuration> configurations);
 
  private:

@@ -26,7 +26,7 @@ std::ptrdiff_t measured_pixels(const TiledCloud& cloud) {
                        [](float depth) { return depth > 0.0F; });
 }
 
-/// As when a camera is uncovered, or its cable is back.
+/// Returns whether the view is another one, as when a camera is uncovered, or its cable is back.
 bool is_another_view(std::ptrdiff_t measured, std::ptrdiff_t before) {
   constexpr double kOther = 0.2;  // of its pixels
   return static_cast<double>(std::abs(measured - before)) >

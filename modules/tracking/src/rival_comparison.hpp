@@ -32,9 +32,9 @@ class RivalComparison {
     bool is_rival;  ///< not what was followed
   };
 
-  /// With an answer that is followed from now on. rivals: what the search that has found it could
-  /// not tell from it, if it doubts it. Where they are not all that may be right beside it, nothing
-  /// comes of comparing them.
+  /// Begins with an answer that is followed from now on. rivals: what the search that has found it
+  /// could not tell from it, if it doubts it. Where they are not all that may be right beside it,
+  /// nothing comes of comparing them.
   void begin(const Answer& answer, const std::vector<Alternative>& rivals);
 
   /// Nothing is left to be compared, or the frames before have not told.
@@ -45,8 +45,8 @@ class RivalComparison {
     return !look_alikes_.of(followed.configuration).empty();
   }
 
-  /// In the next frame, which the cloud shows. followed: the answer in it, as an alignment has
-  /// found it. Nothing as long as the frames do not tell.
+  /// Compares them in the next frame, which the cloud shows. followed: the answer in it, as an
+  /// alignment has found it. Returns nothing as long as the frames do not tell.
   std::optional<Outcome> compare(const Answer& followed);
 
  private:

@@ -33,7 +33,7 @@ double model_size(const KinematicTree& tree) {
   return whole.isEmpty() ? 0.0 : whole.diagonal().norm();
 }
 
-/// Of the values, that which this share of them does not exceed; they change places.
+/// Returns the value that this share of them does not exceed; they change places.
 double quantile(std::vector<float>& values, double share) {
   const auto last = static_cast<double>(values.size() - 1);
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * last);

@@ -225,7 +225,7 @@ Tracker::Loop::Followed Tracker::Loop::with_rival_sought(const DepthFrame& frame
   return best;
 }
 
-/// Over their whole ranges.
+/// Seeks them over their whole ranges.
 void Tracker::Loop::seek_contradicted_joints(Answer& best) {
   const std::vector<int> variables = contradicted_variables(best, model_.tree, options_);
   if (variables.empty()) return;

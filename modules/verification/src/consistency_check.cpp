@@ -22,8 +22,9 @@ constexpr double kShareMayRecede = 0.25;
 constexpr double kShareSigmas = 3.0;
 constexpr double kScatter = 0.57;  // of (-1, 0, 1) for (before, near, behind) by one sigma
 
-/// Of a depth that is measured so far behind the surface, metres. On steep surfaces lateral noise
-/// reads as depth, too: that is looked at where noise of the depth alone would not reach.
+/// Returns the deviation of a depth that is measured so far behind the surface, metres. On steep
+/// surfaces lateral noise reads as depth, too: that is looked at where noise of the depth alone
+/// would not reach.
 double deviation(const VisibleSurface& surface, const Pixel& pixel, double expected, double behind,
                  const SensorNoise& noise) {
   const double sigma = noise.sigma_z(expected);

@@ -85,7 +85,8 @@ void add(const ContourSides& sides, ContourSides& sums) {
   }
 }
 
-/// Of one body. Neighbouring pixels err alike, so that less than a side says little more than one.
+/// Adds the sides of one body. Neighbouring pixels err alike, so that less than a side says little
+/// more than one.
 void add(const ContourSides& sides, ContourAgreement& contour) {
   for (const auto& [pixel_by_pixel, measured, step] : sides) {
     contour.samples += pixel_by_pixel.samples;

@@ -128,8 +128,8 @@ void ContourLines::find_in_row(const SceneCells& scene, std::span<const float> c
   }
 }
 
-/// Of cells at different distances from an edge other sights end: means with those around that face
-/// about the same way. Their length tells whether they do.
+/// Smooths a row. Of cells at different distances from an edge other sights end: means with those
+/// around that face about the same way. Their length tells whether they do.
 void ContourLines::smooth_row(const SceneCells& scene, int v) {
   for (int u = 0; u < scene.width(); ++u) {
     const std::size_t cell = scene.index(u, v);

@@ -24,8 +24,9 @@ class ContourLines {
     std::vector<float> v;
   };
 
-  /// Of cells of the scene's size, 1/metre, 0 in blank ones, at which what is beside them ends.
-  /// What deviates by no more than this share of its noise and the model's tolerance is no contour.
+  /// Finds lines of cells of the scene's size, 1/metre, 0 in blank ones, at which what is beside
+  /// them ends. What deviates by no more than this share of its noise and the model's tolerance is
+  /// no contour.
   void find(const SceneCells& scene, std::span<const float> cells, double share,
             const Executor& executor);
   /// Joins what was found to lines.

@@ -28,7 +28,8 @@ constexpr int kStep = 4;  // where the step is in it
 /// Independent measurements of a surface, so that its step is known at all.
 constexpr std::size_t kFewestWindows = 2 * Surface::RowsAtCompileTime;
 
-/// Of a step of that height and standard deviation, against none; any height is as likely.
+/// Returns the logarithm for a step of that height and standard deviation, against none; any height
+/// is as likely.
 double log_likelihood_ratio(const EvidenceOptions& options, double height, double deviation) {
   const double against = std::log(options.flush);
   if (!(height > 0.0)) return against;

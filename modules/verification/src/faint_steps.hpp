@@ -31,8 +31,8 @@ class FaintSteps {
     double nats;  ///< log-likelihood ratio of a step across the line, against none
   };
 
-  /// By line. scene_lines are those that single cells do show: where one of them is near, it is the
-  /// step, and lies elsewhere. Sorts the cells by line.
+  /// Weighs them by line. scene_lines are those that single cells do show: where one of them is
+  /// near, it is the step, and lies elsewhere. Sorts the cells by line.
   std::span<const Line> weigh(std::span<UnseenCell> cells, const SceneCells& scene,
                               const ShownModel& model, const ContourLines& scene_lines);
 

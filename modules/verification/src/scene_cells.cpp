@@ -16,7 +16,8 @@ constexpr int kRowsApart = 6;                  // neighbouring rows err alike
 constexpr std::ptrdiff_t kEnoughCells = 100;   // for a median to be one
 constexpr double kLeastOfProfile = 0.3;        // of the sensor's noise is left in a cell, at least
 
-/// How far cells are off from what is foretold by a sight, in deviations of a pixel's noise.
+/// Returns how far cells are off from what is foretold by a sight, in deviations of a pixel's
+/// noise.
 std::vector<float> off_in(const std::vector<float>& cells, int width, int height,
                           const Sight& sight, const SensorNoise& sensor) {
   std::vector<float> off;
@@ -36,8 +37,8 @@ std::vector<float> off_in(const std::vector<float>& cells, int width, int height
   return off;
 }
 
-/// The deviation of noise, without what is off by more than `agree` of it, which lies at contours.
-/// Infinite where there is too little.
+/// Returns the deviation of noise, without what is off by more than `agree` of it, which lies at
+/// contours. It is infinite where there is too little.
 double deviation_of_noise(std::vector<float>& off, double agree) {
   double deviation = std::numeric_limits<double>::infinity();
   for (auto end = off.end(); end - off.begin() >= kEnoughCells;) {
@@ -52,9 +53,9 @@ double deviation_of_noise(std::vector<float>& off, double agree) {
   return deviation;
 }
 
-/// Of a pixel's noise, what a cell errs by beside those from which planes foretell it: that is what
-/// makes contours, however alike neighbours err. A sensor errs alike in rows and columns; what
-/// lies in a room, as boards in a shelf, adds more to one of them.
+/// Returns what a cell errs by beside those from which planes foretell it, as a share of a pixel's
+/// noise. That makes contours, however alike neighbours err. A sensor errs alike in rows and
+/// columns; what lies in a room, as boards in a shelf, adds more to one of them.
 double share_of_noise(const std::vector<float>& cells, int width, int height,
                       const SensorNoise& sensor, double agree) {
   double share = std::numeric_limits<double>::infinity();

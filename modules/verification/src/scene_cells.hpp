@@ -81,9 +81,10 @@ class SceneCells {
   const SensorNoise& sensor() const { return sensor_; }
   double share() const { return share_; }
   double tolerance() const { return tolerance_; }
-  /// Of what a model shows there: all of the cell's noise and the model's tolerance.
+  /// Returns the deviation from what a model shows there: all of the cell's noise and the model's
+  /// tolerance.
   double deviation(double inverse_depth) const;
-  /// The same of what is foretold from two other cells.
+  /// Returns the deviation from what is foretold from two other cells.
   double deviation(double inverse_depth, const Sight& sight) const;
 
   /// Cells by which a contour may be off, all told.
@@ -102,7 +103,7 @@ class SceneCells {
   double tolerance_;
 };
 
-/// Of a normal distribution, at so far from its mean.
+/// Returns the density of a normal distribution so far from its mean.
 double normal_density(double distance, double deviation);
 
 }  // namespace lockbox

@@ -13,8 +13,8 @@ namespace lockbox {
 /// Reuses its buffers.
 class SensorWindow {
  public:
-  /// Of an image's cells, row by row: inverse depths, 1/metre, 0 in blank ones. Contours stay where
-  /// they are. The result is valid until the next call.
+  /// Smears an image's cells, row by row: inverse depths, 1/metre, 0 in blank ones. Contours stay
+  /// where they are. The result is valid until the next call.
   std::span<const float> smear(std::span<const float> cells, int width, const Executor& executor);
 
  private:

@@ -31,7 +31,7 @@ double model_tolerance(const KinematicTree& tree, const EvidenceOptions& options
       options.least_model_tolerance, options.most_model_tolerance);
 }
 
-/// Of a line of so many cells: less than a stretch of it may be noise.
+/// Returns what a line of so many cells is worth: less than a stretch of it may be noise.
 double worth(const EvidenceOptions& options, int cells) {
   return options.line * std::min(1.0, cells / (options.least_line * kBand));
 }
@@ -228,7 +228,7 @@ void Verifier::Workspace::compare_lines(int u, int v, Sums& sum) const {
   }
 }
 
-/// Of an occluder's cell.
+/// Returns what an occluder's cell costs.
 double Verifier::Workspace::of_occluder(int u, int v) const {
   if (classified.at(shown.index(u, v)) != Seen::occluder) return 0.0;
   double nats = 0.0;

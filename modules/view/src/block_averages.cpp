@@ -62,7 +62,7 @@ class BlockAverages::Band {
 
   std::size_t slots() const { return x_.size(); }
 
-  /// From that slot on, and with the tiles that are its own.
+  /// Writes from that slot on, and with the tiles that are its own.
   void write(BlockAverages& points, std::size_t slot, std::size_t tile) const {
     const auto copy = [slot](const auto& from, auto& to) {
       std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(slot));
@@ -124,8 +124,8 @@ class BlockAverages::Band {
     }
   }
 
-  /// Of a block that is not all flat: the pixel in its middle, or another of its flat ones, for all
-  /// that may be taken for it.
+  /// Adds, of a block that is not all flat, the pixel in its middle, or another of its flat ones,
+  /// for all that may be taken for it.
   void add_pixel_of(const Scene& scene, CellMask flat, int u, int v, int size) {
     const int middle = SamplingDensity::first_sample(size);
     int at_u = u + middle;
@@ -149,7 +149,8 @@ class BlockAverages::Band {
     add(camera, at.u, at.v, z, static_cast<float>(std::max(1, pixels)));
   }
 
-  /// On the ray of the pixel in the middle, as far from the face as the pixels are in the mean.
+  /// Adds the mean on the ray of the pixel in the middle, as far from the face as the pixels are in
+  /// the mean.
   void add_mean(const Scene& scene, int u, int v, int size) {
     const VisibleSurface& surface = scene.surface;
     const RenderedDepth& view = surface.view();

@@ -130,7 +130,7 @@ void ContinuedEdges::find(const ArticulatedModel& model, const VisibleSurface& s
   }
 }
 
-/// In the order of the rows, whichever thread looked along them.
+/// Adds up in the order of the rows, whichever thread looked along them.
 void ContinuedEdges::add_up() {
   stretches_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) * kWays,
                     Stretch{});
@@ -175,8 +175,8 @@ bool ContinuedEdges::is_of_flush_body(const Walk& walk, const RenderedDepth& vie
   return is_flush_[static_cast<std::size_t>(view.id[view.index(walk.u, walk.v)])];
 }
 
-/// From a pixel to its neighbour, which may fall back behind its plane, or go on in it as another
-/// body.
+/// Looks from a pixel to its neighbour, which may fall back behind its plane, or go on in it as
+/// another body.
 void ContinuedEdges::look_across(const VisibleSurface& surface, const TiledCloud& cloud,
                                  const TangentPlane& plane, const Pixel& pixel, int way) {
   const RenderedDepth& view = surface.view();
@@ -257,7 +257,7 @@ bool ContinuedEdges::lies_within(const Stretch& stretch, double limit) {
          stretch.predicted > kDiffers * stretch.walks;
 }
 
-/// With its neighbours: the noise of one goes together.
+/// Returns the stretch with its neighbours: the noise of one goes together.
 ContinuedEdges::Stretch ContinuedEdges::around(std::size_t stretch) const {
   const int way = static_cast<int>(stretch) % kWays;
   const int cell = static_cast<int>(stretch) / kWays;

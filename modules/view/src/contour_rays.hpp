@@ -38,9 +38,9 @@ class ContourRays {
   void clear() { pixels_.clear(); }
   void add(const ContourPixel& pixel) { pixels_.push_back(pixel); }
 
-  /// Of the pixels, which show the body with that field. First the normals are told by the field,
-  /// then the points: rays that were aimed along the normals of whole pixels would pass the contour
-  /// at some places more often than at others, and these depend on how pixels lie.
+  /// Touches the body with that field, which the pixels show. First the normals are told by the
+  /// field, then the points: rays that were aimed along the normals of whole pixels would pass the
+  /// contour at some places more often than at others, and these depend on how pixels lie.
   void touch(const SignedDistanceField& field, const Eigen::Isometry3d& T_body_camera,
              const PinholeCamera& view);
 

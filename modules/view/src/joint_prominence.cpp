@@ -22,7 +22,8 @@ struct RestingBody {
   Eigen::Isometry3d T_body_base;
 };
 
-/// Those after the others in the tree come first: they are nearest to what a joint moves.
+/// Returns bodies that rest. Those after the others in the tree come first: they are nearest to
+/// what a joint moves.
 std::vector<RestingBody> resting_bodies(const ArticulatedModel& model,
                                         const std::vector<std::uint8_t>& moved,
                                         const std::vector<Eigen::Isometry3d>& poses) {
@@ -34,8 +35,8 @@ std::vector<RestingBody> resting_bodies(const ArticulatedModel& model,
   return resting;
 }
 
-/// Of a point to the nearest of these bodies, metres; some distance that is no larger than `enough`
-/// where that is none.
+/// Returns the distance of a point to the nearest of these bodies, metres; some distance that is no
+/// larger than `enough` where that is none.
 double distance_to_resting(const std::vector<RestingBody>& resting, const Eigen::Vector3d& p,
                            double enough) {
   float least = std::numeric_limits<float>::infinity();
@@ -47,7 +48,7 @@ double distance_to_resting(const std::vector<RestingBody>& resting, const Eigen:
   return static_cast<double>(least);
 }
 
-/// By body.
+/// Samples the bodies, one after the other.
 std::vector<std::vector<SurfaceSample>> sample_bodies(const KinematicTree& tree) {
   std::vector<std::vector<SurfaceSample>> samples(tree.bodies.size());
   std::transform(tree.bodies.begin(), tree.bodies.end(), samples.begin(), [](const Body& body) {

@@ -118,7 +118,7 @@ void SamplingPlan::score_cells() {
   }
 }
 
-/// Those up to so many cells away, along rows and then along columns.
+/// Marks those up to so many cells away, along rows and then along columns.
 void SamplingPlan::mark_cells_beside(int cells) {
   const int columns = density_.columns;
   const int rows = density_.rows;

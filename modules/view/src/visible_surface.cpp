@@ -33,7 +33,7 @@ void relax(const std::uint8_t* neighbours, std::size_t count, std::uint8_t* dist
   }
 }
 
-/// Along a row from a pixel of the model (or from where there is none) to the next one.
+/// Fills a row from a pixel of the model (or from where there is none) to the next one.
 void fill_gap(std::uint8_t* row, std::size_t begin, std::size_t end, std::size_t width) {
   const std::size_t farthest = kFarthestCounted;
   for (std::size_t u = begin; u < end; ++u) {

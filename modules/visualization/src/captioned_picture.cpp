@@ -33,7 +33,7 @@ struct Layout {
   int margin;
 };
 
-/// As high as a capital, as wide as two of them.
+/// Draws a patch as high as a capital and as wide as two of them.
 void draw_patch(const Eigen::Vector3f& color, int left, int top, const Layout& layout,
                 RgbImage& image) {
   const Eigen::Vector3f bytes = 255.0F * color.cwiseMax(0.0F).cwiseMin(1.0F);

@@ -26,7 +26,7 @@ const std::array<Eigen::Vector3f, 7> kDistinct = {
     Eigen::Vector3f(0.10F, 0.45F, 0.80F), Eigen::Vector3f(0.84F, 0.37F, 0.00F),
     Eigen::Vector3f(0.80F, 0.47F, 0.65F)};
 
-/// After seven bodies the same colours come again, darker.
+/// Returns the colour of a body. After seven bodies the same colours come again, darker.
 Eigen::Vector3f color_of_body(std::size_t body) {
   const std::size_t round = body / kDistinct.size();
   return kDistinct[body % kDistinct.size()] * std::pow(0.6F, static_cast<float>(round));
@@ -48,7 +48,7 @@ constexpr double kLeastSigma = 1e-5;     // metres, at the dark end of the scale
 constexpr double kGreatestSigma = 1e-2;  // at the bright end
 const Eigen::Vector3f kNotDetermined(0.85F, 0.1F, 0.75F);
 
-/// From dark blue over green to yellow, for shares from 0 to 1.
+/// Returns a colour from dark blue over green to yellow, for shares from 0 to 1.
 Eigen::Vector3f heat(float share) {
   const std::array<Eigen::Vector3f, 4> stops = {
       Eigen::Vector3f(0.15F, 0.20F, 0.50F), Eigen::Vector3f(0.12F, 0.55F, 0.55F),

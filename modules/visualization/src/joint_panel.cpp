@@ -29,7 +29,7 @@ Unit unit_of(const Joint& joint) {
   return joint.type == JointType::prismatic ? Unit{"mm", kMillimetres} : Unit{"°", kDegrees};
 }
 
-/// Of those that move by themselves, in the order of the file, as indices.
+/// Returns the joints that move by themselves, in the order of the file, as indices.
 std::vector<int> moving_joints(const KinematicTree& tree) {
   std::vector<int> moving;
   for (const int j : tree.file_order) {

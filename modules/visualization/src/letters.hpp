@@ -16,8 +16,8 @@ inline std::size_t count_letters(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_letter));
 }
 
-/// Of at most that many letters (three at least), the last of which are points where some are left
-/// out.
+/// Returns the text in at most that many letters (three at least), the last of which are points
+/// where some are left out.
 inline std::string shortened(std::string_view text, std::size_t most) {
   constexpr std::string_view kLeftOut = "...";
   if (count_letters(text) <= most) return std::string(text);

@@ -22,8 +22,8 @@ constexpr auto kPollInterval = std::chrono::milliseconds(10);
 /// a seventieth, a window took a minute to open).
 constexpr int kNice = 10;
 
-/// Of the calling thread, and of the threads that it will start (those of a renderer in software):
-/// on Linux each thread has its own.
+/// Lowers the priority of the calling thread, and of the threads that it will start (those of a
+/// renderer in software): on Linux each thread has its own.
 void lower_priority() {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
 }

@@ -21,7 +21,7 @@ Eigen::VectorXd joint_deviations(const KinematicTree& tree, const ShownEstimate&
   return deviations;
 }
 
-/// Without what is infinite.
+/// Returns the covariance without what is infinite.
 Eigen::MatrixXd finite_covariance(const KinematicTree& tree, const ShownEstimate& estimate,
                                   const Eigen::VectorXd& deviations) {
   const Eigen::Index unknowns = kTwist + tree.variables();

@@ -22,7 +22,7 @@ struct CameraCalibration {
   /// k4 a^8) focal lengths from the principal point: straight lines bend whatever the coefficients.
   bool is_equidistant = false;
 
-  /// Whether any coefficient is not zero.
+  /// Returns whether any coefficient is not zero.
   bool has_distortion() const;
 };
 

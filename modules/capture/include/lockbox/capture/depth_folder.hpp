@@ -22,7 +22,7 @@ class DepthFolderSource : public FrameSource {
 
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override;
-  /// What was mended or left out so far.
+  /// Returns what was mended or left out so far.
   SourceFaults faults() const override;
   std::string file_of_frame() const override;
   bool is_unit_stated() const override;
@@ -39,7 +39,7 @@ class DepthFolderWriter {
   /// Creates the folder. Throws InputError if it holds a sequence already or cannot be written.
   explicit DepthFolderWriter(const std::filesystem::path& folder);
 
-  /// All frames must have the camera and the unit of the first.
+  /// Writes one frame. All frames must have the camera and the unit of the first.
   void write(const DepthFrame& frame);
 
  private:

@@ -39,20 +39,21 @@ class FrameGrabber : public pcl::Grabber {
   /// Plays open_source(source, options).
   explicit FrameGrabber(const std::string& source, const SourceOptions& options = {});
 
-  /// Stops, and waits for a running callback; so a callback may not destroy its grabber.
+  /// Stops, and waits for a running callback. So a callback may not destroy its grabber.
   ~FrameGrabber() noexcept override;
 
   /// Starts from the beginning of a recording. Does nothing while running, or in a callback.
   void start() override;
 
-  /// No callback runs any more when it returns, unless a callback itself calls it: then the
-  /// grabber ends after that callback. Takes half a second at most if the grabber has opened its
-  /// source itself; else it may take as long as the source waits for a frame.
+  /// Stops pulling frames. No callback runs any more when it returns, unless a callback itself
+  /// calls it: then the grabber ends after that callback. Takes half a second at most if the
+  /// grabber has opened its source itself; else it may take as long as the source waits for a
+  /// frame.
   void stop() override;
 
-  /// Whether the thread that pulls frames is there.
+  /// Returns whether the thread that pulls frames is there.
   bool isRunning() const override { return running_; }
-  /// The name that PCL asks of every grabber.
+  /// Returns the name that PCL asks of every grabber.
   std::string getName() const override { return "lockbox::FrameGrabber"; }
 
   /// Returns the rate of the last frames by their stamps; it is 0 before the second frame.

@@ -34,14 +34,14 @@ class FrameSource {
   /// Returns the number of frames of a recording; nothing for a live source.
   virtual std::optional<std::size_t> frame_count() const = 0;
 
-  /// Whether frames come when their time has come, and those not taken by then are dropped.
+  /// Returns whether frames come when their time has come, and those not taken by then are dropped.
   virtual bool is_realtime() const { return false; }
 
-  /// Whether somebody has said in which unit depths are: the recording, its calibration, or the
-  /// user. Else the usual one was assumed.
+  /// Returns whether somebody has said in which unit depths are: the recording, its calibration, or
+  /// the user. Else the usual one was assumed.
   virtual bool is_unit_stated() const { return true; }
 
-  /// What was mended or left out in the frames delivered so far.
+  /// Returns what was mended or left out in the frames delivered so far.
   virtual SourceFaults faults() const { return {}; }
 
   /// Returns the file that the frame delivered last is from, its own or that of the whole

@@ -23,9 +23,9 @@ class LiveDevice : public FrameSource {
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override { return std::nullopt; }
   bool is_realtime() const override { return true; }
-  /// What was mended or left out so far.
+  /// Returns what was mended or left out so far.
   SourceFaults faults() const override;
-  /// The device, its URI and the mode it delivers in.
+  /// Returns the device, its URI and the mode it delivers in.
   std::string description() const override;
 
  private:

@@ -22,7 +22,7 @@ class OniPlayer : public FrameSource {
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override;
   std::string file_of_frame() const override;
-  /// The file, and the size and rate of its images.
+  /// Returns the file, and the size and rate of its images.
   std::string description() const override;
 
  private:

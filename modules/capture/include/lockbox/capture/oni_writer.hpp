@@ -34,12 +34,13 @@ class OniWriter {
   OniWriter(const std::filesystem::path& file, const PinholeCamera& camera, int frames_per_second,
             float metres_per_unit = 0.001F, const std::string& from = {});
 
-  /// Without finish(), the file is completed but not verified.
+  /// Closes the file. Without finish(), it is completed but not verified.
   ~OniWriter();
 
-  /// Stamps must increase, camera and unit stay what they were; else this throws InputError, and
-  /// the recording holds the frames before. Throws DeviceError if the disk is full: the recording
-  /// is then complete, but for the latest frames. From: the file of the frame, for messages.
+  /// Writes one frame. Stamps must increase, camera and unit stay what they were; else this throws
+  /// InputError, and the recording holds the frames before. Throws DeviceError if the disk is full:
+  /// the recording is then complete, but for the latest frames. From: the file of the frame, for
+  /// messages.
   void write(const DepthFrame& frame, const std::string& from = {});
 
   /// Completes the file, replays it, and compares every frame with what was written. Throws

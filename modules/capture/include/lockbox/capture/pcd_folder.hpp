@@ -25,11 +25,11 @@ class PcdFolderSource : public FrameSource {
 
   bool next(DepthFrame& frame) override;
   std::optional<std::size_t> frame_count() const override;
-  /// What was mended or left out so far.
+  /// Returns what was mended or left out so far.
   SourceFaults faults() const override;
   std::string file_of_frame() const override;
   bool is_unit_stated() const override;
-  /// The folder, and the scale in force.
+  /// Returns the folder, and the scale in force.
   std::string description() const override;
 
  private:
@@ -43,7 +43,7 @@ class PcdFolderWriter {
   /// Creates the folder. Throws InputError if it holds clouds already or cannot be written.
   explicit PcdFolderWriter(const std::filesystem::path& folder);
 
-  /// Stamps must not be negative; they are kept in microseconds.
+  /// Writes one frame. Stamps must not be negative; they are kept in microseconds.
   void write(const DepthFrame& frame) const;
 
  private:

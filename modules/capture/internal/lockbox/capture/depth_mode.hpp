@@ -12,7 +12,7 @@ namespace lockbox {
 /// InputError that says how modes are written.
 WantedMode parse_depth_mode(const std::string& text);
 
-/// As parse_depth_mode() reads them.
+/// Writes the mode as parse_depth_mode() reads it.
 std::string to_string(const DepthMode& mode);
 std::string to_string(const WantedMode& mode);
 

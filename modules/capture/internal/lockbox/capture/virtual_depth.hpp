@@ -31,8 +31,8 @@ class VirtualDepthSender {
   VirtualDepthSender(int socket, const PinholeCamera& camera, int frames_per_second,
                      float metres_per_unit, const std::string& recorded = {});
 
-  /// The same for a camera of which the user chooses one of these modes (one at least), all of the
-  /// same field of view.
+  /// Makes a sender for a camera of which the user chooses one of these modes (one at least), all
+  /// of the same field of view.
   VirtualDepthSender(int socket, std::vector<VirtualMode> modes);
   ~VirtualDepthSender();
   VirtualDepthSender(VirtualDepthSender&& other) noexcept;

@@ -27,18 +27,18 @@ struct Tile {
 /// The points of a cloud, tile by tile. Who fills it derives from it.
 class PointTiles {
  public:
-  /// The tiles, whose points do not overlap.
+  /// Returns the tiles, whose points do not overlap.
   const std::vector<Tile>& tiles() const { return tiles_; }
   const std::vector<float>& x() const { return x_; }  ///< metres, camera frame, as are y() and z()
   /// Metres, camera frame.
   const std::vector<float>& y() const { return y_; }
   /// Metres, camera frame.
   const std::vector<float>& z() const { return z_; }
-  /// The image index (v * width + u) of each point.
+  /// Returns the image index (v * width + u) of each point.
   const std::vector<std::uint32_t>& pixel() const { return pixel_; }
-  /// How many pixels each point is the mean of.
+  /// Returns how many pixels each point is the mean of.
   const std::vector<float>& averaged_pixels() const { return averaged_pixels_; }
-  /// How many points all tiles have together, without the padding.
+  /// Returns how many points all tiles have together, without the padding.
   std::size_t valid_points() const;
 
  protected:

@@ -33,7 +33,7 @@ class TiledCloud {
   /// are across their rays.
   void assign_unorganized(std::span<const Eigen::Vector3f> points, const PinholeCamera& camera);
 
-  /// Whether there is an image: depth() and pixels, to look things up in.
+  /// Returns whether there is an image: depth() and pixels, to look things up in.
   bool has_image() const { return !depth_.empty(); }
 
   /// Returns the points of a cloud without an image, in blocks of space, metres, camera frame. It
@@ -48,9 +48,9 @@ class TiledCloud {
   const PinholeCamera& camera() const { return camera_; }
   /// Returns the filtered depth image in metres, width * height values, 0 where nothing is known.
   const std::vector<float>& depth() const { return depth_; }
-  /// Whether keep() was called.
+  /// Returns whether keep() was called.
   bool is_masked() const { return !mask_.empty(); }
-  /// Whether the points of that pixel were kept; all are unless keep() was called.
+  /// Returns whether the points of that pixel were kept; all are unless keep() was called.
   bool keeps(std::size_t pixel) const { return mask_.empty() || mask_[pixel] != 0; }
 
  private:

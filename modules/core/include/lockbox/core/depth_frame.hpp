@@ -18,7 +18,7 @@ struct DepthFrame {
   double stamp = 0.0;              ///< seconds
   std::uint64_t index = 0;         ///< number of the frame in its source, from 0
 
-  /// Depth of pixel (u, v) in metres; 0 where nothing was measured.
+  /// Returns the depth of pixel (u, v) in metres; 0 where nothing was measured.
   float metres(int u, int v) const {
     return static_cast<float>(
                depth[static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +

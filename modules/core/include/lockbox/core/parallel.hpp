@@ -33,7 +33,7 @@ class Executor {
   explicit Executor(int threads = 0, Priority priority = Priority::normal,
                     StopRequest stop_request = nullptr);
 
-  /// How many threads work at the same time, the caller included.
+  /// Returns how many threads work at the same time, the caller included.
   int threads() const;
 
   /// Says, within a body, which of the threads() workers runs it, for scratch memory of its own.
@@ -53,8 +53,9 @@ class Executor {
       std::size_t count, std::size_t chunk_size,
       FunctionRef<void(std::size_t begin, std::size_t end, std::size_t chunk)> body) const;
 
-  /// May be called by any thread: the loop under way ends soon, without the bodies that have not
-  /// begun, and so do all later ones until resume(). What loops were filling is left half done.
+  /// Stops loops. Any thread may call it: the loop under way ends soon, without the bodies that
+  /// have not begun, and so do all later ones until resume(). What loops were filling is left half
+  /// done.
   void stop() const;
   /// Ends what stop() began: loops run again.
   void resume() const;
@@ -64,7 +65,7 @@ class Executor {
   std::shared_ptr<Impl> impl_;
 };
 
-/// Number of chunks that for_each_chunk makes.
+/// Returns the number of chunks that for_each_chunk makes.
 constexpr std::size_t chunk_count(std::size_t count, std::size_t chunk_size) {
   return (count + chunk_size - 1) / chunk_size;
 }

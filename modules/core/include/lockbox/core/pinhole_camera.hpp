@@ -22,17 +22,17 @@ struct PinholeCamera {
   double cx = 0.0;  ///< principal point, pixels
   double cy = 0.0;  ///< the same along v
 
-  /// The point at depth z (metres along the optical axis) seen by pixel (u, v).
+  /// Returns the point at depth z (metres along the optical axis) seen by pixel (u, v).
   Eigen::Vector3d back_project(double u, double v, double z) const {
     return {(u - cx) / fx * z, (v - cy) / fy * z, z};
   }
 
-  /// The pixel (u, v) that sees p_camera; p_camera.z() must be positive.
+  /// Returns the pixel (u, v) that sees p_camera; p_camera.z() must be positive.
   Eigen::Vector2d project(const Eigen::Vector3d& p_camera) const {
     return {fx * p_camera.x() / p_camera.z() + cx, fy * p_camera.y() / p_camera.z() + cy};
   }
 
-  /// The pixel that p_camera falls into; none outside the image, or behind the camera.
+  /// Returns the pixel that p_camera falls into; none outside the image, or behind the camera.
   std::optional<Pixel> pixel_of(const Eigen::Vector3d& p_camera) const {
     if (p_camera.z() <= 0.0) {
       return std::nullopt;

@@ -14,7 +14,7 @@ using StopRequest = std::function<bool()>;
 /// What work throws that was stopped.
 class Stopped : public std::exception {
  public:
-  /// For logs; nobody needs to read it.
+  /// Returns a word for logs.
   const char* what() const noexcept override { return "stopped"; }
 };
 

@@ -19,7 +19,7 @@ std::filesystem::path find_component(const std::string& name, const void* addres
 /// none has.
 std::filesystem::path share_folder(const void* address_in_library);
 
-/// Likewise the folder `share/doc/lockbox`, which holds README.md and docs/.
+/// Returns the folder `share/doc/lockbox`, which holds README.md and docs/.
 std::filesystem::path documents_folder(const void* address_in_library);
 
 /// A text of messages, whose `docs/NAME.md` becomes the path of the document that is installed; as

@@ -7,7 +7,7 @@
 
 namespace lockbox {
 
-/// Without white space at both ends (a carriage return, too).
+/// Returns the text without white space at both ends (a carriage return, too).
 std::string_view trimmed(std::string_view text);
 
 /// Split at separators, and trimmed; the views point into text.

@@ -20,7 +20,7 @@ class CsvFile;
 /// line.
 class CsvRow {
  public:
-  /// As many as the header has, trimmed.
+  /// Returns the fields, trimmed, as many as the header has.
   const std::vector<std::string_view>& fields() const { return fields_; }
   std::string_view field(std::size_t column) const { return fields_[column]; }
 
@@ -52,7 +52,7 @@ class CsvFile {
   /// Refuses the header, or what is said in it.
   [[noreturn]] void refuse_header(const std::string& problem) const;
 
-  /// Those of the header, trimmed.
+  /// Returns the columns of the header, trimmed.
   const std::vector<std::string_view>& columns() const { return columns_; }
 
   /// Where the column of that name is; nothing if there is none.

@@ -19,7 +19,7 @@ struct FileKind {
 /// The file's first 16 bytes, or fewer; none if it cannot be read.
 std::string first_bytes(const std::filesystem::path& file);
 
-/// With its dot, in lower case.
+/// Returns the extension with its dot, in lower case.
 std::string lower_extension(const std::filesystem::path& file);
 
 /// The first kind that the bytes begin as, else the first that the name ends as; null if none is.

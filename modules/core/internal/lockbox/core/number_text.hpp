@@ -12,7 +12,7 @@ namespace lockbox {
 /// nothing if it spells none.
 std::optional<double> parse_number(std::string_view text);
 
-/// The same without nan and inf.
+/// Reads a number likewise, but neither nan nor inf.
 std::optional<double> parse_finite_number(std::string_view text);
 
 /// The shortest text that parse_number turns into the same value.

@@ -53,7 +53,8 @@ class AbsentRooms {
   /// of the model's. frames: 30 a second, at least one.
   AbsentRoom room(std::uint64_t number, int frames) const;
 
-  /// The same for near misses: larger, and without a part if the model has one that can be missing.
+  /// Draws a room likewise, with a near miss: it is larger, and without a part if the model has one
+  /// that can be missing.
   AbsentRoom near_miss(std::uint64_t number, int frames) const;
 
   /// What kinds those are.

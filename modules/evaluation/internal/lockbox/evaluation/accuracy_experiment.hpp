@@ -30,7 +30,7 @@ class AccuracyExperiment {
                      const SensorModel& sensor, std::uint64_t seed,
                      const RegistrationOptions& options, const Executor& executor);
 
-  /// By unknown: base twist (v, w) in the base's frame, then the variables.
+  /// Returns the errors by unknown: base twist (v, w) in the base's frame, then the variables.
   std::vector<UnknownError> align_frame(std::uint64_t number);
 
  private:

@@ -12,11 +12,11 @@ namespace lockbox {
 
 class EqualPoses {
  public:
-  /// Of a model that looks like itself in no other pose.
+  /// Makes the poses of a model that looks like itself in no other pose.
   EqualPoses() = default;
 
-  /// Of the model with its joints at rest, by find_symmetries(). Parts that look the same after
-  /// each turn of 15 degrees about an axis count as round.
+  /// Finds the poses of the model with its joints at rest, by find_symmetries(). Parts that look
+  /// the same after each turn of 15 degrees about an axis count as round.
   explicit EqualPoses(const ArticulatedModel& model);
 
   /// Whether there is a pose that looks the same.

@@ -24,8 +24,8 @@ struct FrameOutcome {
   /// Base and observable joints within the tolerances.
   bool is_right(const Tolerances& tolerances = {}) const;
 
-  /// As near as the sensor's noise lets one expect: base within 2 mm and 0.2 degrees, observable
-  /// joints within a fifth of their tolerance.
+  /// Returns whether it is as near as the sensor's noise lets one expect: base within 2 mm and 0.2
+  /// degrees, observable joints within a fifth of their tolerance.
   bool is_at_noise_level() const;
 
   bool is_wrongly_trusted() const { return status == TrackingStatus::tracking && !is_right(); }

@@ -16,8 +16,8 @@ namespace lockbox {
 std::vector<std::string> match_stamps(StatesFile& estimate, StatesFile& reference,
                                       const std::string& name);
 
-/// Of a reference that has more states than the estimate has in the same time, as motion capture
-/// delivers them, those nearest to an estimate; else all.
+/// Returns, of a reference that has more states than the estimate has in the same time, as motion
+/// capture delivers them, the states nearest to an estimate; else all.
 StatesFile at_times_of(const StatesFile& estimate, const StatesFile& reference);
 
 }  // namespace lockbox

@@ -45,8 +45,8 @@ RandomScene draw_random_scene(const ArticulatedModel& model, const PinholeCamera
                               std::uint64_t seed, std::uint64_t number,
                               const RandomSceneOptions& options = {});
 
-/// The same around something else that stands there instead: `built` has the joints of the model,
-/// which stand where the model's parts do not penetrate each other, or none at all.
+/// Draws a scene likewise, around something else that stands there instead: `built` has the joints
+/// of the model, which stand where the model's parts do not penetrate each other, or none at all.
 RandomScene draw_random_scene(const ArticulatedModel& model, const KinematicTree& built,
                               const PinholeCamera& camera, std::uint64_t seed, std::uint64_t number,
                               const RandomSceneOptions& options = {});

@@ -32,7 +32,7 @@ Recording simulate_recording(const KinematicTree& tree, const std::vector<State>
                              const RecordingSettings& settings, const Executor& executor,
                              const std::function<void(std::size_t)>& on_frame = {});
 
-/// The same configuration for so many frames, 30 a second.
+/// Returns states of one configuration for so many frames, 30 a second.
 std::vector<State> still_states(const Configuration& configuration, int frames);
 
 }  // namespace lockbox

@@ -19,8 +19,8 @@ struct Interval {
   double upper = 1.0;
 };
 
-/// Of a share that was observed as `hits` of `runs`, where the true one lies in 95 of 100 cases
-/// (Wilson, 1927, https://doi.org/10.1080/01621459.1927.10502953). (0, 1) without a run.
+/// Returns where the true share lies, of one that was observed as `hits` of `runs`, in 95 of 100
+/// cases (Wilson, 1927, https://doi.org/10.1080/01621459.1927.10502953). (0, 1) without a run.
 Interval wilson_interval(std::size_t hits, std::size_t runs);
 
 /// The runs whose belief lies from `lower` to below `upper`.
@@ -45,11 +45,12 @@ struct Scores {
 /// Bins [0, .1) to [.8, .9), [.9, .99), [.99, .999), [.999, 1].
 std::vector<ReliabilityBin> reliability_bins(const std::vector<StatedBelief>& runs);
 
-/// Of the beliefs as stated.
+/// Returns the scores of the beliefs as stated.
 Scores scores_of_belief(const std::vector<StatedBelief>& runs);
-/// As if every run were believed by the share of all that are right.
+/// Returns the scores as if every run were believed by the share of all that are right.
 Scores scores_of_constant(const std::vector<StatedBelief>& runs);
-/// As if the status alone were known: the share of those with the same status that are right.
+/// Returns the scores as if the status alone were known: the share of those with the same status
+/// that are right.
 Scores scores_of_status(const std::vector<StatedBelief>& runs);
 
 }  // namespace lockbox

@@ -12,7 +12,8 @@ namespace lockbox {
 /// Totals as JSON: metres, radians, seconds; null where there is nothing to sum.
 std::string summary_text(const KinematicTree& tree, const Evaluation& evaluation);
 
-/// The same as a file. Throws InputError if it cannot be written, as do the functions below.
+/// Writes the summary into a file. Throws InputError if it cannot be written, as do the functions
+/// below.
 void write_summary(const std::filesystem::path& file, const KinematicTree& tree,
                    const Evaluation& evaluation);
 

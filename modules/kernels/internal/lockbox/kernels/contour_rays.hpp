@@ -49,9 +49,9 @@ void aim_beside(const ContourPixels& pixels, const ViewIntrinsics& view,
                 const RigidMotion& body_from_camera, const Aside& aside, const ContourAims& aims,
                 float* const beside[3]);
 
-/// The same points once the normals of the surface near them are known, which say better than
-/// pixels where outwards is, and the directions of their rays, unit vectors. camera: its place in
-/// the frame of the body.
+/// Aims at the same points once the normals of the surface near them are known, which say better
+/// than pixels where outwards is, and the directions of their rays, unit vectors. camera: its place
+/// in the frame of the body.
 void aim_along_normals(const ContourAims& aims, const float* const normals[3],
                        const float camera[3], std::size_t size, float* const beside[3],
                        float* const direction[3]);

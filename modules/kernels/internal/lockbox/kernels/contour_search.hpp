@@ -55,11 +55,11 @@ struct ContourCorrespondences {
   double* variance;  ///< of that by the sensor's noise, m^2; 0 where nothing was seen of it
 };
 
-/// From the contour outwards along its normal the first pixel is sought that shows what lies
-/// beyond, and from there inwards the first that shows the surface which ends here; the contour
-/// passes between them. If as far as is searched nothing but what lies beyond is seen, the contour
-/// is at least most of that way inwards. Nothing is seen where something nearer comes in between,
-/// or more than one pixel in a row that was not measured, or the border of the image.
+/// Searches contours. From the contour outwards along its normal the first pixel is sought that
+/// shows what lies beyond, and from there inwards the first that shows the surface which ends here;
+/// the contour passes between them. If as far as is searched nothing but what lies beyond is seen,
+/// the contour is at least most of that way inwards. Nothing is seen where something nearer comes
+/// in between, or more than one pixel in a row that was not measured, or the border of the image.
 void search_contours(const ContourSpan& points, const ContourPose& camera_from_body,
                      const ContourImage& image, const ContourSearch& search,
                      const ContourCorrespondences& correspondences);

@@ -43,7 +43,7 @@ struct LabelRows {
   const std::int16_t* below;
 };
 
-/// The same of the pixels that show something else than one of their neighbours, or whose depth
+/// Finds likewise the pixels that show something else than one of their neighbours, or whose depth
 /// bends or jumps from one neighbour to the opposite one by more than the share `least_step` of it.
 std::size_t find_edges(const DepthRows& depths, const LabelRows& labels, std::size_t first,
                        std::size_t end, float least_step, std::int32_t* columns);

@@ -49,11 +49,11 @@ struct ColumnMoments {
   alignas(64) Sums step_v_d;
 };
 
-/// Of one body, around pixels of a row.
+/// Blurs the moments of one body, around pixels of a row.
 void blur_columns(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
                   const PixelRange& pixels, std::int16_t body, ColumnMoments& moments);
 
-/// Of all bodies: of (d - reference)^2.
+/// Blurs (d - reference)^2 of all bodies.
 void blur_squares(const EdgeWindow& window, const WindowTaps& taps, std::size_t pixel_row,
                   const PixelRange& pixels, float reference, ColumnMoments::Sums& squares);
 

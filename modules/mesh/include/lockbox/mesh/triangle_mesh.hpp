@@ -14,7 +14,7 @@ struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;                ///< positions, metres
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of the three corners
 
-  /// The three corners of triangle t.
+  /// Returns the three corners of triangle t.
   std::array<Eigen::Vector3d, 3> corners(std::size_t t) const {
     return {vertices[triangles[t][0]], vertices[triangles[t][1]], vertices[triangles[t][2]]};
   }

@@ -16,7 +16,7 @@ class ContentHash {
       value_ = (value_ ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001B3ULL;
     }
   }
-  /// Of two zeros, the sign does not count.
+  /// Adds a number. The sign of a zero does not count.
   void add(double value) {
     const double unsigned_zero = value + 0.0;
     add(std::as_bytes(std::span(&unsigned_zero, 1)));
@@ -32,7 +32,7 @@ class ContentHash {
 /// The hash as 16 hexadecimal digits, for names of files.
 std::string hash_text(std::uint64_t hash);
 
-/// Of the vertices' coordinates and the triangles, in their order.
+/// Returns the hash of the vertices' coordinates and the triangles, in their order.
 std::uint64_t content_hash(const TriangleMesh& mesh);
 
 }  // namespace lockbox

@@ -11,9 +11,9 @@ namespace lockbox {
 /// need (two solids with a face in common need it twice), and the vertices that nobody uses.
 TriangleMesh welded(const TriangleMesh& mesh, double tolerance = 0.0);
 
-/// Of triangles that are there twice, once for each side, as exporters write materials seen from
-/// both sides, drops the second, and turns the rest outwards (see oriented_outwards()). Two solids
-/// that touch keep both, since neither is closed without. For a mesh that is welded().
+/// Drops the second of triangles that are there twice, once for each side, as exporters write
+/// materials seen from both sides, and turns the rest outwards (see oriented_outwards()). Two
+/// solids that touch keep both, since neither is closed without. For a mesh that is welded().
 TriangleMesh one_sided(const TriangleMesh& mesh);
 
 /// Turns triangles until neighbours agree, shell by shell, keeping as much of the area as possible

@@ -19,7 +19,8 @@ namespace lockbox {
 using BodyPoses = std::vector<Eigen::Isometry3d>;  ///< T_camera_body by body
 using BodyJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-/// T_camera_body[b] for every body b of the tree. The vector is resized once and then reused.
+/// Writes the poses T_camera_body[b] of all bodies b of the tree. The vector is resized once and
+/// then reused.
 void forward_kinematics(const KinematicTree& tree, const Configuration& configuration,
                         BodyPoses& T_camera_body);
 
@@ -28,20 +29,21 @@ void forward_kinematics(const KinematicTree& tree, const Configuration& configur
 void forward_kinematics_of(const KinematicTree& tree, const Configuration& configuration,
                            std::span<const std::uint8_t> bodies, BodyPoses& T_camera_body);
 
-/// jacobians[b]: 6 x unknowns. Needs the poses that forward_kinematics gave.
+/// Writes the Jacobian of each body, jacobians[b], 6 x unknowns. It needs the poses that
+/// forward_kinematics gave.
 void body_jacobians(const KinematicTree& tree, const BodyPoses& T_camera_body,
                     std::vector<BodyJacobian>& jacobians);
 
-/// Twist of body a relative to body b, expressed in b's frame: T_b_a <- exp(J step) T_b_a. Only
-/// joints on the path between the two bodies have columns that are not zero: the base and the
-/// joints that carry both are zero by structure, not by cancellation.
+/// Writes the Jacobian of the twist of body a relative to body b, expressed in b's frame: T_b_a <-
+/// exp(J step) T_b_a. Only joints on the path between the two bodies have columns that are not
+/// zero: the base and the joints that carry both are zero by structure, not by cancellation.
 void relative_jacobian(const KinematicTree& tree, const BodyPoses& T_camera_body, int a, int b,
                        BodyJacobian& jacobian);
 
 /// Moves the configuration by a step (base twist, joint variables).
 void apply_step(const Eigen::VectorXd& step, Configuration& configuration);
 
-/// The configuration after a step.
+/// Returns the configuration after a step.
 Configuration stepped(const Configuration& configuration, const Eigen::VectorXd& step);
 
 }  // namespace lockbox

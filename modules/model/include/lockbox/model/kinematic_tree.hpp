@@ -66,9 +66,9 @@ struct KinematicTree {
   /// Indices into joints in the order of the file: the columns of a states file.
   std::vector<int> file_order;
 
-  /// How many joint variables a configuration has.
+  /// Returns how many joint variables a configuration has.
   int variables() const { return static_cast<int>(variable_joint.size()); }
-  /// How many unknowns a step has: the base's twist, then the joint variables.
+  /// Returns how many unknowns a step has: the base's twist, then the joint variables.
   int unknowns() const { return unknown_of(variables()); }
 };
 

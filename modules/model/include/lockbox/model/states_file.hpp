@@ -34,13 +34,13 @@ struct StatesFile {
 /// Throws InputError with file, line and column.
 StatesFile read_states(const std::filesystem::path& file, const KinematicTree& tree);
 
-/// The header line up to the last joint column, without line end.
+/// Returns the header line up to the last joint column, without line end.
 std::string states_header(const KinematicTree& tree);
 
-/// One row up to the last joint column, without line end, with round-trip precision.
+/// Returns one row up to the last joint column, without line end, with round-trip precision.
 std::string states_row(const KinematicTree& tree, double stamp, const Configuration& configuration);
 
-/// A whole file without further columns.
+/// Writes a whole file without further columns.
 void write_states(const std::filesystem::path& file, const KinematicTree& tree,
                   const std::vector<State>& states);
 

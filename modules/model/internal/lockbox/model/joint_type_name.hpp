@@ -7,7 +7,7 @@
 
 namespace lockbox {
 
-/// As a URDF file has it.
+/// Returns the name that a URDF file has for it.
 std::string type_name(JointType type);
 
 }  // namespace lockbox

@@ -18,9 +18,10 @@ class LookAlikes {
   /// locked: variables that keep their positions, by variable; empty: none.
   explicit LookAlikes(const ArticulatedModel& model, std::vector<bool> locked = {});
 
-  /// Those with another base, all joints within their limits, that look like the configuration; at
-  /// most eight. A base that is turned about an axis about which it is round, all else being where
-  /// it was, is none. Bodies without geometry are taken for what looks the same in no other pose.
+  /// Returns configurations with another base, all joints within their limits, that look like the
+  /// configuration; at most eight. A base that is turned about an axis about which it is round, all
+  /// else being where it was, is none. Bodies without geometry are taken for what looks the same in
+  /// no other pose.
   std::vector<Configuration> of(const Configuration& configuration) const;
 
  private:

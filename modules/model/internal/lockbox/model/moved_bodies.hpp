@@ -9,7 +9,7 @@
 
 namespace lockbox {
 
-/// By body: 1 where the joint variable moves it while the held body stays where it is.
+/// Returns by body 1 where the joint variable moves it while the held body stays where it is.
 std::vector<std::uint8_t> moved_bodies(const KinematicTree& tree, int variable,
                                        std::size_t held = 0);
 

@@ -16,13 +16,13 @@ namespace lockbox {
 std::vector<Eigen::Isometry3d> find_symmetries(const ArticulatedModel& model,
                                                double tolerance = 0.0005);
 
-/// Those of them that map it onto itself wherever its joints stand, too: a box of equal halves on a
-/// hinge looks the same back to front at rest alone.
+/// Returns those of them that map it onto itself wherever its joints stand, too: a box of equal
+/// halves on a hinge looks the same back to front at rest alone.
 std::vector<Eigen::Isometry3d> find_lasting_symmetries(const ArticulatedModel& model,
                                                        double tolerance = 0.0005);
 
-/// The same for one body alone, in its own frame, and of its surface at least that share: the foot
-/// of a lamp is round, and so is most of a mug. The identity alone for a body without a field.
+/// Finds the same for one body alone, in its own frame, and of its surface at least that share: the
+/// foot of a lamp is round, and so is most of a mug. The identity alone for a body without a field.
 std::vector<Eigen::Isometry3d> find_body_symmetries(const ArticulatedModel& model, std::size_t body,
                                                     double share = 1.0, double tolerance = 0.0005);
 

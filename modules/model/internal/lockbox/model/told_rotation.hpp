@@ -6,7 +6,7 @@
 
 namespace lockbox {
 
-/// Of the two quaternions that mean the rotation of the pose, the one whose w is not negative.
+/// Returns the one of the two quaternions of the pose's rotation whose w is not negative.
 Eigen::Quaterniond told_rotation(const Eigen::Isometry3d& pose);
 
 }  // namespace lockbox

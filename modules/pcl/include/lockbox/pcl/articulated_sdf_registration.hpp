@@ -137,7 +137,8 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   /// knows nothing of them: it would follow them beyond the end of a cloud.)
   pcl::IndicesPtr getIndices() const;
 
-  /// The target is the model; a cloud is refused with a warning once there is one.
+  /// Leaves the target alone, which is the model. A cloud is refused with a warning once there is
+  /// one.
   void setInputTarget(const PointCloudTargetConstPtr& cloud) override;
 
   /// Calls PCL's, which cannot be overridden, with a tree that is not null; no tree but its own is
@@ -165,7 +166,7 @@ class ArticulatedSdfRegistration : public pcl::Registration<PointT, PointT, Scal
   using Base::transformation_;
   using Base::tree_;
 
-  /// What pcl::Registration::align() calls: one alignment from the guess.
+  /// Aligns once, from the guess. pcl::Registration::align() calls it.
   void computeTransformation(PointCloudSource& output, const Matrix4& guess) override;
 
  private:

@@ -34,21 +34,21 @@ class Publisher {
   Publisher(const Publisher&) = delete;
   Publisher& operator=(const Publisher&) = delete;
 
-  /// To all who are connected, without waiting: who is too slow loses the oldest of the lines that
-  /// wait for them. line: without an end of line.
+  /// Hands the line to all who are connected, without waiting: who is too slow loses the oldest of
+  /// the lines that wait for them. line: without an end of line.
   void publish(const std::string& line);
 
   /// Gives readers half a second for what still waits for them, and ends. Sockets are removed.
   void close();
 
-  /// Why lines are no longer written to standard output: EPIPE (its reader has gone away) or
-  /// another errno; 0 while they are. Known some time after publish(), for good after close().
+  /// Returns why lines are no longer written to standard output: EPIPE (its reader has gone away)
+  /// or another errno; 0 while they are. Known some time after publish(), for good after close().
   int output_error() const;
 
-  /// Where it can be reached, such as "tcp 127.0.0.1:5555", one for each target.
+  /// Returns where it can be reached, such as "tcp 127.0.0.1:5555", one for each target.
   std::vector<std::string> addresses() const;
 
-  /// One for each target; complete after close().
+  /// Returns one for each target; they are complete after close().
   std::vector<Publication> publications() const;
 
  private:

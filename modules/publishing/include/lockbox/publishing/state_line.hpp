@@ -8,7 +8,7 @@
 
 namespace lockbox {
 
-/// What a frame told, as one JSON object without an end of line; docs/run-files.md has its
+/// Returns what a frame told, as one JSON object without an end of line; docs/run-files.md has its
 /// fields, which are named as those of sensor_msgs/JointState and
 /// geometry_msgs/PoseWithCovarianceStamped. frame: DepthFrame::index.
 std::string state_line(const KinematicTree& tree, std::uint64_t frame,

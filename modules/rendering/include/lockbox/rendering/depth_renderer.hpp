@@ -40,9 +40,9 @@ struct ImageWindow {
   int width = 0;   ///< columns
   int height = 0;  ///< rows
 
-  /// The column after the last one.
+  /// Returns the column after the last one.
   int right() const { return left + width; }
-  /// The row after the last one.
+  /// Returns the row after the last one.
   int bottom() const { return top + height; }
 };
 
@@ -102,12 +102,12 @@ class DepthRenderer {
   std::unique_ptr<Workspace> workspace_;
 };
 
-/// The camera whose pixels are blocks of factor x factor pixels of the given one; columns and rows
-/// that fill no block are dropped.
+/// Returns the camera whose pixels are blocks of factor x factor pixels of the given one; columns
+/// and rows that fill no block are dropped.
 PinholeCamera reduced(const PinholeCamera& camera, int factor);
 
-/// The camera with factor times as many samples along each axis; sample (factor u, factor v) is
-/// pixel (u, v), and the outermost samples are the outermost pixels.
+/// Returns the camera with factor times as many samples along each axis; sample (factor u, factor
+/// v) is pixel (u, v), and the outermost samples are the outermost pixels.
 PinholeCamera refined(const PinholeCamera& camera, int factor);
 
 }  // namespace lockbox

@@ -40,9 +40,9 @@ class SignedDistanceField {
   SignedDistanceField(SignedDistanceField&&) noexcept;
   SignedDistanceField& operator=(SignedDistanceField&&) noexcept;
 
-  /// What inner loops read; valid as long as the field.
+  /// Returns what inner loops read; valid as long as the field.
   const FieldView& view() const { return view_; }
-  /// What the cache writes.
+  /// Returns what the cache writes.
   const Storage& storage() const { return storage_; }
   /// Returns the box of the body's surface, body frame, metres.
   const Eigen::AlignedBox3d& bounds() const { return storage_.bounds; }

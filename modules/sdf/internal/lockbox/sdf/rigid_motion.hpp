@@ -7,7 +7,7 @@
 
 namespace lockbox {
 
-/// As the kernels take it.
+/// Returns the motion as the kernels take it.
 inline kernels::RigidMotion to_rigid_motion(const Eigen::Isometry3d& T) {
   kernels::RigidMotion motion{};
   for (int row = 0; row < 3; ++row) {

@@ -14,7 +14,7 @@ struct DepthCorrection {
   double quadratic = 0.0;  ///< 1/metre
   double radial = 0.0;     ///< 1, see above
 
-  /// On the optical axis, metres.
+  /// Returns the depth that is there, metres, for a depth z measured on the optical axis.
   double on_axis(double z) const { return offset + (scale + quadratic * z) * z; }
 
   bool operator==(const DepthCorrection&) const = default;

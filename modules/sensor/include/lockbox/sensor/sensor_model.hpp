@@ -48,7 +48,7 @@ struct SensorModel {
   double min_range = 0.0;             ///< metres; what is measured nearer or farther is dropped
   double max_range = 65.535;          ///< metres
 
-  /// Whether depth comes from matching windows of two images.
+  /// Returns whether depth comes from matching windows of two images.
   bool is_stereo() const { return matching_window > 1 || most_fattening > 0.0; }
 };
 

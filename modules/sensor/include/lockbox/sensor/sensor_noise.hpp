@@ -21,23 +21,24 @@ struct SensorNoise {
   /// How far these errors are alike. Unit: pixels.
   double correlation_pixels = 3.0;
 
-  /// Along the ray at depth z, and across it with focal length fx: metres.
+  /// Returns the standard deviation along the ray at depth z, metres.
   double sigma_z(double z) const {
     return depth_floor + depth_linear * z + depth_quadratic * z * z;
   }
   /// Across the ray at depth z, with focal length fx in pixels: metres.
   double sigma_lateral(double z, double fx) const { return lateral_pixels / fx * z; }
-  /// Of 1/depth, at that inverse depth: 1/metre.
+  /// Returns the standard deviation of 1/depth, at that inverse depth: 1/metre.
   double sigma_inverse(double inverse_depth) const {
     return depth_quadratic + inverse_depth * (depth_linear + inverse_depth * depth_floor);
   }
-  /// Of 1/depth, 1/metre: nearly the same at all depths. Taken where objects usually are.
+  /// Returns the standard deviation of 1/depth, 1/metre. It is nearly the same at all depths, and
+  /// taken where objects usually are.
   double sigma_inverse_depth() const {
     constexpr double kUsualDepth = 1.732;  // metres
     return sigma_z(kUsualDepth) / (kUsualDepth * kUsualDepth);
   }
 
-  /// The sum of the errors' autocorrelation over all offsets, in pixels: the mean over many
+  /// Returns the sum of the errors' autocorrelation over all offsets, in pixels: the mean over many
   /// neighbours has the variance of so many times fewer independent pixels. 1 where each errs by
   /// itself.
   double correlation_area() const;

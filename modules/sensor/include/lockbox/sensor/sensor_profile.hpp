@@ -30,14 +30,15 @@ struct SensorProfile {
 /// Throws InputError that names file, line, key and what may stand there.
 SensorProfile read_sensor_profile(const std::filesystem::path& file);
 
-/// The profile in that file if it exists, else the shipped one of that name: `primesense` stands
-/// for share/lockbox/sensors/primesense.yaml. Throws InputError that lists the shipped ones.
+/// Returns the profile in that file if it exists, else the shipped one of that name: `primesense`
+/// stands for share/lockbox/sensors/primesense.yaml. Throws InputError that lists the shipped ones.
 SensorProfile find_sensor_profile(const std::string& name_or_file);
 
-/// The names of the shipped profiles, in alphabetical order; none if they are not installed.
+/// Returns the names of the shipped profiles, in alphabetical order; none if they are not
+/// installed.
 std::vector<std::string> shipped_sensor_names();
 
-/// The same as a sentence has it: `a, b or c`.
+/// Returns the same names as a sentence has them: `a, b or c`.
 std::string sensor_names();
 
 }  // namespace lockbox

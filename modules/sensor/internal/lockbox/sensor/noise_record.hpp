@@ -29,8 +29,8 @@ class NoiseRecord {
   /// Takes about as long as a frame. What comes of it depends on nothing but the images.
   void look_at(const DepthFrame& frame) { look_at_part(frame, 0, 1); }
 
-  /// The same in parts, 0 <= part < parts, of which each takes the rows of another image: no frame
-  /// takes much longer than others. What they show together counts with the last one.
+  /// Looks at a frame in parts, 0 <= part < parts, of which each takes the rows of another image:
+  /// no frame takes much longer than others. What they show together counts with the last one.
   void look_at_part(const DepthFrame& frame, int part, int parts);
 
   /// The noise along the ray and how it correlates; across the ray as SensorNoise has it. None if

@@ -46,7 +46,7 @@ struct SensorDeviation {
   CameraDeviation camera;  ///< the geometry of the image
   DepthDeviation depth;    ///< what is measured in it
 
-  /// Whether anything differs at all.
+  /// Returns whether anything differs at all.
   bool is_any() const {
     return camera.focal_length != 1.0 || !camera.principal_point.isZero(0.0) ||
            !camera.distortion.isZero(0.0) || depth.scale != 1.0 || depth.bend != 0.0 ||
@@ -73,7 +73,7 @@ struct Deviation {
 /// Throws InputError with file, line and key.
 Deviation read_deviation(const std::filesystem::path& file);
 
-/// The text of a file that read_deviation() reads, all keys written out.
+/// Returns the text of a file that read_deviation() reads, all keys written out.
 std::string deviation_text(const Deviation& deviation);
 
 }  // namespace lockbox

@@ -19,10 +19,11 @@ inline constexpr std::int16_t kOccluderId = 10001;
 /// Copies share the geometry.
 class PlacedScene {
  public:
-  /// An empty scene.
+  /// Makes an empty scene.
   PlacedScene();
 
-  /// The run gives the first base pose and the span of time; it must not be empty.
+  /// Places the scene. The run gives the first base pose and the span of time; it must not be
+  /// empty.
   PlacedScene(const Scene& scene, const std::vector<State>& run);
 
   /// Appends what there is at that state. The items live as long as a copy of the scene.

@@ -23,11 +23,12 @@ class SensorSimulator {
   SensorSimulator(SensorSimulator&&) noexcept;
   SensorSimulator& operator=(SensorSimulator&&) noexcept;
 
-  /// The camera that the clean depth has to be rendered with: the sensor's own, or, for a sensor
-  /// with lateral jitter or mixed depths, refined(camera, 2). Under jitter a pixel then takes the
-  /// depth of one of the samples around it, half a pixel apart; which one is drawn such that the
-  /// offset is a rounded Gaussian with the standard deviation that the model asks for. Jitter mixes
-  /// no depths: an edge moves from pixel to pixel, but no pixel floats between near and far.
+  /// Returns the camera that the clean depth has to be rendered with: the sensor's own, or, for a
+  /// sensor with lateral jitter or mixed depths, refined(camera, 2). Under jitter a pixel then
+  /// takes the depth of one of the samples around it, half a pixel apart; which one is drawn such
+  /// that the offset is a rounded Gaussian with the standard deviation that the model asks for.
+  /// Jitter mixes no depths: an edge moves from pixel to pixel, but no pixel floats between near
+  /// and far.
   const PinholeCamera& sample_camera() const;
 
   /// Sets all of the frame but its stamp. clean: rendered with sample_camera().

@@ -30,17 +30,18 @@ class Simulator {
   ~Simulator();
   Simulator(Simulator&&) noexcept;
 
-  /// The frame with that index of a run. Throws InputError if the state is not known completely.
+  /// Makes the frame with that index of a run. Throws InputError if the state is not known
+  /// completely.
   void simulate(const State& state, std::uint64_t index, DepthFrame& frame);
 
-  /// What the last frame was made from: sampled as SensorSimulator::sample_camera says, ids the
-  /// numbers of bodies, kBackgroundId and kOccluderId.
+  /// Returns what the last frame was made from: sampled as SensorSimulator::sample_camera says, ids
+  /// the numbers of bodies, kBackgroundId and kOccluderId.
   const RenderedDepth& clean() const { return clean_; }
-  /// The camera that clean() was rendered with.
+  /// Returns the camera that clean() was rendered with.
   const PinholeCamera& sample_camera() const { return sensor_.sample_camera(); }
 
-  /// The base pose of the last frame as the calibration shows it: the rigid pose that fits the
-  /// measured surface of the model best, were there no noise. The true one without a deviation.
+  /// Returns the base pose of the last frame as the calibration shows it: the rigid pose that fits
+  /// the measured surface of the model best, were there no noise. The true one without a deviation.
   Eigen::Isometry3d apparent_base() const;
 
  private:

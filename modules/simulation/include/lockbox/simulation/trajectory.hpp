@@ -12,12 +12,13 @@
 
 namespace lockbox {
 
-/// The base upright in front of the camera, its z axis towards it: distance in metres.
+/// Returns the pose of a base that stands upright in front of the camera, its z axis towards it:
+/// distance in metres.
 Eigen::Isometry3d facing_pose(double distance);
 
-/// The distance, metres, from which such a camera sees all of a model that faces it, and enough of
-/// it: 1.3 m of what is some decimetres to a metre across, nearer what is smaller, but for half a
-/// metre, which every depth sensor reaches.
+/// Returns the distance, metres, from which such a camera sees all of a model that faces it, and
+/// enough of it: 1.3 m of what is some decimetres to a metre across, nearer what is smaller, but
+/// for half a metre, which every depth sensor reaches.
 double viewing_distance(const KinematicTree& tree, const PinholeCamera& camera);
 
 /// How a trajectory is made.
@@ -39,8 +40,8 @@ struct TrajectoryOptions {
 std::vector<State> generate_trajectory(const KinematicTree& tree,
                                        const TrajectoryOptions& options = {});
 
-/// 0 at 0, 1 at 1, and constant beyond; smooth, with velocity and acceleration zero at both
-/// (the minimum-jerk polynomial).
+/// Returns 0 at 0, 1 at 1, and the same beyond. It is smooth, with velocity and acceleration zero
+/// at both (the minimum-jerk polynomial).
 double smooth_step(double x);
 
 }  // namespace lockbox

@@ -41,20 +41,20 @@ class CovarianceEstimator {
   /// The inverse of the covariance; zero for unknowns held.
   const Eigen::MatrixXd& information();
 
-  /// Of another source, after information().
+  /// Adds the information of another source, after information().
   void add_information(const Eigen::MatrixXd& information);
 
   /// Ends an estimate. motion_scales: metres that surfaces move for a unit of each unknown, at
   /// most.
   void add_floors(const Eigen::VectorXd& motion_scales);
 
-  /// Of (base twist, variables). What follows is valid after add_floors().
+  /// Returns the covariance of (base twist, variables). What follows is valid after add_floors().
   const Eigen::MatrixXd& covariance() const { return covariance_; }
   /// Square roots of its diagonal.
   const Eigen::VectorXd& sigma() const { return sigma_; }
-  /// Without what the object's misfit adds.
+  /// Returns the standard deviations without what the object's misfit adds.
   const Eigen::VectorXd& sigma_of_noise() const { return sigma_of_noise_; }
-  /// By unknown: whether that is less than a tenth of a unit.
+  /// Returns by unknown whether that is less than a tenth of a unit.
   const std::vector<bool>& observable() const { return observable_; }
 
  private:

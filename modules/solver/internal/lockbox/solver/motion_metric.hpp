@@ -18,15 +18,16 @@ class MotionMetric {
   /// single joint contributes.
   double between(const Configuration& a, const Configuration& b) const;
 
-  /// The same for a step: base twist (v, w) in the base's frame, then the joint variables.
+  /// Returns the distance of a step: base twist (v, w) in the base's frame, then the joint
+  /// variables.
   double of(const Eigen::VectorXd& step) const;
 
-  /// The same for the unknowns that can be seen and that the step moves by several of their
-  /// standard deviations. observable, sigma: by unknown.
+  /// Returns the distance for those unknowns that can be seen and that the step moves by several of
+  /// their standard deviations. observable, sigma: by unknown.
   double of_significant(const Eigen::VectorXd& step, const std::vector<bool>& observable,
                         const Eigen::VectorXd& sigma) const;
 
-  /// By unknown: metres that surfaces move for a unit, at most.
+  /// Returns by unknown the metres that surfaces move for a unit, at most.
   const Eigen::VectorXd& scales() const { return scales_; }
 
  private:

@@ -53,10 +53,10 @@ class CorrespondenceSet {
   /// and stand for as many pixels: neighbours mostly follow each other.
   std::size_t end_of_run(std::size_t correspondence, std::size_t end) const;
 
-  /// Of a correspondence that is laid out.
+  /// Returns the tile of a correspondence that is laid out.
   std::size_t tile(std::size_t correspondence) const { return tiles_[correspondence]; }
   float pixels_of(std::size_t correspondence) const { return arrays_[pixels][correspondence]; }
-  /// Of the model, body frame.
+  /// Returns its point of the model, body frame.
   Eigen::Vector3f point(std::size_t correspondence) const {
     return {arrays_[px][correspondence], arrays_[py][correspondence], arrays_[pz][correspondence]};
   }

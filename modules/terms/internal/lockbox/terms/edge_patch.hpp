@@ -52,7 +52,7 @@ class EdgePatch {
   /// The pixels of this row, bit by bit, whose inverse depth bends towards that of their neighbours
   /// by more than this (1/metre), or breaks; not if one of them shows nothing.
   std::uint32_t bending(int row, float least) const;
-  /// Of the patch's pixel in this column and row: whether it may show nothing of the model.
+  /// Returns whether the patch's pixel in this column and row may show nothing of the model.
   bool may_show_nothing(int column, int row) const;
 
   /// What follows is about the pixels of this row from the first column to before the end, until
@@ -65,8 +65,8 @@ class EdgePatch {
   float mean() const { return mean_; }
   float variance() const { return variance_; }
 
-  /// Of the mean by the twist of bodies()[body], in the camera's frame, 1/metre. x, y: the pixel's
-  /// ray (x, y, 1).
+  /// Returns the derivative of the mean by the twist of bodies()[body], in the camera's frame,
+  /// 1/metre. x, y: the pixel's ray (x, y, 1).
   Eigen::Matrix<float, 6, 1> derivative(std::size_t body, float x, float y,
                                         const PinholeCamera& camera) const;
 

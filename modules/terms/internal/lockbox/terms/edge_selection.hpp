@@ -25,16 +25,16 @@ class EdgeSelection {
   void select(const VisibleSurface& surface, const PinholeCamera& camera, float least_bend,
               const Executor& executor);
 
-  /// Of them leaves those that tell most about each variable, so many of each.
-  /// screws: by body, from a step of all unknowns to its twist in the camera's frame. variables: by
-  /// body, those that move it. variance: of what a pixel measures, 1/metre^2.
+  /// Leaves those of them that tell most about each variable, so many of each. screws: by body,
+  /// from a step of all unknowns to its twist in the camera's frame. variables: by body, those that
+  /// move it. variance: of what a pixel measures, 1/metre^2.
   void keep_best(const VisibleSurface& surface, const std::vector<BodyJacobian>& screws,
                  const std::vector<std::vector<int>>& variables, float variance,
                  std::size_t of_each_variable, const Executor& executor);
 
   /// Rows of patches, from the image's first on; the last may reach beyond the image.
   std::size_t rows() const { return rows_.size(); }
-  /// Of a row the columns of patches that were selected, from left to right.
+  /// Returns the columns of patches that were selected in a row, from left to right.
   const std::vector<int>& columns(std::size_t row) const { return rows_[row].columns; }
 
  private:

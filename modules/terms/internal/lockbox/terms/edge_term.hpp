@@ -51,7 +51,7 @@ class EdgeTerm {
   const Eigen::MatrixXd& information() const { return information_; }
   const Eigen::VectorXd& gradient() const { return gradient_; }
 
-  /// Of the pixels that are compared.
+  /// Returns how many pixels are compared.
   double pixels() const { return pixels_; }
   double chi_squared() const { return chi_squared_; }
 

@@ -66,7 +66,7 @@ class ModelTerm {
   void prepare(Linearization& linearization) const;
   void select_candidates(const Scene& scene, std::size_t chunk_index, double annealing_sigma,
                          Chunk& chunk) const;
-  /// Of one chunk; returns its cost under a frozen selection, if there is one.
+  /// Linearizes one chunk; returns its cost under a frozen selection, if there is one.
   double linearize_chunk(const Scene& scene, std::size_t chunk_index, double annealing_sigma,
                          const Chunk* frozen, Linearization& linearization) const;
   double sum_up(std::vector<BodySystem>& systems);

@@ -16,7 +16,7 @@ namespace lockbox {
 /// Memory of one worker.
 class ObservedContour {
  public:
-  /// For points of one body; annealing_sigma: metres that the model may be off.
+  /// Looks for points of one body; annealing_sigma: metres that the model may be off.
   void look(std::span<const ContourPoint> points, const Eigen::Isometry3d& T_camera_body,
             const TiledCloud& cloud, const ViewOptions& options, double annealing_sigma);
 

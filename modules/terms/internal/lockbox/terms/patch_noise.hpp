@@ -42,7 +42,7 @@ class PatchNoise {
   /// Values r, a row a pixel in the order of add(), become F^-1 r.
   void whiten();
   std::span<const float> values(std::size_t pixel) { return values_.row(pixel); }
-  /// Of each two values the sum of their products over all pixels.
+  /// Returns the sum of the products of each two values over all pixels.
   kernels::PaddedRows& products();
 
  private:

@@ -37,7 +37,8 @@ class RegionLikelihood {
   std::span<const double> compare(const TiledCloud& cloud, const Configuration& configuration,
                                   int variable, std::span<const double> positions);
 
-  /// By how much chi^2 rises in the mean from the last position to each, where the last is right.
+  /// Returns by how much chi^2 rises in the mean from the last position to each, where the last is
+  /// right.
   std::span<const double> expected_rises() const { return rises_; }
 
   /// Pixels that were compared: those around which some position changes anything.

@@ -26,9 +26,9 @@ inline constexpr int kSizeUnknowns = 3;  ///< across, along, growth
 /// (twist of the body, across, along, growth).
 using SizeRow = Eigen::Matrix<double, 6 + kSizeUnknowns, 1>;
 
-/// Of a residual that changes by direction . motion as the model's point moves. base: the origin of
-/// the model's base. All in the camera's frame, metres. pixel: metres that a pixel of growth adds
-/// to the residual; 0 for what is no contour.
+/// Returns the row of a residual that changes by direction . motion as the model's point moves.
+/// base: the origin of the model's base. All in the camera's frame, metres. pixel: metres that a
+/// pixel of growth adds to the residual; 0 for what is no contour.
 SizeRow size_row(const Eigen::Isometry3d& T_camera_body, const Eigen::Vector3d& base,
                  const Eigen::Vector3d& point, const Eigen::Vector3d& direction, double pixel);
 

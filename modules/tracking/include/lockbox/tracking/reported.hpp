@@ -6,11 +6,11 @@
 
 namespace lockbox {
 
-/// Whether its configuration is reported, for it is `tracking` or `uncertain`.
+/// Returns whether its configuration is reported, for it is `tracking` or `uncertain`.
 bool is_known(const TrackingResult& result);
 
-/// Standard deviation of a joint's position, radians or metres: infinite where the view does not
-/// determine it, 0 for held joints, NaN while nothing is known.
+/// Returns the standard deviation of a joint's position, radians or metres: infinite where the view
+/// does not determine it, 0 for held joints, NaN while nothing is known.
 double joint_sigma(const Joint& joint, const TrackingResult& result);
 
 }  // namespace lockbox

@@ -52,14 +52,15 @@ struct SearchFailure {
   std::optional<Place> best;  ///< none: nothing in view resembles the model
 };
 
-/// What the frame alone tells, and the answer that was not believed; null: there was none.
+/// Returns what the frame alone tells, and the answer that was not believed; null: there was none.
 SearchFailure search_failure(const DepthFrame& frame, const KinematicTree& tree,
                              const TrackerOptions& options, const RegistrationResult* best);
 
-/// Whether the frame alone tells why the model cannot be found in it.
+/// Returns whether the frame alone tells why the model cannot be found in it.
 bool is_explained(const SearchFailure& failure);
 
-/// The reasons in whole sentences, the surest first, each with what to do about it; at least one.
+/// Returns the reasons in whole sentences, the surest first, each with what to do about it; at
+/// least one.
 std::vector<std::string> reasons(const SearchFailure& failure);
 
 /// Tries what recordings are often wrong by: mirrored images, and depths in fifths of the unit that

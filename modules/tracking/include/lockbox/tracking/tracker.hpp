@@ -45,12 +45,14 @@ struct ApparentSize {
   Eigen::Matrix2d covariance =
       std::numeric_limits<double>::infinity() * Eigen::Matrix2d::Identity();
 
-  /// Whether `across` is off, beyond doubt, by more than objects differ from their drawings and
-  /// cameras from their calibrations: 3 %. Such an object is `uncertain` at best.
+  /// Returns whether `across` is off, beyond doubt, by more than objects differ from their drawings
+  /// and cameras from their calibrations: 3 %. Such an object is `uncertain` at best.
   bool is_implausible() const;
-  /// Whether that may be the scale of the model, or of the depths: no image tells these apart.
+  /// Returns whether that may be the scale of the model, or of the depths: no image tells these
+  /// apart.
   bool may_be_scale() const;
-  /// Whether it may be the focal length. Where there is too little relief to tell, both may be.
+  /// Returns whether it may be the focal length. Where there is too little relief to tell, both may
+  /// be.
   bool may_be_focal_length() const;
 };
 

@@ -152,11 +152,11 @@ struct TrackerOptions {
   double lost_agreement = 0.60;
 };
 
-/// The noise, its correlation and the range of depths are the sensor's from now on, whatever images
+/// Makes the noise, its correlation and the range of depths those of the sensor, whatever images
 /// show.
 void assume_sensor(const SensorProfile& sensor, TrackerOptions& options);
 
-/// The noise and its correlation are these from now on.
+/// Makes this the noise, and its correlation that of the registration.
 void assume_noise(const SensorNoise& noise, RegistrationOptions& registration);
 
 }  // namespace lockbox

@@ -20,8 +20,8 @@ namespace lockbox {
 /// its kind is the one that was meant.
 enum class SearchScope { near, anywhere, near_first, given_first };
 
-/// Of two answers in one frame the one with the higher score (classification.hpp), the earlier one
-/// of equals. True if that is the first one.
+/// Keeps the one of two answers in one frame that has the higher score (classification.hpp), the
+/// earlier one of equals. Returns whether that is the first one.
 bool keep_better(const Answer& answer, const TrackerOptions& options, Answer& best);
 
 /// It may as well stand so far away: its standard deviations say so.
@@ -63,7 +63,7 @@ class Acquisition {
   /// none if it did, or has not looked anywhere yet.
   const std::optional<SearchFailure>& failure() const { return failure_; }
 
-  /// Of what the last search of the whole frame has found: what it could not tell from it.
+  /// Returns what the last search of the whole frame could not tell from what it has found.
   const std::vector<Alternative>& alternatives() const { return alternatives_; }
 
   /// Configurations that no image tells apart.

@@ -28,7 +28,7 @@ class BackgroundSearch {
   BackgroundSearch(const BackgroundSearch&) = delete;
   BackgroundSearch& operator=(const BackgroundSearch&) = delete;
 
-  /// From start() until take() has met its end.
+  /// Returns whether it goes on: from start() until take() has met its end.
   bool is_busy() const { return running_.valid(); }
 
   /// Begins what Acquisition::find() does, with a copy of the frame. Not while it is busy.

@@ -11,8 +11,8 @@
 
 namespace lockbox {
 
-/// For comparing answers in one frame: Agreement::score, but what may be a piece of a wall,
-/// for the scene goes on beyond its contour, explains nothing.
+/// Returns a score to compare answers in one frame by: Agreement::score, but what may be a piece of
+/// a wall, for the scene goes on beyond its contour, explains nothing.
 double score(const RegistrationResult& registered, const TrackerOptions& options);
 
 /// Whether the image was asked, and speaks for it (lockbox/verification/belief.hpp), and enough of
@@ -24,8 +24,8 @@ bool is_believed(const Answer& answer, const TrackerOptions& options);
 /// it does: objects differ from their models. It may still not be determined where it is.
 bool agrees(const Answer& answer, const TrackerOptions& options);
 
-/// By unknown: whether the frame determines it well enough to be reported as known, and nothing
-/// contradicts what it moves.
+/// Returns by unknown whether the frame determines it well enough to be reported as known, and
+/// nothing contradicts what it moves.
 std::vector<bool> known_unknowns(const RegistrationResult& registered, const KinematicTree& tree,
                                  const TrackerOptions& options);
 
@@ -36,9 +36,8 @@ bool rests(const RegistrationResult& registered, const TrackerOptions& options);
 /// whether it is believed, for evidence knows what contours say.
 bool is_believable(const Answer& answer, const TrackerOptions& options);
 
-/// Of an answer: `tracking`, `uncertain` or `lost`. What is not believable, of
-/// which too little is seen to know where the base is, or was still on its way, is `uncertain` at
-/// best.
+/// Returns `tracking`, `uncertain` or `lost`. What is not believable, of which too little is seen
+/// to know where the base is, or was still on its way, is `uncertain` at best.
 TrackingStatus classify(const Answer& answer, const TrackerOptions& options);
 
 /// Whether there is nothing to be sought: the answer is `tracking`, or rests and agrees while the
@@ -54,7 +53,8 @@ bool is_contradicted(const Agreement& body, const TrackerOptions& options);
 bool is_doubtful(const RegistrationResult& registered, int variable, const JointMargins& margins,
                  const KinematicTree& tree, const TrackerOptions& options);
 
-/// In order; the first one, the base, also where the whole is hardly explained, or contradicted.
+/// Returns them in order; the first one, the base, is among them also where the whole is hardly
+/// explained, or contradicted.
 std::vector<int> contradicted_bodies(const RegistrationResult& registered,
                                      const TrackerOptions& options);
 

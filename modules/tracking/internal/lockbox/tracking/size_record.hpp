@@ -18,7 +18,8 @@ class SizeRecord {
   bool is_due();
   void add(const SizeMeasurement& size);
 
-  /// Of infinite covariance until there is a measurement; of few ones more than they say.
+  /// Returns the mean. Its covariance is infinite until there is a measurement, and that of few
+  /// ones larger than they say.
   ApparentSize mean() const;
 
   /// Adds to what an alignment is unsure of by how much it is off because it takes the size for 1,

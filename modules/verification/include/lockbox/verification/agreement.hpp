@@ -36,7 +36,7 @@ struct ContourAgreement {
   int samples = 0;  ///< at the contour, where something in front does not hide what is beyond
   int goes_on = 0;  ///< of these, where the scene continues the model's surface
 
-  /// The share of the contour at which the model's surface goes on; 0 without a contour.
+  /// Returns the share of the contour at which the model's surface goes on; 0 without a contour.
   double continued() const { return samples > 0 ? static_cast<double>(goes_on) / samples : 0.0; }
 };
 

@@ -15,7 +15,7 @@ double least_evidence(const EvidenceOptions& options = {});
 /// The nats that are more than a box can show, which any room may have.
 double evidence_beyond_a_box(const EvidenceOptions& options = {});
 
-/// Of an answer with this evidence (nats) against one with another.
+/// Returns the log odds of an answer with this evidence (nats) against one with another.
 double log_odds(double evidence, double against, const EvidenceOptions& options = {});
 
 /// The probability of an answer, from its evidence (nats) and that of the other answers: one of

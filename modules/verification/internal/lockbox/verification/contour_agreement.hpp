@@ -27,7 +27,7 @@ void look_beyond(const VisibleSurface& surface, const Pixel& sample, const Tiled
 
 void add(const ContourSides& sides, ContourSides& sums);
 
-/// Of one body.
+/// Adds the sides of one body.
 void add(const ContourSides& sides, ContourAgreement& contour);
 
 }  // namespace lockbox

@@ -26,7 +26,7 @@ class Verifier {
   /// large it is beside neighbours is measured in the cloud itself.
   void look_at(const TiledCloud& cloud, const SensorNoise& sensor, const Executor& executor);
 
-  /// In the image looked at last.
+  /// Returns the evidence in the image looked at last.
   Evidence evidence(const Configuration& configuration);
 
  private:

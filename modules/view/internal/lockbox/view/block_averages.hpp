@@ -42,11 +42,11 @@ class BlockAverages : public PointTiles {
   BlockAverages(BlockAverages&&) noexcept;
   BlockAverages& operator=(BlockAverages&&) noexcept;
 
-  /// Before the bands are filled.
+  /// Begins a view, before the bands are filled.
   void begin(const SamplingDensity& density);
   std::size_t bands() const;
   void fill_band(const Scene& scene, std::size_t i);
-  /// After all of them: what the object holds are their points.
+  /// Ends a view, after all of them: what the object holds are their points.
   void finish();
 
  private:

@@ -47,7 +47,7 @@ class ContinuedEdges {
   /// Whether any pixel is covered.
   bool any() const { return is_any_; }
 
-  /// By body: whether it is flush with something. Empty if no image was looked at.
+  /// Returns by body whether it is flush with something. Empty if no image was looked at.
   const std::vector<bool>& flush_bodies() const { return is_flush_; }
 
   /// Whether a pixel of the view lies beyond an edge of a flush body across which the scene goes

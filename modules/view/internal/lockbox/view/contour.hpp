@@ -21,7 +21,7 @@ class TangentPlane {
     return std::max(kHorizon, 1.0 + slope_u_ * du + slope_v_ * dv);
   }
 
-  /// Of 1 / depth, relative to the value here, per pixel along u and v.
+  /// Returns the slopes of 1 / depth, relative to the value here, per pixel along u and v.
   Eigen::Vector2d slopes() const { return {slope_u_, slope_v_}; }
 
   /// Largest change of the depth from one pixel to the next, as a share of the depth.

@@ -45,11 +45,11 @@ class ContourPoints {
   ContourPoints(ContourPoints&&) noexcept;
   ContourPoints& operator=(ContourPoints&&) noexcept;
 
-  /// Before the bands of a view are found.
+  /// Begins a view, before its bands are found.
   void begin(const RenderedDepth& view);
   void find_band(const Scene& scene, std::size_t i);
 
-  /// By bands of rows of the view, in each of which there may be none.
+  /// Returns the number of bands of rows of the view, in each of which there may be no point.
   std::size_t bands() const;
   const std::vector<ContourPoint>& band(std::size_t i) const;
 

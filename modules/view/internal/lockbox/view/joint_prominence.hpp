@@ -7,9 +7,9 @@
 
 namespace lockbox {
 
-/// By joint variable: how far what it moves stands out from all that it does not move, metres: the
-/// largest distance of a surface, at the ends and in the middle of its range with the other joints
-/// at rest. Infinite where nothing else has geometry.
+/// Returns by joint variable how far what it moves stands out from all that it does not move,
+/// metres: the largest distance of a surface, at the ends and in the middle of its range with the
+/// other joints at rest. Infinite where nothing else has geometry.
 Eigen::VectorXd joint_prominences(const ArticulatedModel& model);
 
 }  // namespace lockbox

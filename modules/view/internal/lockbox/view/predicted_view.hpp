@@ -43,7 +43,7 @@ class PredictedView {
   /// Whether the model would still look like this.
   bool shows(const Configuration& configuration, const MotionMetric& moves) const;
 
-  /// Those of the cloud that were chosen.
+  /// Returns the points of the cloud that were chosen.
   const PointTiles& points() const { return *points_; }
   /// Whether their tiles are not those of the image.
   bool has_own_tiles() const { return points_ == &thinned_ || points_ == &averages_; }

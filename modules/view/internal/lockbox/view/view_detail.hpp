@@ -25,7 +25,8 @@ struct ViewDetail {
 /// point_budget 0: all points.
 ViewDetail view_detail(std::size_t point_budget);
 
-/// Of a view with so many rays: the nearer the model, the fewer columns are enough.
+/// Returns the columns of a view with so many rays: the nearer the model, the fewer columns are
+/// enough.
 int view_columns(std::size_t rays, const ArticulatedModel& model, const BodyPoses& T_camera_body,
                  const PinholeCamera& camera);
 

@@ -15,8 +15,8 @@ namespace lockbox {
 /// Reuses its buffers.
 class ViewEdges {
  public:
-  /// Of pixels that are drawn, or right beside; an edge at the border of the image is seen from
-  /// within.
+  /// Finds edges among pixels that are drawn, or right beside; an edge at the border of the image
+  /// is seen from within.
   void find(const RenderedDepth& view, const Executor& executor);
 
   /// The columns of a row's, from left to right.

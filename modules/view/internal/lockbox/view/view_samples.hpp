@@ -36,13 +36,13 @@ class ViewSamples {
     std::size_t count;
   };
 
-  /// Of the surface as it was drawn; the density must be one for its view. Samples are not closer
-  /// than least_spacing, pixels of the view.
+  /// Chooses samples of the surface as it was drawn; the density must be one for its view. Samples
+  /// are not closer than least_spacing, pixels of the view.
   void choose(const VisibleSurface& surface, const SamplingDensity& density, int least_spacing,
               const Executor& executor);
   std::size_t rows() const { return rows_.size(); }
   void place_row(const VisibleSurface& surface, std::size_t row);
-  /// After all of them.
+  /// Ends a view, after all rows.
   void finish();
 
   const std::vector<Chunk>& chunks() const { return chunks_; }

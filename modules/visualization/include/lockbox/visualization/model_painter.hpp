@@ -22,12 +22,12 @@ enum class GreyModel {
 /// without a display.
 class ModelPainter {
  public:
-  /// The tree is referred to, not copied.
+  /// Prepares to draw the tree, which is referred to, not copied.
   ModelPainter(const KinematicTree& tree, const PinholeCamera& camera, const Executor& executor,
                GreyModel grey = GreyModel::as_it_is);
 
-  /// Red, green, blue in [0, 1], of the first shape of each body, before it is shaded; none where a
-  /// body has no shape.
+  /// Returns red, green and blue in [0, 1] of the first shape of each body, before it is shaded;
+  /// none where a body has no shape.
   std::vector<std::optional<Eigen::Vector3f>> body_colors() const;
 
   /// Paints over the image (of the camera's size); opacity 1 hides what was there.

@@ -9,7 +9,7 @@ namespace lockbox {
 
 /// Colour picture, row by row, three bytes a pixel (red, green, blue).
 struct RgbImage {
-  /// An image of one grey.
+  /// Makes an image of one grey.
   RgbImage(int image_width, int image_height, std::uint8_t grey = 255)
       : width(image_width),
         height(image_height),

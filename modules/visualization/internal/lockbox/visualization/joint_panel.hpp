@@ -22,7 +22,7 @@ struct JointLine {
 std::vector<JointLine> joint_lines(const KinematicTree& tree, const Configuration& configuration,
                                    const std::vector<double>& sigma);
 
-/// The same as one text, each line after a line break.
+/// Returns the lines as one text, each after a line break.
 std::string joint_panel(const KinematicTree& tree, const Configuration& configuration,
                         const std::vector<double>& sigma);
 

@@ -32,7 +32,7 @@ class PixelTerms {
   /// The model is referred to, not copied.
   explicit PixelTerms(const ArticulatedModel& model);
 
-  /// Of each pixel with a measurement, row by row, with the bodies at these poses.
+  /// Finds the term of each pixel with a measurement, row by row, with the bodies at these poses.
   void find(const DepthFrame& frame, const std::vector<Eigen::Isometry3d>& T_camera_body,
             std::vector<PixelTerm>& terms);
 

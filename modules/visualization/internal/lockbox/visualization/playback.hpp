@@ -27,7 +27,7 @@ class Playback {
   std::size_t frames() const { return frames_; }
   bool is_at_end() const { return position_ + 1 == frames_; }
 
-  /// At the end nothing plays.
+  /// Returns whether it plays. At the end nothing does.
   bool is_playing() const { return playing_ && !is_at_end(); }
 
   /// What a key stands for (its name in X11); those that step pause. False if it is none of ours.

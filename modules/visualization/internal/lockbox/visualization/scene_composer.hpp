@@ -93,7 +93,8 @@ class SceneComposer {
   DisplayedScene scene_;
 };
 
-/// From near the sensor, so that what it sees is in view and shapes can be told apart.
+/// Returns a view from near the sensor, so that what it sees is in view and shapes can be told
+/// apart.
 SceneCamera camera_near_sensor(const DepthFrame& frame);
 
 /// So that the whole model is in view.

@@ -17,8 +17,8 @@ inline constexpr float kUndetermined = std::numeric_limits<float>::infinity();
 /// Covariances of the bodies' twists in their own frames.
 class SurfaceSigma {
  public:
-  /// From the covariance of the estimate; without it from the deviations of the joints alone, as if
-  /// the base was known.
+  /// Finds them from the covariance of the estimate; without it from the deviations of the joints
+  /// alone, as if the base was known.
   SurfaceSigma(const KinematicTree& tree, const std::vector<Eigen::Isometry3d>& T_camera_body,
                const ShownEstimate& estimate);
 
