@@ -19,7 +19,7 @@ void StateReport::begin(double stamp, Elapsed cloud_time) {
   result_.cloud_time = cloud_time;
 }
 
-void StateReport::write(const Answer& answer, const Judgement& before, const Judgement& now,
+void StateReport::write(const Answer& answer, const Verdict& before, const Verdict& now,
                         const std::vector<Alternative>& alternatives) {
   result_.configuration = answer.configuration;
   result_.covariance = answer.covariance;
@@ -35,7 +35,7 @@ void StateReport::write(const Answer& answer, const Judgement& before, const Jud
 /// Following tells nothing of what a search could not tell apart: then its belief stays. What was
 /// believed once, and is tracked since, is not believed less because more of it is hidden, only
 /// where the image speaks against it.
-void StateReport::write_belief(const Answer& answer, const Judgement& before, const Judgement& now,
+void StateReport::write_belief(const Answer& answer, const Verdict& before, const Verdict& now,
                                const std::vector<Alternative>& alternatives) {
   if (now.status == TrackingStatus::lost) {
     result_.belief = 0.0;
@@ -83,14 +83,14 @@ void StateReport::forget() {
 
 /// What disagrees in size, or is too small to tell how it is turned, is followed as well as ever,
 /// but not to be trusted.
-void StateReport::end(const Judgement& judgement, const ApparentSize& size, int searches,
+void StateReport::end(const Verdict& verdict, const ApparentSize& size, int searches,
                       Elapsed step_time) {
   result_.size = size;
   result_.searches = searches;
-  const bool is_trusted = judgement.base_turning_sigma <= options_.most_base_turning_sigma &&
+  const bool is_trusted = verdict.base_turning_sigma <= options_.most_base_turning_sigma &&
                           !result_.size.is_implausible();
-  const bool is_tracking = judgement.status == TrackingStatus::tracking;
-  result_.status = is_tracking && !is_trusted ? TrackingStatus::uncertain : judgement.status;
+  const bool is_tracking = verdict.status == TrackingStatus::tracking;
+  result_.status = is_tracking && !is_trusted ? TrackingStatus::uncertain : verdict.status;
   result_.step_time = step_time;
   result_.latency_ms = result_.cloud_time.wall_ms + result_.step_time.wall_ms;
 }

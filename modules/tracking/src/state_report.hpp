@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "image_belief.hpp"
-#include "judgement.hpp"
 #include "lockbox/tracking/joint_sight.hpp"
 #include "lockbox/tracking/tracker.hpp"
+#include "verdict.hpp"
 
 namespace lockbox {
 
@@ -24,7 +24,7 @@ class StateReport {
 
   /// The answer of this frame, and what was concluded of it, now and in the frame before.
   /// alternatives: what the last search could not tell from it.
-  void write(const Answer& answer, const Judgement& before, const Judgement& now,
+  void write(const Answer& answer, const Verdict& before, const Verdict& now,
              const std::vector<Alternative>& alternatives);
 
   /// Joints that are not in sight for long enough are not reported as known.
@@ -37,7 +37,7 @@ class StateReport {
   void forget();
 
   /// Ends a frame. searches: how often the object was sought in the whole frame, up to now.
-  void end(const Judgement& judgement, const ApparentSize& size, int searches, Elapsed step_time);
+  void end(const Verdict& verdict, const ApparentSize& size, int searches, Elapsed step_time);
 
   /// The frame is the last one again: the estimate rests.
   void repeat(double stamp);
@@ -46,7 +46,7 @@ class StateReport {
   void restart() { result_.status = TrackingStatus::initializing; }
 
  private:
-  void write_belief(const Answer& answer, const Judgement& before, const Judgement& now,
+  void write_belief(const Answer& answer, const Verdict& before, const Verdict& now,
                     const std::vector<Alternative>& alternatives);
 
   const KinematicTree& tree_;

@@ -45,14 +45,14 @@ Tracker::Loop::Loop(const ArticulatedModel& model, const TrackerOptions& options
 
 void Tracker::Loop::start(const Configuration& configuration) {
   is_kept_ = true;
-  judgement_ = {};
+  verdict_ = {};
   report_.restart();
   search_.believe(configuration);
   search_.stop();
 }
 
 const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
-  if (repeated_image_.shows_nothing_new(frame, judgement_.is_known() && is_kept_)) {
+  if (repeated_image_.shows_nothing_new(frame, verdict_.is_known() && is_kept_)) {
     report_.repeat(frame.stamp);
     return report_.result();
   }
@@ -61,13 +61,13 @@ const TrackingResult& Tracker::Loop::process(const DepthFrame& frame) {
   report_.begin(frame.stamp, cloud_watch.elapsed());
   const Stopwatch step_watch;
   follow_noise(frame);
-  if (judgement_.is_known()) {
+  if (verdict_.is_known()) {
     follow(frame);
   } else {
     search(frame);
   }
-  if (judgement_.status == TrackingStatus::tracking) search_.stop();
-  report_.end(judgement_, size_record_.mean(), search_.searches(), step_watch.elapsed());
+  if (verdict_.status == TrackingStatus::tracking) search_.stop();
+  report_.end(verdict_, size_record_.mean(), search_.searches(), step_watch.elapsed());
   return report_.result();
 }
 
@@ -86,7 +86,7 @@ void Tracker::Loop::follow_noise(const DepthFrame& frame) {
 void Tracker::Loop::follow(const DepthFrame& frame) {
   const SoughtJoints predicted = with_hidden_joints_sought(predictor_.predict(frame.stamp));
   const Configuration& prediction = predicted.configuration;
-  const bool was_believed = judgement_.status == TrackingStatus::tracking;
+  const bool was_believed = verdict_.status == TrackingStatus::tracking;
   FrameAlignment alignment(registration_, cloud_, options_, predictor_.annealing_sigma());
   const Answer registered = alignment.once(prediction, was_believed);
   Followed followed;
@@ -98,16 +98,16 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
     followed = {alignment.until_rest(prediction, registered)};
   }
   if (followed.is_found_anew) rivals_.begin(followed.answer, search_.alternatives());
-  if (judgement_.rival_distance > 0.0) followed = with_rival_sought(frame, followed);
+  if (verdict_.rival_distance > 0.0) followed = with_rival_sought(frame, followed);
   auto& [found, is_found_anew] = followed;
   report(found);
-  if (judgement_.status == TrackingStatus::lost && !search_.guess()) {
-    judgement_ = {};  // what was never sure is not lost: it is sought as at the start
+  if (verdict_.status == TrackingStatus::lost && !search_.guess()) {
+    verdict_ = {};  // what was never sure is not lost: it is sought as at the start
     report_.forget();
   }
   if (is_found_anew) size_record_ = {};  // of what it was taken for
   measure_size(found);
-  const bool is_believed_now = judgement_.status == TrackingStatus::tracking;
+  const bool is_believed_now = verdict_.status == TrackingStatus::tracking;
   is_kept_ = is_believed_now || (is_kept_ && agrees(found, options_));
   if (is_found_anew || (!was_believed && is_believed_now)) {
     predictor_.reset(frame.stamp, found.at_rest);  // from where it never was is no motion
@@ -125,7 +125,7 @@ void Tracker::Loop::search(const DepthFrame& frame) {
   const SearchScope near_first = is_kept_ ? SearchScope::given_first : SearchScope::near_first;
   const SearchScope scope = options_.search_anywhere ? near_first : SearchScope::near;
   auto found = search_.seek(frame, scope, is_kept_);
-  const bool is_first = judgement_.status != TrackingStatus::lost && !search_.guess();
+  const bool is_first = verdict_.status != TrackingStatus::lost && !search_.guess();
   // What was never found is not lost.
   if (!found || (is_first && classify(*found, options_) == TrackingStatus::lost)) {
     report_.write_nothing();
@@ -134,9 +134,9 @@ void Tracker::Loop::search(const DepthFrame& frame) {
   rivals_.begin(*found, search_.alternatives());
   report(*found);
   measure_size(*found);
-  const bool is_believed = judgement_.status == TrackingStatus::tracking;
+  const bool is_believed = verdict_.status == TrackingStatus::tracking;
   is_kept_ = is_believed || (is_kept_ && agrees(*found, options_));
-  if (!judgement_.is_known()) return;
+  if (!verdict_.is_known()) return;
   if (is_believed) search_.believe(found->at_rest);
   predictor_.reset(frame.stamp, found->at_rest);
   joint_sight_.begin(*found);
@@ -151,7 +151,7 @@ SoughtJoints Tracker::Loop::with_hidden_joints_sought(const Configuration& predi
 
 /// Bodies contradict the image that did so a frame ago, when all else was believed.
 bool Tracker::Loop::is_doubted_as_before(const Answer& registered) const {
-  const std::vector<int>& before = judgement_.doubted;
+  const std::vector<int>& before = verdict_.doubted;
   if (before.empty() || frames_doubted_ >= kFramesToDoubtParts) return false;
   const std::vector<int> now = contradicted_bodies(registered, options_);
   return !now.empty() && std::includes(before.begin(), before.end(), now.begin(), now.end());
@@ -160,8 +160,8 @@ bool Tracker::Loop::is_doubted_as_before(const Answer& registered) const {
 /// A base that contradicts the image may be on its way elsewhere: then the image is asked again.
 Answer Tracker::Loop::with_doubts_kept(Answer followed) {
   ++frames_doubted_;
-  const bool is_base = judgement_.doubted.front() == 0;
-  followed.belief = is_base ? image_belief_.of(followed.configuration) : judgement_.belief;
+  const bool is_base = verdict_.doubted.front() == 0;
+  followed.belief = is_base ? image_belief_.of(followed.configuration) : verdict_.belief;
   return followed;
 }
 
@@ -214,7 +214,7 @@ Tracker::Loop::Followed Tracker::Loop::with_rival_sought(const DepthFrame& frame
   if (!followed.is_found_anew && !is_hopeless && !rivals_.has_ended()) {
     if (const auto told = rivals_.compare(best.answer)) return {told->answer, told->is_rival};
   }
-  if (!(best.answer.rival_distance > 0.0)) doubt_base(judgement_.rival_distance, best.answer);
+  if (!(best.answer.rival_distance > 0.0)) doubt_base(verdict_.rival_distance, best.answer);
   if (is_hopeless || !rivals_.has_ended()) return best;
   const auto found = search_.seek(frame, SearchScope::anywhere, is_kept_);
   if (found && (classify(*found, options_) == TrackingStatus::tracking ||
@@ -242,13 +242,13 @@ void Tracker::Loop::verify(Answer& found) {
 void Tracker::Loop::report(Answer& answer) {
   size_record_.add_misfit(answer);
   joint_sight_.note_flush_parts(answer, options_);
-  const Judgement before = judgement_;
-  judgement_ = judgement_of(answer, options_);
-  report_.write(answer, before, judgement_, search_.alternatives());
+  const Verdict before = verdict_;
+  verdict_ = verdict_on(answer, options_);
+  report_.write(answer, before, verdict_, search_.alternatives());
 }
 
 void Tracker::Loop::measure_size(const Answer& found) {
-  if (!judgement_.is_known() || !size_record_.is_due()) return;
+  if (!verdict_.is_known() || !size_record_.is_due()) return;
   size_record_.add(registration_.measure_size(cloud_, found.configuration));
 }
 

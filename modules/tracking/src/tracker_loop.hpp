@@ -6,7 +6,6 @@
 #include "followed_noise.hpp"
 #include "frame_alignment.hpp"
 #include "image_belief.hpp"
-#include "judgement.hpp"
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/model/articulated_model.hpp"
 #include "lockbox/registration/articulated_registration.hpp"
@@ -19,6 +18,7 @@
 #include "object_search.hpp"
 #include "rival_comparison.hpp"
 #include "state_report.hpp"
+#include "verdict.hpp"
 
 namespace lockbox {
 
@@ -74,7 +74,7 @@ class Tracker::Loop {
   SizeRecord size_record_;
   FollowedNoise noise_;
   bool is_noise_known_ = false;  ///< by the images
-  Judgement judgement_;          ///< of what was last reported
+  Verdict verdict_;              ///< of what was last reported
   /// The estimate was tracked, or given, and nothing has contradicted it since. Then it is followed
   /// even where the image does not determine it, and not sought elsewhere.
   bool is_kept_ = false;

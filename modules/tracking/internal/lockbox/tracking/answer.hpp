@@ -13,10 +13,10 @@ namespace lockbox {
 /// - doubt_base(), and with it keep_doubts(), enlarges covariance and sigma of the base where a
 ///   search could not tell it from a rival;
 /// - SizeRecord::add_misfit() enlarges covariance and sigma of all unknowns where the size does not
-///   fit, just before the answer is judged and reported;
+///   fit, just before the answer is classified and reported;
 /// - Acquisition, and keep_doubts(), count joints as not observable where a search could not tell
 ///   where they are.
-/// They are not kept apart from what the alignment said: whatever judges an answer
+/// They are not kept apart from what the alignment said: whatever classifies an answer
 /// (classification.hpp) goes by what is left after all doubts.
 struct Answer : RegistrationResult {
   Answer() = default;

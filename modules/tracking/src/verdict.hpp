@@ -9,7 +9,7 @@
 namespace lockbox {
 
 /// What was concluded of an answer, as the next frame needs it.
-struct Judgement {
+struct Verdict {
   TrackingStatus status = TrackingStatus::initializing;  ///< by all but the apparent size
   double rival_distance = 0.0;                           ///< see Answer: until a search tells
   double base_turning_sigma = 0.0;                       ///< see RegistrationResult
@@ -22,16 +22,16 @@ struct Judgement {
   }
 };
 
-inline Judgement judgement_of(const Answer& answer, const TrackerOptions& options) {
-  Judgement judgement{.status = classify(answer, options),
-                      .rival_distance = answer.rival_distance,
-                      .base_turning_sigma = answer.base_turning_sigma,
-                      .belief = answer.belief,
-                      .doubted = {}};
-  if (judgement.status == TrackingStatus::tracking) {
-    judgement.doubted = contradicted_bodies(answer, options);
+inline Verdict verdict_on(const Answer& answer, const TrackerOptions& options) {
+  Verdict verdict{.status = classify(answer, options),
+                  .rival_distance = answer.rival_distance,
+                  .base_turning_sigma = answer.base_turning_sigma,
+                  .belief = answer.belief,
+                  .doubted = {}};
+  if (verdict.status == TrackingStatus::tracking) {
+    verdict.doubted = contradicted_bodies(answer, options);
   }
-  return judgement;
+  return verdict;
 }
 
 }  // namespace lockbox
