@@ -48,8 +48,9 @@ TEST(ImagePoints, AreTheMeasurementsEachOnce) {
   for_each_point(points, [&](std::size_t i) {
     const auto pixel = points.pixel()[i];
     ++seen[pixel];
+    const std::uint32_t row = pixel / 100;
     const auto expected =
-        kSmallCamera.back_project(pixel % 100, pixel / 100, 0.001 * frame.depth[pixel]);
+        kSmallCamera.back_project(pixel - 100 * row, row, 0.001 * frame.depth[pixel]);
     EXPECT_NEAR(points.x()[i], expected.x(), 1e-6);
     EXPECT_NEAR(points.y()[i], expected.y(), 1e-6);
     EXPECT_NEAR(points.z()[i], expected.z(), 1e-6);

@@ -139,7 +139,8 @@ TEST(ExecutorTest, AStoppedLoopLeavesOutWhatHasNotBegun) {
 
 TEST(ExecutorTest, StaysStoppedUntilItIsResumed) {
   const Executor executor(2);
-  const Executor copy = executor;
+  Executor copy(1);
+  copy = executor;
   executor.stop();
   EXPECT_THROW(copy.for_each(1, [](std::size_t) {}), Stopped);
   executor.resume();

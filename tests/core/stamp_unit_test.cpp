@@ -9,6 +9,7 @@ namespace {
 /// Stamps of a camera at so many frames a second, in a unit, from a time in seconds.
 std::vector<double> stamps(double first, double rate, double per_second) {
   std::vector<double> result;
+  result.reserve(20);
   for (int i = 0; i < 20; ++i) {
     result.push_back((first + i / rate) * per_second);
   }

@@ -18,6 +18,7 @@ TEST(Unknowns, AreTheBasesTwistAndTheVariables) {
   EXPECT_EQ(unknown_names(tree),
             (std::vector<std::string>{"tx", "ty", "tz", "rx", "ry", "rz", "slider", "dial"}));
   std::vector<bool> lengths;
+  lengths.reserve(8);
   for (int i = 0; i < 8; ++i) lengths.push_back(is_length(tree, i));
   EXPECT_EQ(lengths, (std::vector<bool>{true, true, true, false, false, false, true, false}));
 }

@@ -35,13 +35,13 @@ std::vector<Eigen::Isometry3d> poses(const KinematicTree& tree,
 template <typename TwistOf>
 BodyJacobian numerical_jacobian(const KinematicTree& tree, const Configuration& configuration,
                                 const TwistOf& twist_of) {
-  constexpr double h = 1e-5;
+  constexpr double kStep = 1e-5;
   BodyJacobian jacobian(6, tree.unknowns());
   for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
-    const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(jacobian.cols(), k);
+    const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(jacobian.cols(), k);
     jacobian.col(k) = (twist_of(poses(tree, stepped(configuration, step))) -
                        twist_of(poses(tree, stepped(configuration, -step)))) /
-                      (2.0 * h);
+                      (2.0 * kStep);
   }
   return jacobian;
 }
@@ -74,8 +74,8 @@ void expect_exact_relative_jacobian(const KinematicTree& tree, const Configurati
 class ChainsOfThree : public testing::TestWithParam<int> {
  protected:
   KinematicTree tree() {
-    constexpr std::array types{JointType::revolute, JointType::continuous, JointType::prismatic};
-    const auto type = [&](int digit) { return types[static_cast<std::size_t>(digit % 3)]; };
+    constexpr std::array kTypes{JointType::revolute, JointType::continuous, JointType::prismatic};
+    const auto type = [&](int digit) { return kTypes[static_cast<std::size_t>(digit % 3)]; };
     const int code = GetParam();
     KinematicTree tree;
     int body = 0;

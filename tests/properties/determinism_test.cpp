@@ -90,6 +90,7 @@ std::vector<TrackingResult> tracked(const ArticulatedModel& model,
   Tracker tracker(model, options);
   tracker.start(start);
   std::vector<TrackingResult> results;
+  results.reserve(frames.size());
   for (const DepthFrame& frame : frames) {
     results.push_back(tracker.process(frame));
   }

@@ -28,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 
 std::vector<PublishTarget> targets(const std::vector<std::string>& texts) {
   std::vector<PublishTarget> result;
+  result.reserve(texts.size());
   for (const auto& text : texts) result.push_back(parse_publish_target(text));
   return result;
 }

@@ -177,6 +177,7 @@ TEST_F(FieldCache, PassesOnWhyAMeshIsRefused) {
 TEST_F(FieldCache, IsSharedByThreads) {
   const SignedDistanceField built = build_field(mesh_, options_, Executor(1));
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i) {
     threads.emplace_back([&] {
       for (int round = 0; round < 3; ++round) {

@@ -124,8 +124,8 @@ TEST_F(ContourPointsTest, StandForTheSameLengthInAViewOfFewerPixels) {
       const auto [own_length, own_count] =
           length_of(contours_seen_by(camera, camera.width / reduction, spacing), 0);
       EXPECT_NEAR(own_length, length, 0.1 * length) << reduction << ", " << spacing;
-      const int apart = std::min(spacing, reduction);
-      EXPECT_NEAR(own_count, count / apart, 0.1 * count / apart) << reduction << ", " << spacing;
+      const double expected = 1.0 * count / std::min(spacing, reduction);
+      EXPECT_NEAR(own_count, expected, 0.1 * expected) << reduction << ", " << spacing;
     }
   }
 }
