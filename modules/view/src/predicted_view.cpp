@@ -2,7 +2,6 @@
 #include "lockbox/view/predicted_view.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "lockbox/kernels/point_to_field.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
@@ -10,11 +9,10 @@
 namespace lockbox {
 namespace {
 
-/// How far surfaces may move before they are drawn again. Unit: pixels of the view, and of the
-/// image at most. Source: what is drawn is exact to half a pixel. Doubled, contours are sought up
-/// to two pixels from where they are.
-constexpr double kStaleView = 1.0;
-constexpr double kMostStaleView = 4.0;
+/// Metres that surfaces may move before they are drawn again: in a view of every pixel, and at
+/// most.
+constexpr double kStaleView = 0.002;
+constexpr double kMostStaleView = 0.008;
 /// From a prediction: pixels of the view between samples of the surface, and blocks of pixels that
 /// are averaged, at least, if points have a budget. Closer and smaller ones tell the same.
 constexpr int kLeastSpacing = 2;
@@ -28,14 +26,12 @@ void PredictedView::look_at(const TiledCloud& cloud, const ArticulatedModel& mod
   is_drawn_ = true;
   configuration_ = configuration;
   if (!cloud.has_image()) {
-    pixel_ = std::numeric_limits<double>::infinity();  // nothing is drawn
     continued_.clear();
     points_ = &cloud.blocks();
     prediction_.body.assign(points_->x().size(), kernels::label_beside(0.0F));
     prediction_.depth.assign(points_->x().size(), 0.0F);
     return;
   }
-  pixel_ = configuration.T_camera_base.translation().norm() / cloud.camera().fx;
   forward_kinematics(model.tree, configuration, poses_);
   const bool is_thinned = point_budget_ > 0;
   const int columns = view_columns(detail_.rays, model, poses_, cloud.camera());
@@ -79,7 +75,7 @@ void PredictedView::gather(const TiledCloud& cloud, const ArticulatedModel& mode
 bool PredictedView::shows(const Configuration& configuration, const MotionMetric& moves) const {
   if (!is_drawn_) return false;
   const double stale = std::min(kStaleView * surface_.reduction(), kMostStaleView);
-  return moves.between(configuration_, configuration) <= stale * pixel_;
+  return moves.between(configuration_, configuration) <= stale;
 }
 
 }  // namespace lockbox

@@ -62,7 +62,6 @@ class PredictedView {
   ViewDetail detail_;
   bool is_drawn_ = false;
   Configuration configuration_;  ///< as it was drawn
-  double pixel_ = 0.0;           ///< metres across a pixel of the image, as far away as the base
   VisibleSurface surface_;
   ViewEdges view_edges_;
   ContinuedEdges continued_;
