@@ -207,7 +207,7 @@ class ViewCommand : public Command {
     options
         .add_option("--scale", scale_,
                     "Of texts and points; default: of windows what the display asks for (Xft.dpi, "
-                    "over 96), of pictures 1")
+                    "else the dots per inch of its screen, over 96), of pictures 1")
         ->check(between(kSmallestScale, kLargestScale))
         ->type_name("FACTOR")
         ->default_str("");

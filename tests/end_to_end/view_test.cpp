@@ -18,7 +18,9 @@ using testing::SizeIs;
 /// An X server of its own, to be ended while windows are open on it.
 class DoomedServer {
  public:
-  DoomedServer() : output_(popen("echo $$; exec Xvfb -displayfd 1 2>/dev/null", "r")) {
+  explicit DoomedServer(const std::string& options = "")
+      : output_(
+            popen(("echo $$; exec Xvfb -displayfd 1 " + options + " 2>/dev/null").c_str(), "r")) {
     if (fscanf(output_, "%d %d", &process_, &number_) != 2) number_ = -1;
   }
   ~DoomedServer() {
@@ -65,6 +67,18 @@ TEST_F(View, OfARunEndsAloneWhenTheDisplayIsLost) {
   const auto result = tool.wait();
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_THAT(read_text(path("lost_display/run.yaml")), HasSubstr("end: end of the source"));
+}
+
+/// A display that nobody has given the resource Xft.dpi.
+TEST_F(View, IsAsLargeAsTheDotsPerInchOfItsScreenWant) {
+  const DoomedServer server("-screen 0 2560x1440x24 -dpi 192");
+  if (!server.is_running()) GTEST_SKIP() << "no Xvfb";
+  Tool tool({"view", "--model", "rigid_block"}, {"DISPLAY=" + server.display()});
+  XUser user(server.display());
+  user.find_window("lockbox");
+  EXPECT_THAT(user.picture(), SizeIs(3 * 2560 * 1440)) << "twice as large, as far as it fits";
+  user.press("q");
+  EXPECT_EQ(tool.wait().status, 0);
 }
 
 TEST_F(View, IsRefusedWhereThereIsNoDisplay) {

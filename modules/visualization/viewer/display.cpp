@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace lockbox {
@@ -13,6 +14,21 @@ namespace {
 constexpr char kAdvice[] =
     "; set DISPLAY to one that can be used (`ssh -X` does), or draw pictures, which need none: "
     "`view --screenshot`, `--pictures` or `--video`, `track --snapshots`";
+
+constexpr double kUsual = 96.0;  // dots per inch
+constexpr double kLargest = 4.0;
+
+/// By the size that the server says its screen has. Whole halves, rounded down: servers that nobody
+/// has told their screen's size say 96 or 100 dots per inch.
+double scale_of_screen(Display* display) {
+  constexpr double kInch = 25.4;    // millimetres
+  constexpr double kRounded = 0.1;  // of a half: what whole millimetres may take from a scale
+  const int screen = DefaultScreen(display);
+  const int height = DisplayHeightMM(display, screen);
+  if (height <= 0) return 1.0;
+  const double dots = kInch * DisplayHeight(display, screen) / height;
+  return std::floor(2.0 * dots / kUsual + kRounded) / 2.0;
+}
 
 }  // namespace
 
@@ -38,11 +54,10 @@ DisplayConnection::DisplayConnection() {
 }
 
 double DisplayConnection::scale() const {
-  constexpr double kUsual = 96.0;  // dots per inch
-  constexpr double kLargest = 4.0;
   const char* const dots = XGetDefault(display_.get(), "Xft", "dpi");
-  if (dots == nullptr) return 1.0;
-  return std::clamp(std::strtod(dots, nullptr) / kUsual, 1.0, kLargest);
+  const double asked =
+      dots == nullptr ? scale_of_screen(display_.get()) : std::strtod(dots, nullptr) / kUsual;
+  return std::clamp(asked, 1.0, kLargest);
 }
 
 void flush(_XDisplay* display) {

@@ -20,8 +20,8 @@ class DisplayConnection {
   /// Empty if windows with OpenGL can be opened; else the reason, and what to do.
   const std::string& problem() const { return problem_; }
 
-  /// By how much texts are to be larger than on displays of 96 dots per inch, as the display's
-  /// resource Xft.dpi says: 1 to 4; 1 if it says nothing.
+  /// By how much texts are to be larger than on displays of 96 dots per inch, 1 to 4: as the
+  /// display's resource Xft.dpi says, else by the size that its screen is said to have.
   double scale() const;
 
  private:

@@ -16,6 +16,22 @@ constexpr double kLetters = 16.0;    // pixels at scale 1
 constexpr double kFewestPixels = 5;  // of letters; smaller ones cannot be read
 constexpr double kRoom = 0.94;       // of the window's width and height, for frame and margin
 
+/// As wide as that on the left, which the lines have by themselves.
+std::string with_right_margin(std::string lines) {
+  constexpr char kMargin[] = "  ";
+  std::size_t end = 0;
+  for (std::size_t begin = 0, longest = 0; begin < lines.size();) {
+    const std::size_t line_end = std::min(lines.find('\n', begin), lines.size());
+    if (line_end - begin > longest) {
+      longest = line_end - begin;
+      end = line_end;
+    }
+    begin = line_end + 1;
+  }
+  if (!lines.empty()) lines.insert(end, kMargin);
+  return lines;
+}
+
 }  // namespace
 
 HelpPanel::HelpPanel(vtkRenderer& renderer, double scale) : renderer_(renderer), scale_(scale) {
@@ -29,7 +45,7 @@ HelpPanel::HelpPanel(vtkRenderer& renderer, double scale) : renderer_(renderer),
 }
 
 void HelpPanel::set(const std::string& lines) {
-  show(*text_, lines);
+  show(*text_, with_right_margin(lines));
   if (!lines.empty()) fit();
 }
 

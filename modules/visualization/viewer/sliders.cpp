@@ -29,7 +29,7 @@ constexpr double kSeekHeight = 0.06;
 constexpr double kHandleHeight = 0.022;
 
 // Pixels at scale 1.
-constexpr double kColumn = 0.22 * 1280.0;
+constexpr double kColumn = 345.0;  // holds 42 letters of 13 pixels
 constexpr double kLetters = 14.0;
 
 constexpr double kLineHeight = 1.25;  // of the letters' size, with what hangs below the line
@@ -96,24 +96,28 @@ void Sliders::make_all(const DisplayedScene& scene) {
   if (scene.seek_bar) seek_bar_.push_back(make(*scene.seek_bar));
 }
 
-/// Letters are as large as asked for where there is room for them.
-void Sliders::update(const Handle& handle, const SceneSlider& slider, const Place& place) const {
+/// As large as asked for where there is room for them.
+double Sliders::letters_in(const Place& place, const SceneSlider& slider) const {
+  const int* const window = renderer_.GetSize();  // pixels
+  const auto count = static_cast<double>(count_letters(label_of(slider)));
+  const double across =
+      (place.right - place.left) * window[0] / (kLetterWidth * std::max(1.0, count));
+  const double down = (place.room - kHandleHeight) * window[1] / kLineHeight;
+  return std::max(1.0, std::min({scale_ * kLetters, across, down}));
+}
+
+void Sliders::update(const Handle& handle, const SceneSlider& slider, const Place& place,
+                     double letters) {
   vtkSliderRepresentation2D& look = *handle.look;
   look.SetMinimumValue(slider.lower);
   look.SetMaximumValue(slider.upper);
   look.SetValue(std::clamp(slider.value, slider.lower, slider.upper));
   look.GetPoint1Coordinate()->SetValue(place.left, place.height);
   look.GetPoint2Coordinate()->SetValue(place.right, place.height);
-  look.Modified();                                // it does not notice that by itself
-  const int* const window = renderer_.GetSize();  // pixels
-  const std::string label = label_of(slider);
-  const double across = (place.right - place.left) * window[0] /
-                        (kLetterWidth * std::max(1.0, static_cast<double>(count_letters(label))));
-  const double down = (place.room - kHandleHeight) * window[1] / kLineHeight;
-  handle.label->GetTextProperty()->SetFontSize(
-      static_cast<int>(std::max(1.0, std::min({scale_ * kLetters, across, down}))));
+  look.Modified();  // it does not notice that by itself
+  handle.label->GetTextProperty()->SetFontSize(static_cast<int>(letters));
   handle.label->SetPosition(place.left, place.height - 0.75 * kHandleHeight);
-  show(*handle.label, label);
+  show(*handle.label, label_of(slider));
 }
 
 /// Those that are there stay as long as their number does: the mouse may hold one.
@@ -126,13 +130,18 @@ void Sliders::set(const DisplayedScene& scene) {
       kFarthestStep, (kTop - kBottom) / std::max(1.0, static_cast<double>(column_.size())));
   const double right =
       std::clamp(kLeft + scale_ * kColumn / renderer_.GetSize()[0], kRight, kFarthestRight);
+  double letters = scale_ * kLetters;  // the same of all
+  for (const SceneSlider& slider : scene.sliders) {
+    letters = std::min(letters, letters_in({kLeft, right, kTop, step}, slider));
+  }
   for (std::size_t i = 0; i < column_.size(); ++i) {
     const double height = kTop - step * static_cast<double>(i);
-    update(column_[i], scene.sliders[i], {kLeft, right, height, step});
+    update(column_[i], scene.sliders[i], {kLeft, right, height, step}, letters);
   }
   // A recording may turn out to be shorter.
   if (scene.seek_bar) {
-    update(seek_bar_.front(), *scene.seek_bar, {kSeekLeft, kSeekRight, kSeekHeight, kSeekHeight});
+    const Place place{kSeekLeft, kSeekRight, kSeekHeight, kSeekHeight};
+    update(seek_bar_.front(), *scene.seek_bar, place, letters_in(place, *scene.seek_bar));
   }
 }
 

@@ -45,7 +45,10 @@ class Sliders {
   };
 
   Handle make(const SceneSlider& slider);
-  void update(const Handle& handle, const SceneSlider& slider, const Place& place) const;
+  /// Pixels.
+  double letters_in(const Place& place, const SceneSlider& slider) const;
+  static void update(const Handle& handle, const SceneSlider& slider, const Place& place,
+                     double letters);
   void make_all(const DisplayedScene& scene);
   void clear();
   void note(vtkObject* widget, unsigned long event, void* data);

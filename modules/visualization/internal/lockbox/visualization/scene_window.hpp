@@ -119,8 +119,8 @@ struct WindowOptions {
   std::string title = "lockbox";
   int width = 0;   ///< pixels; 0: 1280, times the scale, and no more than the display has
   int height = 0;  ///< pixels; 0: 800, likewise
-  /// Of texts and points; 0: of a visible window that of the display (its resource Xft.dpi, over
-  /// 96), of others 1.
+  /// Of texts and points; 0: of a visible window that of the display (its resource Xft.dpi or,
+  /// without one, the dots per inch of its screen, over 96), of others 1.
   double scale = 0.0;
   bool visible = true;  ///< else only for picture(), with smooth edges
   /// Called if the display goes, in the thread of the window, which then stops for good: it must
