@@ -266,7 +266,7 @@ TEST(Devices, ThatAreNotThereAreExplained) {
     EXPECT_EQ(result.status, 4);
     EXPECT_THAT(result.errors, HasSubstr("no OpenNI2 device is connected: no depth camera that "
                                          "OpenNI2 knows is on the USB bus; check the cable"));
-    EXPECT_THAT(result.errors, HasSubstr("/openni2/OpenNI2/Drivers;"));
+    EXPECT_THAT(result.errors, HasSubstr("/openni2/OpenNI2/Drivers)"));
   }
 }
 

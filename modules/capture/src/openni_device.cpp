@@ -112,8 +112,7 @@ std::vector<openni::DeviceInfo> live_devices() {
 
 std::string absence_text() {
   return "no OpenNI2 device is connected: " + why_no_camera(usb_cameras()) +
-         " (drivers are loaded from " + driver_folder() +
-         "; `lockbox devices` lists what is there)";
+         " (drivers are loaded from " + driver_folder() + ")";
 }
 
 void open_depth(const std::string& uri, const std::optional<WantedMode>& wanted,

@@ -46,6 +46,10 @@ std::string number(double value) {
   return text.str();
 }
 
+std::string units(double per_metre) {
+  return number(per_metre) + (per_metre == 1.0 ? " unit per metre" : " units per metre");
+}
+
 std::string pixels(double value) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << value;
@@ -72,13 +76,11 @@ std::string out_of_range(const SearchFailure& failure) {
        << (is_far ? "farther than " : "nearer than ")
        << number(is_far ? failure.max_depth : failure.min_depth)
        << " m and are not used; half of them are " << (is_far ? "beyond " : "within ")
-       << number(failure.median_depth) << " m. They are read as "
-       << std::lround(failure.units_per_metre)
-       << (std::lround(failure.units_per_metre) == 1 ? " unit per metre" : " units per metre");
-  const double units = likely_units(failure);
+       << number(failure.median_depth) << " m. They are read as " << units(failure.units_per_metre);
+  const double likely = likely_units(failure);
   // A tenth: closer units cannot be told apart by how far away things are.
-  if (units > 0.0 && std::abs(units - failure.units_per_metre) > 0.1 * units) {
-    text << "; if that is wrong, try --depth-scale " << std::lround(units) << '.';
+  if (likely > 0.0 && std::abs(likely - failure.units_per_metre) > 0.1 * likely) {
+    text << "; if that is wrong, try --depth-scale " << std::lround(likely) << '.';
   } else {
     text << "; is --depth-scale right?";
   }
@@ -150,8 +152,7 @@ std::string looks_the_same(std::size_t others) {
 void add_what_to_check(const SearchFailure& failure, std::vector<std::string>& all) {
   all.emplace_back("If the object is in view, and mostly unhidden, check these:");
   all.push_back("- depths: half of them are within " + number(failure.median_depth) +
-                " m, read as " + number(failure.units_per_metre) +
-                " units per metre (--depth-scale)");
+                " m, read as " + units(failure.units_per_metre) + " (--depth-scale)");
   all.push_back("- camera: it sees " + number(failure.field_of_view) +
                 " degrees from left to right by its focal length (--camera-info)");
   all.push_back("- its principal point: cx " + pixels(failure.camera.cx) + ", cy " +
