@@ -79,7 +79,7 @@ class TrackCommand : public Command {
     TrackerOptions tracker_options = make_tracker_options(model.tree);
     tracker_options.background_search = source->is_realtime();
     if (is_short(*source)) tracker_options.search_limit = std::numeric_limits<double>::infinity();
-    tracker_options.try_other_readings = !settings_.quiet;
+    tracker_options.try_other_readings = true;
     tracker_options.try_other_units = !source->is_unit_stated();
     tracker_options.stop_request = interruption::requested;
     for (const std::string& parameter : parameters_) set_parameter(parameter, tracker_options);

@@ -34,6 +34,12 @@ constexpr const char* kStates =
 
 const std::vector<std::string> kOneFrame = {"--max-frames", "1"};
 
+void mirror(DepthFrame& frame) {
+  for (auto row = frame.depth.begin(); row != frame.depth.end(); row += frame.camera.width) {
+    std::reverse(row, row + frame.camera.width);
+  }
+}
+
 class Mistake : public testing::Test {
  protected:
   void SetUp() override {
@@ -55,9 +61,10 @@ class Mistake : public testing::Test {
     return run_tool(arguments);
   }
 
-  /// Changes what is measured, `images`.
-  void change(const std::function<void(DepthFrame&)>& how) const {
-    const auto source = open_source(folder / "images");
+  /// Changes what is measured.
+  void change(const std::function<void(DepthFrame&)>& how,
+              const std::string& images = "images") const {
+    const auto source = open_source(folder / images);
     DepthFolderWriter changed(folder / "changed");
     for (DepthFrame frame; source->next(frame);) {
       how(frame);
@@ -135,11 +142,7 @@ TEST_F(Mistake, DepthScale) {
 }
 
 TEST_F(Mistake, MirroredImage) {
-  change([](DepthFrame& frame) {
-    for (auto row = frame.depth.begin(); row != frame.depth.end(); row += frame.camera.width) {
-      std::reverse(row, row + frame.camera.width);
-    }
-  });
+  change(mirror);
   const auto result = track({}, "corner.urdf", "changed");
   EXPECT_EQ(result.status, kNeverTracked);
   constexpr auto kTold = "found in the mirror image of the frame: switch mirroring off";
@@ -147,6 +150,18 @@ TEST_F(Mistake, MirroredImage) {
   const auto at_end = result.errors.find("in any of 2 frames");
   ASSERT_NE(at_end, std::string::npos) << result.errors;
   EXPECT_THAT(result.errors.substr(at_end), HasSubstr(kTold));
+}
+
+/// Upside down, the cabinet fits the mirrored image convincingly, but for one of its drawers.
+TEST_F(Mistake, MirroredImageInWhichSomethingIsFound) {
+  const auto simulated =
+      run_tool({"simulate", "--model", "cabinet", "--trajectory", "auto", "--frames", "1",
+                "--scene", "room", "--output", folder / "room", "--quiet"});
+  ASSERT_EQ(simulated.status, 0) << simulated.errors;
+  change(mirror, "room");
+  const auto result = run_tool({"track", "--model", "cabinet", "--source", folder / "changed"});
+  EXPECT_EQ(result.status, kNeverTracked);
+  EXPECT_THAT(result.errors, HasSubstr("found in the mirror image of the frame"));
 }
 
 /// Mirrored, the frame would fit hardly less well than as it is.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "lockbox/cloud/segmentation.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
@@ -68,9 +69,11 @@ std::optional<Answer> Acquisition::find(const DepthFrame& frame,
   if (scope != SearchScope::near) {
     ++searches_;
     look_anywhere(guess);
-    if (is_found()) {
+    if (is_found() && is_rather_misread(frame)) {
+      best_.reset();
+      alternatives_.clear();
+    } else if (is_found()) {
       failure_.reset();
-      may_be_misread_ = false;
     } else if (progress_.rounds == 0) {  // else it goes on
       failure_ = explain(frame);
     }
@@ -145,14 +148,28 @@ SearchFailure Acquisition::explain(const DepthFrame& frame) {
     failure.depth_factor = failure_->depth_factor;
   }
   if (failure.look_alikes > 0) return failure;
-  if (!may_be_misread_ || (options_.background_search && ++failures_ < kFailuresWhileAiming)) {
-    return failure;
-  }
-  may_be_misread_ = false;
-  if (options_.try_other_readings && !is_explained(failure)) {
-    try_other_readings(frame, model_, options_, executor_, best, failure);
+  if (!options_.background_search || ++failures_ >= kFailuresWhileAiming) {
+    try_once_otherwise(frame, failure);
   }
   return failure;
+}
+
+void Acquisition::try_once_otherwise(const DepthFrame& frame, SearchFailure& failure) {
+  const bool was_tried = std::exchange(was_read_otherwise_, true);
+  if (was_tried || !options_.try_other_readings || is_explained(failure)) return;
+  try_other_readings(frame, model_, options_, executor_, best_ ? &*best_ : nullptr, failure);
+}
+
+/// A mirrored image may show enough of a model for a wrong answer that is convincing as a whole,
+/// though not in all of its parts.
+bool Acquisition::is_rather_misread(const DepthFrame& frame) {
+  if (contradicted_bodies(*best_, options_).empty()) return false;
+  if (!was_read_otherwise_) {
+    SearchFailure failure = search_failure(frame, model_.tree, options_, &*best_);
+    try_once_otherwise(frame, failure);
+    failure_ = failure;
+  }
+  return failure_ && (failure_->is_mirrored || failure_->depth_factor != 1.0);
 }
 
 /// Wrong answers drift off when gates open. Right ones may, too, along the table they stand on;

@@ -55,9 +55,10 @@ struct TrackerOptions {
   /// What a recording gives depends on the clock with it, and not without. Source: whether the
   /// source is live.
   bool background_search = false;
-  /// Where the first search finds nothing and the frame does not tell why, other readings of it are
-  /// tried (search_failure.hpp), which takes some seconds: in the background after the second
-  /// search that finds nothing. Source: whether the user is told, no `--quiet`.
+  /// Where a search first finds nothing and the frame does not tell why, or what it finds is
+  /// contradicted in a part, other readings of the frame are tried (search_failure.hpp), which
+  /// takes some seconds: in the background after the second search that finds nothing. Source:
+  /// `track` tells its user.
   bool try_other_readings = false;
   /// Depths in another unit are among these readings; they should be only where nobody has said
   /// which unit it is. Source: whether the source says it.

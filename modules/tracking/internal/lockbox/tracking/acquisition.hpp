@@ -60,7 +60,8 @@ class Acquisition {
   int searches() const { return searches_; }
 
   /// Why the last time that find() looked anywhere gave no answer that is classified `tracking`;
-  /// none if it did, or has not looked anywhere yet.
+  /// none if it did, or has not looked anywhere yet. What is contradicted in part, while its mirror
+  /// image is convincing, counts as no answer.
   const std::optional<SearchFailure>& failure() const { return failure_; }
 
   /// Returns what the last search of the whole frame could not tell from what it has found.
@@ -81,6 +82,8 @@ class Acquisition {
   void note_alternatives(const Candidate& answer, const std::vector<Candidate>& candidates);
   bool is_found() const;
   SearchFailure explain(const DepthFrame& frame);
+  void try_once_otherwise(const DepthFrame& frame, SearchFailure& failure);
+  bool is_rather_misread(const DepthFrame& frame);
   Answer registered(const Candidate& candidate, const AlignOptions& how);
   bool ends_search(const Candidate& candidate, const Answer& found);
   void doubt_if_rivalled(const Candidate& answer, const std::vector<Candidate>& candidates);
@@ -104,8 +107,8 @@ class Acquisition {
   std::optional<SearchFailure> failure_;
   std::vector<Alternative> alternatives_;
   SearchProgress progress_;
-  bool may_be_misread_ = true;  ///< nothing was found yet, and other readings were not tried
-  int failures_ = 0;            ///< searches in the background, until other readings are tried
+  bool was_read_otherwise_ = false;  ///< other readings were tried
+  int failures_ = 0;                 ///< searches in the background that gave no answer
   int searches_ = 0;
 };
 
