@@ -161,10 +161,11 @@ void Acquisition::try_once_otherwise(const DepthFrame& frame, SearchFailure& fai
 }
 
 /// A mirrored image may show enough of a model for a wrong answer that is convincing as a whole,
-/// though not in all of its parts.
+/// though not in all of its parts. Live frames do not wait for that: there the camera's driver says
+/// whether it mirrors.
 bool Acquisition::is_rather_misread(const DepthFrame& frame) {
   if (contradicted_bodies(*best_, options_).empty()) return false;
-  if (!was_read_otherwise_) {
+  if (!was_read_otherwise_ && !options_.background_search) {
     SearchFailure failure = search_failure(frame, model_.tree, options_, &*best_);
     try_once_otherwise(frame, failure);
     failure_ = failure;
