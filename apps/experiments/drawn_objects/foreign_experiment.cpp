@@ -6,6 +6,7 @@
 #include "drawn_objects_experiment.hpp"
 #include "experiments/experiments.hpp"
 #include "foreign_report.hpp"
+#include "lockbox/rendering/depth_renderer.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -25,6 +26,11 @@ class ForeignObjects : public DrawnObjectsExperiment {
         "--tell-sensor", tells_sensor_,
         "Tell the tracker the sensor's profile (track --sensor); else it finds the noise out from "
         "the images");
+    options
+        .add_option("--downscale", downscale_,
+                    "Images have so many times fewer columns and rows; in pixels, the sensor errs "
+                    "as before")
+        ->check(CLI::Range(1, 4));
   }
 
  private:
@@ -49,7 +55,9 @@ class ForeignObjects : public DrawnObjectsExperiment {
 
   std::string variant(const ExperimentSettings& settings) const override {
     return deviation_ + "_" + (settings.sensor_is_given ? settings.sensor + "_" : "") +
-           (tells_sensor_ ? "told_" : "") + std::to_string(frames_) + "frames_";
+           (tells_sensor_ ? "told_" : "") +
+           (downscale_ > 1 ? "downscale" + std::to_string(downscale_) + "_" : "") +
+           std::to_string(frames_) + "frames_";
   }
 
   std::string run_piece(const ObjectBlock& block, std::uint64_t piece,
@@ -71,7 +79,7 @@ class ForeignObjects : public DrawnObjectsExperiment {
   ForeignSettings piece_settings(const ExperimentSettings& settings,
                                  const std::filesystem::path& folder) const {
     ForeignSettings result;
-    result.camera = sensor_model(settings.sensor).camera;
+    result.camera = reduced(sensor_model(settings.sensor).camera, downscale_);
     if (settings.sensor_is_given) result.sensor = settings.sensor;
     result.tells_sensor = tells_sensor_;
     result.seed = settings.seed;
@@ -86,6 +94,7 @@ class ForeignObjects : public DrawnObjectsExperiment {
   std::string deviation_ = "none";
   int frames_ = 1;
   bool tells_sensor_ = false;
+  int downscale_ = 1;
 };
 
 }  // namespace
