@@ -58,7 +58,7 @@ void Assessment::add_answers(SearchImage& image, const std::vector<Hypothesis>& 
     exact_.resolve_overlap(image.cloud(), sought_.variables, {}, candidate.configuration);
     exact_.refine(image, candidate.configuration);
     candidate.agreement = exact_.compare(image.cloud(), candidate.configuration).agreement;
-    set_evidence(verifier_.evidence(candidate.configuration), candidate);
+    set_evidence(verifier_.evidence_within_tolerance(candidate.configuration), candidate);
     answers.push_back(std::move(candidate));
   }
   sort_best_first(answers);
@@ -77,7 +77,7 @@ void Assessment::add_look_alikes(const TiledCloud& cloud, std::vector<Candidate>
     Candidate candidate;
     candidate.configuration = std::move(other);
     candidate.agreement = exact_.compare(cloud, candidate.configuration).agreement;
-    set_evidence(verifier_.evidence(candidate.configuration), candidate);
+    set_evidence(verifier_.evidence_within_tolerance(candidate.configuration), candidate);
     answers.push_back(std::move(candidate));
   }
   sort_best_first(answers);

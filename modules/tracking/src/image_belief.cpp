@@ -13,7 +13,7 @@ std::vector<double> ImageBelief::evidence(std::span<const Configuration> configu
   verifier_.look_at(cloud_, options_.registration.noise, executor_);
   std::vector<double> nats;
   for (const Configuration& configuration : configurations) {
-    nats.push_back(verifier_.evidence(configuration).total());
+    nats.push_back(verifier_.evidence_within_tolerance(configuration).total());
   }
   return nats;
 }

@@ -14,6 +14,8 @@
 #include "faint_steps.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/model_bounds.hpp"
+#include "lockbox/model/motion_scales.hpp"
+#include "lockbox/model/variable_range.hpp"
 #include "lockbox/rendering/body_item.hpp"
 #include "scene_cells.hpp"
 #include "sensor_window.hpp"
@@ -66,8 +68,9 @@ struct Sums {
 
 struct Verifier::Workspace {
   Workspace(const KinematicTree& of, const EvidenceOptions& with)
-      : tree(of), options(with), tolerance(model_tolerance(of, with)) {}
+      : tree(of), options(with), tolerance(model_tolerance(of, with)), scales(motion_scales(of)) {}
 
+  Configuration at_ends(const Configuration& configuration) const;
   void draw(const Configuration& configuration);
   Evidence sum_up();
   double chance_of_a_line() const;
@@ -78,7 +81,8 @@ struct Verifier::Workspace {
 
   const KinematicTree& tree;
   const EvidenceOptions options;
-  const double tolerance;  ///< of the model, metres
+  const double tolerance;        ///< of the model, metres
+  const Eigen::VectorXd scales;  ///< of each unknown, metres of surface a unit
   Executor executor{1};
   std::optional<SceneCells> scene;
   std::unique_ptr<DepthRenderer> renderer;
@@ -116,6 +120,28 @@ void Verifier::look_at(const TiledCloud& cloud, const SensorNoise& sensor,
 Evidence Verifier::evidence(const Configuration& configuration) {
   workspace_->draw(configuration);
   return workspace_->sum_up();
+}
+
+Evidence Verifier::evidence_within_tolerance(const Configuration& configuration) {
+  const Evidence as_it_stands = evidence(configuration);
+  const Configuration at_ends = workspace_->at_ends(configuration);
+  if (at_ends.q == configuration.q) return as_it_stands;
+  const Evidence there = evidence(at_ends);
+  return there.total() < as_it_stands.total() ? there : as_it_stands;
+}
+
+/// Returns the configuration with the joints that stand near an end of their range there.
+Configuration Verifier::Workspace::at_ends(const Configuration& configuration) const {
+  Configuration result = configuration;
+  for (int v = 0; v < tree.variables(); ++v) {
+    const VariableRange range = variable_range(tree, v);
+    if (range.is_turn) continue;
+    for (const double end : {range.lower, range.upper}) {
+      if (std::abs(configuration.q[v] - end) * scales[unknown_of(v)] < options.contour_tolerance)
+        result.q[v] = end;
+    }
+  }
+  return result;
 }
 
 void Verifier::Workspace::draw(const Configuration& configuration) {

@@ -29,6 +29,11 @@ class Verifier {
   /// Returns the evidence in the image looked at last.
   Evidence evidence(const Configuration& configuration);
 
+  /// Returns the lesser of that and of the same with the joints that stand within what built
+  /// objects are off by (EvidenceOptions::contour_tolerance) of an end of their range put there: a
+  /// gap that shows may be the object's, and not the joint's.
+  Evidence evidence_within_tolerance(const Configuration& configuration);
+
  private:
   struct Workspace;
   std::unique_ptr<Workspace> workspace_;
