@@ -6,7 +6,6 @@
 #include "drawn_objects_experiment.hpp"
 #include "experiments/experiments.hpp"
 #include "foreign_report.hpp"
-#include "lockbox/rendering/depth_renderer.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -79,7 +78,8 @@ class ForeignObjects : public DrawnObjectsExperiment {
   ForeignSettings piece_settings(const ExperimentSettings& settings,
                                  const std::filesystem::path& folder) const {
     ForeignSettings result;
-    result.camera = reduced(sensor_model(settings.sensor).camera, downscale_);
+    result.camera = sensor_model(settings.sensor).camera;
+    result.downscale = downscale_;
     if (settings.sensor_is_given) result.sensor = settings.sensor;
     result.tells_sensor = tells_sensor_;
     result.seed = settings.seed;

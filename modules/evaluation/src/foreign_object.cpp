@@ -8,6 +8,7 @@
 #include "lockbox/core/error.hpp"
 #include "lockbox/core/number_text.hpp"
 #include "lockbox/evaluation/bound.hpp"
+#include "lockbox/rendering/depth_renderer.hpp"
 #include "lockbox/sensor/sensor_profile.hpp"
 #include "lockbox/simulation/deviating_model.hpp"
 #include "lockbox/simulation/deviation_presets.hpp"
@@ -149,7 +150,9 @@ Deviation deviation_of(const ForeignSettings& settings, std::uint64_t number,
 }  // namespace
 
 ForeignResult track_foreign_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number,
-                                   const ForeignSettings& settings, const Executor& executor) {
+                                   const ForeignSettings& given, const Executor& executor) {
+  ForeignSettings settings = given;
+  settings.camera = reduced(given.camera, given.downscale);
   const ArticulatedModel model =
       load_object(kind, block, number, settings.folder, settings.stop_request);
   ForeignResult result;
