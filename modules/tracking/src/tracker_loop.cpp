@@ -132,6 +132,7 @@ void Tracker::Loop::search(const DepthFrame& frame) {
     return;
   }
   rivals_.begin(*found, search_.alternatives());
+  size_record_ = {};  // of what was taken for it while it was out of view, too
   report(*found);
   measure_size(*found);
   const bool is_believed = verdict_.status == TrackingStatus::tracking;
