@@ -12,7 +12,7 @@ namespace {
 /// To the right and down: those to the left and up have the same cells.
 constexpr std::array kSightsOfNoise{kSights[0], kSights[2]};
 constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
-constexpr int kRowsApart = 6;                  // neighbouring rows err alike
+constexpr int kRowsApart = 6;                  // as far as a sight reaches: others err alike
 constexpr std::ptrdiff_t kEnoughCells = 100;   // for a median to be one
 constexpr double kLeastOfProfile = 0.3;        // of the sensor's noise is left in a cell, at least
 

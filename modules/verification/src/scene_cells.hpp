@@ -77,7 +77,8 @@ class SceneCells {
   /// The standard deviation of a cell's noise beside that of those around it, at an inverse depth:
   /// 1/metre.
   double noise(double inverse_depth) const { return share_ * sensor_.sigma_inverse(inverse_depth); }
-  /// The same, in the polynomial of the inverse depth that it is.
+  /// Of a pixel, and the share of it that noise() is: for loops over rows, which take its
+  /// coefficients (SensorNoise::sigma_inverse).
   const SensorNoise& sensor() const { return sensor_; }
   double share() const { return share_; }
   double tolerance() const { return tolerance_; }

@@ -15,7 +15,6 @@
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/model/model_bounds.hpp"
 #include "lockbox/model/motion_scales.hpp"
-#include "lockbox/model/variable_range.hpp"
 #include "lockbox/rendering/body_item.hpp"
 #include "scene_cells.hpp"
 #include "sensor_window.hpp"
@@ -134,12 +133,10 @@ Evidence Verifier::evidence_within_tolerance(const Configuration& configuration)
 Configuration Verifier::Workspace::at_ends(const Configuration& configuration) const {
   Configuration result = configuration;
   for (int v = 0; v < tree.variables(); ++v) {
-    const VariableRange range = variable_range(tree, v);
-    if (range.is_turn) continue;
-    for (const double end : {range.lower, range.upper}) {
-      if (std::abs(configuration.q[v] - end) * scales[unknown_of(v)] < options.contour_tolerance)
-        result.q[v] = end;
-    }
+    const VariableLimits limits = variable_limits(tree, v);
+    const double q = configuration.q[v];
+    const double end = q - limits.lower < limits.upper - q ? limits.lower : limits.upper;
+    if (std::abs(q - end) * scales[unknown_of(v)] < options.contour_tolerance) result.q[v] = end;
   }
   return result;
 }
