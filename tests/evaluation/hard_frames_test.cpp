@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random scenes of `lockbox experiment accuracy` that were once aligned wrongly.
+// Random scenes of experiments that were once aligned wrongly.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "initialization/seen_model.hpp"
 #include "lockbox/evaluation/accuracy_experiment.hpp"
+#include "lockbox/evaluation/global_experiment.hpp"
 
 namespace lockbox {
 namespace {
@@ -21,6 +22,16 @@ TEST(HardFrames, LatchThatTheImageWouldTurn) {
       experiment.align_frame(83)[static_cast<std::size_t>(unknown_of(variable))];
   EXPECT_TRUE(latch.observable);
   EXPECT_LT(std::abs(latch.error), 4.0 * latch.sigma);
+}
+
+/// Of this cabinet on a table the best answer of the search is right, but for its hidden joints,
+/// and goes 38 mm off when gates open. It was believed there for what the search had found.
+TEST(HardFrames, AnswerThatDriftsOffIsNotBelievedWhereItComesToRest) {
+  const ArticulatedModel& model = shipped("cabinet");
+  GlobalExperiment experiment(model, {640, 480, 575.8, 575.8, 319.5, 239.5},
+                              sensor_model("primesense"), 1, Executor());
+  const GlobalResult found = experiment.search_scene(46);
+  EXPECT_TRUE(found.within || found.status != TrackingStatus::tracking) << found.translation;
 }
 
 }  // namespace

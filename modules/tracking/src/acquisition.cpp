@@ -107,7 +107,10 @@ void Acquisition::look_anywhere(const std::optional<Configuration>& guess) {
 
 Answer Acquisition::registered(const Candidate& candidate, const AlignOptions& how) {
   Answer found = registration_.align(cloud_, candidate.configuration, how);
-  found.belief = candidate.belief;
+  // What has gone elsewhere was not asked for: its belief is not known.
+  const bool is_there = registration_.moves().between(candidate.configuration, found.at_rest) <=
+                        options_.most_rival_distance;
+  found.belief = is_there ? candidate.belief : 0.0;
   doubt_joints(candidate.margins, found);
   return found;
 }
@@ -177,7 +180,7 @@ bool Acquisition::is_rather_misread(const DepthFrame& frame) {
 /// then iterations within narrow gates, few as in any frame, keep them where the search has put
 /// them.
 bool Acquisition::ends_search(const Candidate& candidate, const Answer& found) {
-  const bool stays = consider(found);
+  const bool stays = found.belief > 0.0 && consider(found);
   if (!stays && candidate.belief < options_.convincing_belief) return false;
   // An answer before it may explain more, while something contradicts that: then neither is sure.
   if (stays && classify(*best_, options_) != TrackingStatus::tracking) return true;
