@@ -78,6 +78,39 @@ TEST(Rounds, EndWhereOnlyTheTurnIsUnknown) {
   EXPECT_TRUE(found[1].is_in_place_of_first);
 }
 
+/// Behind a board whose edge has gone so many metres across it.
+class HiddenInPart : public RoundsTest {
+ protected:
+  Candidate found_behind(double hidden) {
+    State state;
+    state.configuration = truth;
+    SceneBox board;
+    board.size << 0.5, 0.5, 0.01;
+    board.pose.translation() << truth.T_camera_base.translation().x() - 0.37 + hidden,
+        truth.T_camera_base.translation().y(), 0.5;
+    Scene scene = wall_behind(0.6);
+    scene.boxes.push_back(board);
+    const SensorModel sensor = sensor_model("primesense");
+    DepthFrame frame;
+    Simulator(model.tree, sensor.camera, PlacedScene(scene, {state}), sensor, 1, Executor(1))
+        .simulate(state, 0, frame);
+    return initializer.find_part(cloud_of(frame), std::nullopt, 1, progress).front();
+  }
+};
+
+TEST_F(HiddenInPart, EndsTheSearchWhereMoreIsShownThanHidden) {
+  const Candidate found = found_behind(0.08);
+  EXPECT_GT(found.agreement.explained, found.agreement.occluded);
+  EXPECT_EQ(progress.rounds, 0);
+}
+
+TEST_F(HiddenInPart, GoesOnWhereMoreIsHiddenThoughItsPlaceIsSure) {
+  const Candidate found = found_behind(0.15);
+  EXPECT_LT(found.agreement.explained, found.agreement.occluded);
+  EXPECT_GT(found.belief, 0.999);
+  EXPECT_EQ(progress.rounds, 1);
+}
+
 /// The object is seen as it was, while a round looks for it that would not find it by itself.
 TEST_F(RoundsTest, KeepWhatRoundsBeforeHaveFound) {
   progress.rounds = 2;

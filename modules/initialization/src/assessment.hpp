@@ -24,6 +24,11 @@ class Assessment {
     return verifier_.evidence(configuration).total();
   }
 
+  /// A drawing takes a table for the tray that slides out just above it; the image sees through
+  /// that. Where what is seen through costs more than any place, joints that were sought go back,
+  /// one by one, to where they stand in `held`, if the image says more for it.
+  void put_back_joints(const Configuration& held, std::vector<Hypothesis>& hypotheses);
+
   /// What follows costs most, and cannot make an answer of what the image says too little for.
   /// to_beat: the most evidence of any answer up to now; gain: the most that evidence grows by from
   /// here on; nats.
@@ -38,6 +43,8 @@ class Assessment {
   void add_look_alikes(const TiledCloud& cloud, std::vector<Candidate>& answers);
 
  private:
+  void put_back_joints(const Configuration& held, Configuration& configuration);
+
   const SoughtModel& sought_;
   SensorNoise sensor_;
   ExactFit& exact_;

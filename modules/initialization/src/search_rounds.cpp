@@ -140,6 +140,15 @@ bool is_clear(const EvidenceOptions& options, const Candidate& answer) {
   return answer.evidence >= evidence_beyond_a_box(options) && answer.contradiction <= kClear;
 }
 
+/// Whether the best is in its place, with so much belief. What hides most of an answer may be the
+/// object itself, elsewhere: of 170 right answers of things with a third hidden 0.44 was the most,
+/// and a vise that was taken for the wrong end of itself had 0.52, with 81 nats of 265.
+bool is_in_place(const SoughtModel& sought, const std::vector<Candidate>& answers, double enough) {
+  if (answers.empty()) return false;
+  const Agreement& best = answers.front().agreement;
+  return best.explained >= best.occluded && belief_in_place_of_first(sought, answers) >= enough;
+}
+
 }  // namespace
 
 SearchRounds::SearchRounds(const SoughtModel& sought, const InitializerOptions& options,
@@ -190,11 +199,13 @@ std::vector<Hypothesis> SearchRounds::known(const std::vector<Configuration>& an
 
 std::vector<Hypothesis> SearchRounds::followed(SearchImage& image,
                                                std::vector<Hypothesis> hypotheses,
-                                               const Breadth& breadth, double to_beat) {
+                                               const Configuration& held, const Breadth& breadth,
+                                               double to_beat) {
   const std::size_t most = breadth.likeliest;
   refinement_.place(image, breadth, hypotheses);
   refinement_.pose(image, breadth, hypotheses);
   if (!breadth.follows_again) leave_out_followed(hypotheses);
+  assessment_.put_back_joints(held, hypotheses);
   assessment_.leave_out_hopeless(to_beat, kGainedFromAfar, most, hypotheses);
   posed_.insert(posed_.end(), hypotheses.begin(), hypotheses.end());
   refinement_.fit(image, breadth, hypotheses);
@@ -227,7 +238,7 @@ void SearchRounds::seek_turns_of_best(SearchImage& image, const Configuration& h
     for (std::vector<Hypothesis> others : {turned_answers(sought_, held, best, seen.body_agreement),
                                            turned_about_round(sought_, held, best)}) {
       if (others.empty()) continue;
-      others = followed(image, std::move(others), kOfTurns, turned);
+      others = followed(image, std::move(others), held, kOfTurns, turned);
       assessment_.add_answers(image, others, kEachTurn, answers);
     }
   } while (is_answer(sought_.evidence, answers));
@@ -250,20 +261,19 @@ std::vector<Candidate> SearchRounds::seek(SearchImage& image, const Configuratio
       const bool is_last = &batch == &batches.back();
       const double to_beat =
           answers.empty() ? least_evidence(sought_.evidence) : answers.front().evidence;
-      const auto closer = followed(image, std::move(batch), *round.breadth, to_beat);
+      const auto closer = followed(image, std::move(batch), held, *round.breadth, to_beat);
       assessment_.add_answers(image, closer, kRanked, answers);
       if (is_last || is_answer(sought_.evidence, answers))
         seek_turns_of_best(image, held, turned, answers);
       is_convinced = !answers.empty() && is_clear(sought_.evidence, answers.front());
       if (is_convinced) break;
     }
-    is_convinced |= belief_in_place_of_first(sought_, answers) >= round.enough;
+    is_convinced |= is_in_place(sought_, answers, round.enough);
   }
   progress.answers.clear();
   // What is merely possible is looked at closer in the next image.
-  const bool is_over =
-      !answers.empty() && (is_clear(sought_.evidence, answers.front()) ||
-                           belief_in_place_of_first(sought_, answers) >= kConvincing);
+  const bool is_over = !answers.empty() && (is_clear(sought_.evidence, answers.front()) ||
+                                            is_in_place(sought_, answers, kConvincing));
   assessment_.add_look_alikes(image.cloud(), answers);
   answers.resize(std::min(answers.size(), most_candidates_));
   if (is_over || progress.rounds == std::ssize(rounds)) {

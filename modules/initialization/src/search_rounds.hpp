@@ -49,10 +49,11 @@ class SearchRounds {
                                    const Round& round);
   /// Answers of rounds before.
   std::vector<Hypothesis> known(const std::vector<Configuration>& answers) const;
-  /// The stages from place up to rank, of what was not followed before in this image. to_beat: the
-  /// most evidence of any answer up to now, nats.
+  /// The stages from place up to rank, of what was not followed before in this image. held: where
+  /// joints stand that are not sought; to_beat: the most evidence of any answer up to now, nats.
   std::vector<Hypothesis> followed(SearchImage& image, std::vector<Hypothesis> hypotheses,
-                                   const Breadth& breadth, double to_beat);
+                                   const Configuration& held, const Breadth& breadth,
+                                   double to_beat);
   void leave_out_followed(std::vector<Hypothesis>& hypotheses);
   void seek_turns_of_best(SearchImage& image, const Configuration& held, double& turned,
                           std::vector<Candidate>& answers);
