@@ -158,5 +158,24 @@ TEST(Rivals, AWorseOneIsLessProbableTheMoreItLacks) {
   }
 }
 
+/// Found again from elsewhere, an answer is no second rival.
+TEST(Rivals, ThatAreOneCountOnce) {
+  const double once = compared({candidate(90.0, 0.0), candidate(80.0, 3.1)})[0].belief;
+  const auto twice = compared({candidate(90.0, 0.0), candidate(80.0, 3.1), candidate(79.0, 3.11)});
+  EXPECT_EQ(twice[0].belief, once);
+}
+
+TEST(Rivals, OfWhichAreManyDoNotCrowdOutTheOthers) {
+  const SoughtModel sought(house(), {});
+  std::vector<Candidate> candidates{candidate(90.0, 0.0), candidate(89.0, 0.01),
+                                    candidate(88.0, 0.02), candidate(80.0, 3.1),
+                                    candidate(79.0, 1.5)};
+  keep_most_apart(sought, 2, candidates);
+  ASSERT_EQ(candidates.size(), 3U);
+  EXPECT_EQ(candidates[0].evidence, 90.0);
+  EXPECT_EQ(candidates[1].evidence, 89.0) << "which may have other joints";
+  EXPECT_EQ(candidates[2].evidence, 80.0);
+}
+
 }  // namespace
 }  // namespace lockbox

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <numbers>
+
 #include "initialization/seen_model.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/registration/registration_options.hpp"
@@ -143,6 +146,20 @@ TEST_P(VerifierTest, WhatStandsBeforeItTakesLessThanItHides) {
   look_at(truth_, scene);
   EXPECT_GT(evidence(truth_), 0.15 * alone);
   EXPECT_GT(evidence(truth_), least_evidence());
+}
+
+TEST_P(VerifierTest, ComparesAnswersByTheCellsThatTellMost) {
+  const TiledCloud cloud = seen(model_, truth_, wall_behind(0.6));
+  const Configuration other = moved(
+      truth_, Eigen::Isometry3d(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ())));
+  look_at(truth_, wall_behind(0.6));
+  const double before = evidence(truth_);
+  const std::vector<double> nats =
+      verifier_.compare(cloud, SensorNoise{}, Executor(2), std::array{truth_, other, truth_});
+  EXPECT_GT(nats[0], nats[1]);
+  EXPECT_EQ(nats[0], nats[2]);
+  EXPECT_GT(nats[0], 0.8 * before);
+  EXPECT_EQ(evidence(truth_), before) << "of what was looked at";
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, VerifierTest,

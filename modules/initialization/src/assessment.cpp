@@ -17,6 +17,12 @@ namespace {
 /// round; what scores half is elsewhere. Doubled, it would be for the best alone.
 constexpr double kNearlyAsGood = 0.5;
 
+/// Evidence by which a rival may be behind the best, and be as good by other cells. Unit: nats.
+/// Source: twice as much as one has lost so (kWidths of the verifier). Doubled, more is compared
+/// that is far behind.
+constexpr double kClose = 60.0;
+constexpr std::size_t kMostRivals = 8;
+
 void set_evidence(const Evidence& evidence, Candidate& candidate) {
   candidate.evidence = evidence.total();
   candidate.contradiction = evidence.matched > 0.0
@@ -110,6 +116,24 @@ void Assessment::add_look_alikes(const TiledCloud& cloud, std::vector<Candidate>
     set_evidence(verifier_.evidence_within_tolerance(candidate.configuration), candidate);
     answers.push_back(std::move(candidate));
   }
+  sort_best_first(answers);
+  compare(sought_, answers);
+}
+
+void Assessment::compare_closely(const TiledCloud& cloud, const Executor& executor,
+                                 std::vector<Candidate>& answers) {
+  std::vector<std::size_t> rivals;
+  for (std::size_t i = 1; i < answers.size() && rivals.size() < kMostRivals; ++i) {
+    if (answers[i].is_in_place_of_first && answers[i].evidence > answers[0].evidence - kClose &&
+        !are_one(sought_, answers[0].configuration, answers[i].configuration))
+      rivals.push_back(i);
+  }
+  if (rivals.empty()) return;
+  std::vector<Configuration> compared{answers[0].configuration};
+  for (const std::size_t i : rivals) compared.push_back(answers[i].configuration);
+  const std::vector<double> nats = verifier_.compare(cloud, sensor_, executor, compared);
+  for (std::size_t i = 0; i < rivals.size(); ++i)
+    answers[rivals[i]].evidence = answers[0].evidence + nats[i + 1] - nats[0];
   sort_best_first(answers);
   compare(sought_, answers);
 }

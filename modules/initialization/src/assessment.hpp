@@ -42,6 +42,10 @@ class Assessment {
   /// What no image tells from the best answer, as it is.
   void add_look_alikes(const TiledCloud& cloud, std::vector<Candidate>& answers);
 
+  /// Compares the best answer closer with others in its place that are nearly as good.
+  void compare_closely(const TiledCloud& cloud, const Executor& executor,
+                       std::vector<Candidate>& answers);
+
  private:
   void put_back_joints(const Configuration& held, Configuration& configuration);
 

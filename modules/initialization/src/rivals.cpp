@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "hypothesis.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
@@ -72,6 +74,14 @@ void sort_best_first(std::vector<Candidate>& candidates) {
 }
 
 void compare(const SoughtModel& sought, std::vector<Candidate>& candidates) {
+  // Of those that are one, however often it was found, the best counts.
+  std::vector<const Candidate*> apart;
+  for (const Candidate& candidate : candidates) {
+    const bool is_known = std::any_of(apart.begin(), apart.end(), [&](const Candidate* better) {
+      return are_one(sought, better->configuration, candidate.configuration);
+    });
+    if (!is_known) apart.push_back(&candidate);
+  }
   std::vector<double> others;
   for (Candidate& candidate : candidates) {
     const Configuration& here = candidate.configuration;
@@ -81,12 +91,12 @@ void compare(const SoughtModel& sought, std::vector<Candidate>& candidates) {
     double squares =
         std::exp(log_odds(least_evidence(sought.evidence), evidence, sought.evidence)) *
         here.T_camera_base.translation().squaredNorm();
-    for (const Candidate& other : candidates) {
-      if (are_one(sought, here, other.configuration)) continue;
+    for (const Candidate* other : apart) {
+      if (are_one(sought, here, other->configuration)) continue;
       const double move = farthest_move(sought.extent, sought.symmetries, here.T_camera_base,
-                                        other.configuration.T_camera_base);
-      others.push_back(other.evidence);
-      squares += std::exp(log_odds(other.evidence, evidence, sought.evidence)) * move * move;
+                                        other->configuration.T_camera_base);
+      others.push_back(other->evidence);
+      squares += std::exp(log_odds(other->evidence, evidence, sought.evidence)) * move * move;
     }
     candidate.belief = belief(evidence, others, sought.evidence);
     candidate.rival_distance = std::sqrt(candidate.belief * squares);
@@ -97,6 +107,23 @@ void compare(const SoughtModel& sought, std::vector<Candidate>& candidates) {
                                              here.T_camera_base);
     candidate.is_in_place_of_first = place_distance(sought.extent, first, here) < 1.0;
   }
+}
+
+void keep_most_apart(const SoughtModel& sought, std::size_t most,
+                     std::vector<Candidate>& candidates) {
+  std::vector<Configuration> apart;
+  std::vector<std::uint8_t> has_second;
+  std::erase_if(candidates, [&](const Candidate& candidate) {
+    const auto first = std::find_if(apart.begin(), apart.end(), [&](const Configuration& other) {
+      return are_one(sought, other, candidate.configuration);
+    });
+    if (first != apart.end())
+      return std::exchange(has_second[static_cast<std::size_t>(first - apart.begin())], 1) != 0;
+    if (apart.size() == most) return true;
+    apart.push_back(candidate.configuration);
+    has_second.push_back(0);
+    return false;
+  });
 }
 
 double belief_in_place_of_first(const SoughtModel& sought, const std::vector<Candidate>& compared) {

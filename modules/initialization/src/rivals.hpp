@@ -23,9 +23,14 @@ bool are_one(const SoughtModel& sought, const Configuration& a, const Configurat
 /// Puts the candidates with most evidence first.
 void sort_best_first(std::vector<Candidate>& candidates);
 
-/// Sets belief, rival_distance, distance and is_in_place_of_first of each: one of them is right, or
-/// the object is not in view.
+/// Sets belief, rival_distance, distance and is_in_place_of_first of each, the best first: one of
+/// them is right, or the object is not in view.
 void compare(const SoughtModel& sought, std::vector<Candidate>& candidates);
+
+/// Keeps so many that are apart, and one more of each, which may have other joints; the best of
+/// them, in their order.
+void keep_most_apart(const SoughtModel& sought, std::size_t most,
+                     std::vector<Candidate>& candidates);
 
 /// The probability that the model is in the place of the first of them, whichever of those there is
 /// right. 0 without any. compared: by compare().

@@ -275,7 +275,8 @@ std::vector<Candidate> SearchRounds::seek(SearchImage& image, const Configuratio
   const bool is_over = !answers.empty() && (is_clear(sought_.evidence, answers.front()) ||
                                             is_in_place(sought_, answers, kConvincing));
   assessment_.add_look_alikes(image.cloud(), answers);
-  answers.resize(std::min(answers.size(), most_candidates_));
+  assessment_.compare_closely(image.cloud(), executor_, answers);
+  keep_most_apart(sought_, most_candidates_, answers);
   if (is_over || progress.rounds == std::ssize(rounds)) {
     progress.rounds = 0;
   } else {

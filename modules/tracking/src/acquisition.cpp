@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "alternatives.hpp"
 #include "lockbox/cloud/segmentation.hpp"
 #include "lockbox/model/forward_kinematics.hpp"
 #include "lockbox/solver/motion_metric.hpp"
@@ -120,21 +121,7 @@ void Acquisition::doubt_if_rivalled(const Candidate& answer,
                                     const std::vector<Candidate>& candidates) {
   if (answer.rival_distance <= options_.most_rival_distance) return;
   doubt_base(answer.rival_distance, *best_);
-  note_alternatives(answer, candidates);
-}
-
-/// Notes those that alone would make the base uncertain.
-void Acquisition::note_alternatives(const Candidate& answer,
-                                    const std::vector<Candidate>& candidates) {
-  for (const Candidate& other : candidates) {
-    const double distance = std::sqrt(other.belief) * std::max(other.distance, answer.distance);
-    if (&other == &answer || distance <= options_.most_rival_distance) continue;
-    if (alternatives_.size() == options_.most_alternatives) return;
-    alternatives_.push_back({other.is_in_place_of_first && answer.is_in_place_of_first
-                                 ? Alternative::Kind::flip
-                                 : Alternative::Kind::elsewhere,
-                             other.configuration, other.belief});
-  }
+  alternatives_ = alternatives_to(answer, candidates, options_, registration_.moves());
 }
 
 bool Acquisition::is_found() const {

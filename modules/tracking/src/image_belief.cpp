@@ -6,16 +6,13 @@
 namespace lockbox {
 
 double ImageBelief::of(const Configuration& configuration) {
-  return belief(evidence({&configuration, 1}).front(), {}, options_.evidence);
+  verifier_.look_at(cloud_, options_.registration.noise, executor_);
+  const Evidence evidence = verifier_.evidence_within_tolerance(configuration);
+  return belief(evidence.total(), {}, options_.evidence);
 }
 
-std::vector<double> ImageBelief::evidence(std::span<const Configuration> configurations) {
-  verifier_.look_at(cloud_, options_.registration.noise, executor_);
-  std::vector<double> nats;
-  for (const Configuration& configuration : configurations) {
-    nats.push_back(verifier_.evidence_within_tolerance(configuration).total());
-  }
-  return nats;
+std::vector<double> ImageBelief::evidence(std::span<const Configuration> rivals) {
+  return verifier_.compare(cloud_, options_.registration.noise, executor_, rivals);
 }
 
 }  // namespace lockbox

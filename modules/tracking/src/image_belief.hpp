@@ -23,8 +23,9 @@ class ImageBelief {
   /// The probability, in [0, 1].
   double of(const Configuration& configuration);
 
-  /// Returns the evidence for each, nats (lockbox/verification/evidence.hpp).
-  std::vector<double> evidence(std::span<const Configuration> configurations);
+  /// Returns the evidence for each, nats (lockbox/verification/evidence.hpp). They are rivals, of
+  /// which one is right: they are compared closely (Verifier::compare()).
+  std::vector<double> evidence(std::span<const Configuration> rivals);
 
  private:
   Verifier verifier_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "lockbox/solver/motion_metric.hpp"
 #include "lockbox/verification/belief.hpp"
@@ -10,33 +11,66 @@
 namespace lockbox {
 namespace {
 
-/// Their noise may favour what is wrong in one; it is not the same in all. Unit: frames. Source: of
-/// the real cube and dragon sixteen frames in a row speak for what is right. Doubled, what is sure
-/// is reported so late.
+/// Their noise may favour what is wrong in one; it is not the same in all. What is off in the model
+/// is: so many frames are no more evidence than one without noise. Unit: frames. Source: of the
+/// real cube and dragon sixteen frames in a row speak for what is right. Doubled, what is sure is
+/// reported so late.
 constexpr int kFrames = 3;
-/// So many of them err by themselves. Source: what speaks for the right answer there, beside a
-/// turned one, scatters from frame to frame by 9.6 nats (24 in the mean), as much as is taken for
-/// what one frame errs by: all of them. Of what is off in the model none would. Doubled, frames
-/// that are all wrong alike are believed.
-constexpr double kIndependentFrames = 2.0;
-
 }  // namespace
 
 bool RivalComparison::has_ended() const {
-  return rivals_.empty() || frames_ >= kFrames;
+  return rivals_.empty() || frames_ >= ends_at_;
 }
 
-void RivalComparison::begin(const Answer& answer, const std::vector<Alternative>& rivals) {
+std::optional<RivalComparison::Doubt> RivalComparison::begin(
+    const Answer& answer, const std::vector<Alternative>& rivals) {
+  if (goes_on(answer)) {
+    const std::vector<double> means = mean_evidence();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Rival& rival : rivals_)
+      nearest =
+          std::min(nearest, registration_.moves().between(answer.at_rest, rival.answer.at_rest));
+    return Doubt{belief(means.front(), std::span(means).subspan(1), options_.evidence), nearest};
+  }
   rivals_.clear();
+  followed_ = {};
   frames_ = 0;
-  evidence_ = 0.0;
-  if (!(answer.rival_distance > 0.0)) return;  // the rivals are those of an earlier answer
+  ends_at_ = kFrames;
+  if (!(answer.rival_distance > 0.0))
+    return std::nullopt;  // the rivals are those of an earlier answer
   double told = answer.belief;
   for (const Alternative& rival : rivals) told += rival.probability;
-  if (told < options_.convincing_belief) return;
+  if (told < options_.convincing_belief) return std::nullopt;
   for (const Alternative& rival : rivals) {
     rivals_.emplace_back().answer.at_rest = rival.configuration;
   }
+  return std::nullopt;
+}
+
+/// Whether it is what was followed, or one of the rivals: they change places then. It is the
+/// nearest if it is not half as far away as the others of that are.
+bool RivalComparison::goes_on(const Answer& answer) {
+  if (rivals_.empty() || frames_ == 0) return false;
+  const auto distance = [&](const Rival& a, const Configuration& b) {
+    return registration_.moves().between(a.answer.at_rest, b);
+  };
+  std::vector<Rival*> all{&followed_};
+  for (Rival& rival : rivals_) all.push_back(&rival);
+  Rival& nearest = **std::ranges::min_element(
+      all, {}, [&](const Rival* each) { return distance(*each, answer.at_rest); });
+  const double here = distance(nearest, answer.at_rest);
+  for (const Rival* other : all) {
+    if (other != &nearest && here >= 0.5 * distance(*other, nearest.answer.at_rest)) return false;
+  }
+  std::swap(nearest, followed_);
+  ends_at_ = frames_ + kFrames;
+  return true;
+}
+
+std::vector<double> RivalComparison::mean_evidence() const {
+  std::vector<double> means{followed_.evidence / frames_};
+  for (const Rival& rival : rivals_) means.push_back(rival.evidence / frames_);
+  return means;
 }
 
 std::optional<RivalComparison::Outcome> RivalComparison::compare(const Answer& followed) {
@@ -48,20 +82,19 @@ std::optional<RivalComparison::Outcome> RivalComparison::compare(const Answer& f
   }
   const std::vector<double> evidence = image_belief_.evidence(configurations);
   ++frames_;
-  evidence_ += evidence.front();
+  followed_.answer = followed;
+  followed_.evidence += evidence.front();
   for (std::size_t i = 0; i < rivals_.size(); ++i) rivals_[i].evidence += evidence[i + 1];
   // What has come to the same rest is no rival any more.
   std::erase_if(rivals_, [&](const Rival& rival) {
     return registration_.moves().between(rival.answer.at_rest, followed.at_rest) <=
            options_.most_rival_distance;
   });
-  if (frames_ < kFrames) return std::nullopt;
-  std::vector<double> means{evidence_ / frames_};
-  for (const Rival& rival : rivals_) means.push_back(rival.evidence / frames_);
+  if (frames_ < ends_at_) return std::nullopt;
+  std::vector<double> means = mean_evidence();
   const auto best = std::max_element(means.begin(), means.end());
   const auto number = static_cast<std::size_t>(best - means.begin());
   std::iter_swap(means.begin(), best);
-  for (double& mean : means) mean = means.front() - kIndependentFrames * (means.front() - mean);
   const double belief_in_best =
       belief(means.front(), std::span(means).subspan(1), options_.evidence);
   if (belief_in_best < options_.convincing_belief) return std::nullopt;

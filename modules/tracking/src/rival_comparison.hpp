@@ -32,10 +32,19 @@ class RivalComparison {
     bool is_rival;  ///< not what was followed
   };
 
+  /// What frames before have left of an answer.
+  struct Doubt {
+    double belief;
+    double rival_distance;  ///< metres to the nearest of the rivals
+  };
+
   /// Begins with an answer that is followed from now on. rivals: what the search that has found it
   /// could not tell from it, if it doubts it. Where they are not all that may be right beside it,
-  /// nothing comes of comparing them.
-  void begin(const Answer& answer, const std::vector<Alternative>& rivals);
+  /// nothing comes of comparing them. An answer that frames before could not tell from others is
+  /// compared with these again, whatever the search says, and these frames count: asked often
+  /// enough, one frame or another would be for what is wrong. Returns what these leave of it, if it
+  /// is such a one.
+  std::optional<Doubt> begin(const Answer& answer, const std::vector<Alternative>& rivals);
 
   /// Nothing is left to be compared, or the frames before have not told.
   bool has_ended() const;
@@ -60,9 +69,14 @@ class RivalComparison {
   ArticulatedRegistration& registration_;
   const TiledCloud& cloud_;
   ImageBelief& image_belief_;
+  bool goes_on(const Answer& answer);
+  /// Nats in the mean of all frames: of what is followed, then of the rivals.
+  std::vector<double> mean_evidence() const;
+
   std::vector<Rival> rivals_;
-  double evidence_ = 0.0;  ///< nats, of what is followed: the sum over the frames
-  int frames_ = 0;
+  Rival followed_;
+  int frames_ = 0;   ///< of the sums
+  int ends_at_ = 0;  ///< of them
 };
 
 }  // namespace lockbox

@@ -97,7 +97,7 @@ void Tracker::Loop::follow(const DepthFrame& frame) {
   } else {
     followed = {alignment.until_rest(prediction, registered)};
   }
-  if (followed.is_found_anew) rivals_.begin(followed.answer, search_.alternatives());
+  if (followed.is_found_anew) begin_comparison(followed.answer);
   if (verdict_.rival_distance > 0.0) followed = with_rival_sought(frame, followed);
   auto& [found, is_found_anew] = followed;
   report(found);
@@ -131,7 +131,7 @@ void Tracker::Loop::search(const DepthFrame& frame) {
     report_.write_nothing();
     return;
   }
-  rivals_.begin(*found, search_.alternatives());
+  begin_comparison(*found);
   size_record_ = {};  // of what was taken for it while it was out of view, too
   report(*found);
   measure_size(*found);
@@ -216,14 +216,23 @@ Tracker::Loop::Followed Tracker::Loop::with_rival_sought(const DepthFrame& frame
     if (const auto told = rivals_.compare(best.answer)) return {told->answer, told->is_rival};
   }
   if (!(best.answer.rival_distance > 0.0)) doubt_base(verdict_.rival_distance, best.answer);
+  // An image that shows it does not say that it shows no rival.
+  best.answer.belief = std::min(best.answer.belief, report_.result().belief);
   if (is_hopeless || !rivals_.has_ended()) return best;
   const auto found = search_.seek(frame, SearchScope::anywhere, is_kept_);
   if (found && (classify(*found, options_) == TrackingStatus::tracking ||
                 found->belief > report_.result().belief)) {
     best = {*found, true};
-    rivals_.begin(*found, search_.alternatives());
+    begin_comparison(best.answer);
   }
   return best;
+}
+
+void Tracker::Loop::begin_comparison(Answer& found) {
+  const auto doubt = rivals_.begin(found, search_.alternatives());
+  if (!doubt) return;
+  found.belief = std::min(found.belief, doubt->belief);
+  if (!(found.rival_distance > 0.0)) doubt_base(doubt->rival_distance, found);
 }
 
 /// Seeks them over their whole ranges.

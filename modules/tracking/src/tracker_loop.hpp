@@ -53,6 +53,8 @@ class Tracker::Loop {
   Followed with_leap_followed(const DepthFrame& frame, const Configuration& prediction,
                               const Answer& registered, FrameAlignment& alignment);
   Followed with_rival_sought(const DepthFrame& frame, const Followed& followed);
+  /// What a search has found is compared from now on with what it could not tell from it.
+  void begin_comparison(Answer& found);
   void seek_contradicted_joints(Answer& best);
   void verify(Answer& found);
   void report(Answer& answer);

@@ -47,17 +47,24 @@ std::vector<float> nearest_around(const CoarseView& view) {
 
 }  // namespace
 
-CoarseView::CoarseView(const TiledCloud& cloud, int columns, const Executor& executor) {
-  const PinholeCamera& full = cloud.camera();
+CoarseView::CoarseView(const TiledCloud& cloud, int columns, const Executor& executor,
+                       double shift) {
+  PinholeCamera full = cloud.camera();
   const int factor = std::clamp((full.width + columns / 2) / columns, 1,
                                 std::max(1, std::min(full.width, full.height)));
+  const int begin = static_cast<int>(shift * factor);
+  full.width -= begin;
+  full.height -= begin;
+  full.cx -= begin;
+  full.cy -= begin;
   camera = reduced(full, factor);
   depth.resize(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   executor.for_each(static_cast<std::size_t>(camera.height), [&](std::size_t row) {
     const int v = static_cast<int>(row);
     std::vector<float> values;
     for (int u = 0; u < camera.width; ++u) {
-      depth[index(u, v)] = median_of_block(cloud, u * factor, v * factor, factor, values);
+      depth[index(u, v)] =
+          median_of_block(cloud, begin + u * factor, begin + v * factor, factor, values);
     }
   });
   nearest = nearest_around(*this);

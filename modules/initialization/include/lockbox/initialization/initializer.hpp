@@ -22,7 +22,8 @@ namespace lockbox {
 struct InitializerOptions {
   RegistrationOptions registration;  ///< of the alignments that refine what is found
   EvidenceOptions evidence;          ///< by which answers are compared
-  std::size_t most_candidates = 3;   ///< to be returned
+  /// Answers to be returned that are apart; of each, one more may be, with other joints.
+  std::size_t most_candidates = 3;
   /// A search that it stops throws Stopped within some tenths of a second. The next one begins
   /// anew.
   StopRequest stop_request = nullptr;

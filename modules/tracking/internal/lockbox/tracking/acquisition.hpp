@@ -79,7 +79,6 @@ class Acquisition {
 
  private:
   void look_anywhere(const std::optional<Configuration>& guess);
-  void note_alternatives(const Candidate& answer, const std::vector<Candidate>& candidates);
   bool is_found() const;
   SearchFailure explain(const DepthFrame& frame);
   void try_once_otherwise(const DepthFrame& frame, SearchFailure& failure);

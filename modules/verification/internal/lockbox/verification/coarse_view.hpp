@@ -12,8 +12,9 @@ namespace lockbox {
 
 struct CoarseView {
   /// Blocks of pixels, about `columns` a row; each has the median of its measured depths, or 0
-  /// where fewer than half of them were measured.
-  CoarseView(const TiledCloud& cloud, int columns, const Executor& executor);
+  /// where fewer than half of them were measured. shift: the share of a block by which the first
+  /// begins after the image's corner, in [0, 1), in whole pixels.
+  CoarseView(const TiledCloud& cloud, int columns, const Executor& executor, double shift = 0.0);
 
   std::size_t index(int u, int v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(camera.width) +

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "lockbox/cloud/tiled_cloud.hpp"
 #include "lockbox/core/parallel.hpp"
@@ -33,6 +35,15 @@ class Verifier {
   /// objects are off by (EvidenceOptions::contour_tolerance) of an end of their range put there: a
   /// gap that shows may be the object's, and not the joint's.
   Evidence evidence_within_tolerance(const Configuration& configuration);
+
+  /// Returns the evidence of answers, nats, of which one is right, by cells of that width by which
+  /// most speaks for one of them. The narrower cells are, the more they tell, as long as they err
+  /// by themselves: where a sensor errs alike over more, they show contours that are none, and
+  /// speak for little. Where another width tells as much, the lesser difference of both counts,
+  /// none if each is for another answer. What was looked at stays. The same tolerance as before
+  /// applies. answers: one at least.
+  std::vector<double> compare(const TiledCloud& cloud, const SensorNoise& sensor,
+                              const Executor& executor, std::span<const Configuration> answers);
 
  private:
   struct Workspace;
