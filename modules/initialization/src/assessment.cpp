@@ -132,8 +132,11 @@ void Assessment::compare_closely(const TiledCloud& cloud, const Executor& execut
   std::vector<Configuration> compared{answers[0].configuration};
   for (const std::size_t i : rivals) compared.push_back(answers[i].configuration);
   const std::vector<double> nats = verifier_.compare(cloud, sensor_, executor, compared);
-  for (std::size_t i = 0; i < rivals.size(); ++i)
-    answers[rivals[i]].evidence = answers[0].evidence + nats[i + 1] - nats[0];
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    double& evidence = answers[rivals[i]].evidence;
+    evidence =
+        std::clamp(answers[0].evidence + nats[i + 1] - nats[0], evidence, answers[0].evidence);
+  }
   sort_best_first(answers);
   compare(sought_, answers);
 }

@@ -42,7 +42,8 @@ class Assessment {
   /// What no image tells from the best answer, as it is.
   void add_look_alikes(const TiledCloud& cloud, std::vector<Candidate>& answers);
 
-  /// Compares the best answer closer with others in its place that are nearly as good.
+  /// Compares the best answer closer with others in its place that are nearly as good, which may be
+  /// as good then. No answer becomes more certain by that: the right one may not be among them.
   void compare_closely(const TiledCloud& cloud, const Executor& executor,
                        std::vector<Candidate>& answers);
 

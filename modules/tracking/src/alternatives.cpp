@@ -18,18 +18,22 @@ std::vector<Alternative> alternatives_to(const Candidate& answer,
                                          const std::vector<Candidate>& candidates,
                                          const TrackerOptions& options, const MotionMetric& moves) {
   std::vector<Alternative> found;
+  const auto are_one = [&](const Configuration& a, const Configuration& b) {
+    return moves.between(a, b) <= options.most_rival_distance;
+  };
   const auto is_known = [&](const Configuration& configuration) {
-    return std::any_of(found.begin(), found.end(), [&](const Alternative& known) {
-      return moves.between(known.configuration, configuration) <= options.most_rival_distance;
-    });
+    return are_one(answer.configuration, configuration) ||
+           std::ranges::any_of(found, [&](const Alternative& known) {
+             return are_one(known.configuration, configuration);
+           });
   };
   double told = answer.belief;
   for (const Candidate& other : candidates) {
     if (found.size() == options.most_alternatives) break;
-    const double distance = std::sqrt(other.belief) * std::max(other.distance, answer.distance);
-    const bool is_needed =
-        distance > options.most_rival_distance || told < options.convincing_belief;
-    if (&other == &answer || !is_needed || is_known(other.configuration)) continue;
+    const double apart = std::max(other.distance, answer.distance);
+    const bool is_needed = std::sqrt(other.belief) * apart > options.most_rival_distance ||
+                           told < options.convincing_belief;
+    if (apart == 0.0 || !is_needed || is_known(other.configuration)) continue;
     told += other.belief;
     found.push_back({kind_of(other, answer), other.configuration, other.belief});
   }

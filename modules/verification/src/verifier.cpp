@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "evidence_constants.hpp"
 #include "lockbox/model/motion_scales.hpp"
@@ -19,15 +18,13 @@ namespace {
 constexpr double kOfChance = 10.0;
 /// Cells of each width begin so often elsewhere. Doubled, comparisons take twice as long.
 constexpr int kBegins = 2;
+constexpr std::size_t kWidths = 3;
+constexpr std::size_t kUsualWidth = 1;  ///< of them
 
 /// What two widths agree on: the lesser difference, none if each is for another answer.
 double agreed(double a, double b) {
   if (a * b <= 0.0) return 0.0;
   return std::abs(a) < std::abs(b) ? a : b;
-}
-
-double most(const std::vector<double>& nats) {
-  return *std::ranges::max_element(nats);
 }
 
 }  // namespace
@@ -48,7 +45,7 @@ struct Verifier::Workspace {
   const double contour_tolerance;
   const Eigen::VectorXd scales;  ///< of each unknown, metres of surface a unit
   Look look;
-  std::array<Look, 3> looks_again;  ///< by width
+  std::array<Look, kWidths> looks_again;  ///< by width
 };
 
 Verifier::Verifier(const KinematicTree& tree, const EvidenceOptions& options)
@@ -73,26 +70,27 @@ Evidence Verifier::evidence_within_tolerance(const Configuration& configuration)
 std::vector<double> Verifier::compare(const TiledCloud& cloud, const SensorNoise& sensor,
                                       const Executor& executor,
                                       std::span<const Configuration> answers) {
-  std::vector<std::vector<double>> by_width;
-  for (Look& look : workspace_->looks_again) {
-    std::vector<double>& nats = by_width.emplace_back(answers.size(), 0.0);
+  Workspace& w = *workspace_;
+  std::array<std::vector<double>, kWidths> by_width;
+  for (std::size_t width = 0; width < kWidths; ++width) {
+    Look& look = w.looks_again[width];
+    std::vector<double>& nats = by_width[width];
+    nats.assign(answers.size(), 0.0);
     for (int begin = 0; begin < kBegins; ++begin) {
       look.look_at(cloud, sensor, executor, static_cast<double>(begin) / kBegins);
       for (std::size_t i = 0; i < answers.size(); ++i)
-        nats[i] += workspace_->evidence_within_tolerance(look, answers[i]).total() / kBegins;
+        nats[i] += w.evidence_within_tolerance(look, answers[i]).total() / kBegins;
     }
   }
-  std::ranges::sort(by_width, std::ranges::greater{}, most);
-  const std::vector<double>& most_telling = by_width.front();
-  const auto best = std::ranges::max_element(most_telling) - most_telling.begin();
-  std::vector<double> compared = most_telling;
+  const auto most = [](const std::vector<double>& nats) { return *std::ranges::max_element(nats); };
+  const std::vector<double>& usual = by_width[kUsualWidth];
+  const std::vector<double>& most_telling = *std::ranges::max_element(by_width, {}, most);
+  const auto best = static_cast<std::size_t>(std::ranges::max_element(usual) - usual.begin());
+  std::vector<double> compared = usual;
   for (const std::vector<double>& nats : by_width) {
     if (most(nats) < most(most_telling) - kOfChance) continue;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      const auto to_best = static_cast<std::size_t>(best);
-      compared[i] = most_telling[to_best] +
-                    agreed(compared[i] - most_telling[to_best], nats[i] - nats[to_best]);
-    }
+    for (std::size_t i = 0; i < answers.size(); ++i)
+      compared[i] = usual[best] + agreed(compared[i] - usual[best], nats[i] - nats[best]);
   }
   return compared;
 }

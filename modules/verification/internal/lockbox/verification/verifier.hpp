@@ -36,12 +36,12 @@ class Verifier {
   /// gap that shows may be the object's, and not the joint's.
   Evidence evidence_within_tolerance(const Configuration& configuration);
 
-  /// Returns the evidence of answers, nats, of which one is right, by cells of that width by which
-  /// most speaks for one of them. The narrower cells are, the more they tell, as long as they err
-  /// by themselves: where a sensor errs alike over more, they show contours that are none, and
-  /// speak for little. Where another width tells as much, the lesser difference of both counts,
-  /// none if each is for another answer. What was looked at stays. The same tolerance as before
-  /// applies. answers: one at least.
+  /// Returns the evidence of answers, nats, of which one is right, as far as cells of several
+  /// widths agree: those of the usual one, and those by which as much or more speaks for an answer.
+  /// Their least difference from the best counts, none if some are for another. (Narrower cells
+  /// tell more, as long as they err by themselves; where a sensor errs alike over more, they show
+  /// contours that are none, and speak for little.) Those of a width begin at several pixels. What
+  /// was looked at stays. The same tolerance as before applies. answers: one at least.
   std::vector<double> compare(const TiledCloud& cloud, const SensorNoise& sensor,
                               const Executor& executor, std::span<const Configuration> answers);
 
