@@ -16,6 +16,10 @@ namespace {
 /// real cube and dragon sixteen frames in a row speak for what is right. Doubled, what is sure is
 /// reported so late.
 constexpr int kFrames = 3;
+/// Of the way from one of them to another: what is nearer to one is that one. Unit: 1. Doubled,
+/// answers between two would be.
+constexpr double kNearer = 0.5;
+
 }  // namespace
 
 bool RivalComparison::has_ended() const {
@@ -60,7 +64,8 @@ bool RivalComparison::goes_on(const Answer& answer) {
       all, {}, [&](const Rival* each) { return distance(*each, answer.at_rest); });
   const double here = distance(nearest, answer.at_rest);
   for (const Rival* other : all) {
-    if (other != &nearest && here >= 0.5 * distance(*other, nearest.answer.at_rest)) return false;
+    if (other != &nearest && here >= kNearer * distance(*other, nearest.answer.at_rest))
+      return false;
   }
   std::swap(nearest, followed_);
   ends_at_ = frames_ + kFrames;
