@@ -40,6 +40,9 @@ struct Verifier::Workspace {
 
   Configuration at_ends(const Configuration& configuration) const;
   Evidence evidence_within_tolerance(Look& in, const Configuration& configuration) const;
+  /// Adds so much of it, nats, of each.
+  void add_evidence(Look& in, std::span<const Configuration> answers, double share,
+                    std::vector<double>& nats) const;
 
   const KinematicTree& tree;
   const double contour_tolerance;
@@ -70,16 +73,13 @@ Evidence Verifier::evidence_within_tolerance(const Configuration& configuration)
 std::vector<double> Verifier::compare(const TiledCloud& cloud, const SensorNoise& sensor,
                                       const Executor& executor,
                                       std::span<const Configuration> answers) {
-  Workspace& w = *workspace_;
   std::array<std::vector<double>, kWidths> by_width;
   for (std::size_t width = 0; width < kWidths; ++width) {
-    Look& look = w.looks_again[width];
-    std::vector<double>& nats = by_width[width];
-    nats.assign(answers.size(), 0.0);
+    Look& look = workspace_->looks_again[width];
+    by_width[width].assign(answers.size(), 0.0);
     for (int begin = 0; begin < kBegins; ++begin) {
       look.look_at(cloud, sensor, executor, static_cast<double>(begin) / kBegins);
-      for (std::size_t i = 0; i < answers.size(); ++i)
-        nats[i] += w.evidence_within_tolerance(look, answers[i]).total() / kBegins;
+      workspace_->add_evidence(look, answers, 1.0 / kBegins, by_width[width]);
     }
   }
   const auto most = [](const std::vector<double>& nats) { return *std::ranges::max_element(nats); };
@@ -102,6 +102,12 @@ Evidence Verifier::Workspace::evidence_within_tolerance(Look& in,
   if (there.q == configuration.q) return as_it_stands;
   const Evidence at_ends = in.evidence(there);
   return at_ends.total() < as_it_stands.total() ? at_ends : as_it_stands;
+}
+
+void Verifier::Workspace::add_evidence(Look& in, std::span<const Configuration> answers,
+                                       double share, std::vector<double>& nats) const {
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    nats[i] += share * evidence_within_tolerance(in, answers[i]).total();
 }
 
 /// Returns the configuration with the joints that stand near an end of their range there.
