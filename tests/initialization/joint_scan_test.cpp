@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "image_scan.hpp"
 #include "lockbox/initialization/initializer.hpp"
@@ -66,6 +67,22 @@ TEST_F(JointScanTest, FindsADoorAnywhereInItsRange) {
     EXPECT_GT(margins[static_cast<std::size_t>(door_)], 50.0) << start;
     EXPECT_TRUE(std::isfinite(margins[static_cast<std::size_t>(door_)])) << start;
   }
+}
+
+/// As models have them of joints without an end: radians that no integer counts in steps. Each of
+/// the most steps that there are turns the door by a 63rd more than whole turns.
+TEST_F(JointScanTest, FindsADoorWhoseLimitsAreAsFarApartAsNumbersGo) {
+  constexpr double kMostSteps = 63.0;
+  constexpr double kTurns = 1e8;
+  constexpr double kWholeTurn = 2.0 * std::numbers::pi;
+  KinematicTree endless = model_.tree;
+  Joint& door = endless.joints[static_cast<std::size_t>(joint_index(endless, "door_bottom_left"))];
+  door.lower = 0.0;
+  door.upper = kWholeTurn * (kTurns * kMostSteps + 1.0);
+  Configuration configuration = truth_;
+  configuration.q[door_] = 0.0;
+  scan_joints(endless, extent_, score_, {door_}, kScanSlack, kScan, configuration);
+  EXPECT_NEAR(std::remainder(configuration.q[door_] - 1.5, kWholeTurn), 0.0, 0.03);
 }
 
 TEST_F(JointScanTest, AGlanceComesAsNearAsItsSteps) {

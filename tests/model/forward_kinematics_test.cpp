@@ -224,6 +224,16 @@ TEST(Configuration, RangeOfAVariableWithoutLimitsIsATurnThatCountsItsEndsOnce) {
   EXPECT_DOUBLE_EQ(positions.back(), 1.0 + 0.5 * std::numbers::pi);
 }
 
+TEST(Configuration, StepsOverARangeAreBoundedHoweverLongItIs) {
+  EXPECT_EQ(step_count(0.25, 0.1, 2, 63), 3);
+  EXPECT_EQ(step_count(0.1, 0.5, 2, 63), 2);
+  for (const double extent : {7.0, 1e9, 1e12, 1e308}) {
+    EXPECT_EQ(step_count(extent, 0.1, 2, 63), 63) << extent;
+  }
+  EXPECT_EQ(step_count(1.0, 0.0, 2, 63), 63) << "infinitely many";
+  EXPECT_EQ(step_count(0.0, 0.0, 2, 63), 63) << "not a number";
+}
+
 TEST(Configuration, RefusesUnknownAndMimicJointsByName) {
   KinematicTree tree;
   add_joint(tree, 0, JointType::revolute, Eigen::Isometry3d::Identity(), Eigen::Vector3d::UnitX());

@@ -200,8 +200,7 @@ class JointScan {
     const VariableRange range = variable_range(tree_, variable, configuration.q[variable]);
     const double reach = range.extent() * motion_of(variable, configuration);
     if (!(reach > 0.0)) return {{}, 0.0, false};
-    const int steps =
-        std::clamp(static_cast<int>(reach / steps_.metres) + 1, kFewestSteps, kMostSteps);
+    const int steps = step_count(reach, steps_.metres, kFewestSteps, kMostSteps);
     return {positions_in(range, steps), range.extent() / steps, range.is_turn};
   }
 

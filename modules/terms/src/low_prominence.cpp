@@ -158,8 +158,7 @@ bool LowProminence::is_there(const TiledCloud& cloud, const Configuration& confi
                              int variable, double position) {
   const VariableRange range = variable_range(model_.tree, variable, position);
   const double elsewhere = kElsewhere / motion_scales_[variable];
-  const int steps = std::clamp(static_cast<int>(range.extent() / elsewhere) + 1, 1, kMostSteps);
-  positions_ = positions_in(range, steps);
+  positions_ = positions_in(range, step_count(range.extent(), elsewhere, 1, kMostSteps));
   positions_.push_back(position);
   costs_ = region_.compare(cloud, configuration, variable, positions_);
   if (costs_.empty()) return false;
@@ -181,8 +180,7 @@ RangeMatch LowProminence::find_anywhere(const TiledCloud& cloud, const Configura
   const double start = configuration.q[variable];
   const VariableRange range = variable_range(model_.tree, variable, start);
   const double step = kScanPixels * pixel_step(cloud.camera(), configuration, variable);
-  positions_ =
-      positions_in(range, std::clamp(static_cast<int>(range.extent() / step) + 1, 1, kMostSteps));
+  positions_ = positions_in(range, step_count(range.extent(), step, 1, kMostSteps));
   const std::size_t here = positions_.size();
   positions_.push_back(start);
   costs_ = region_.compare(cloud, configuration, variable, positions_);

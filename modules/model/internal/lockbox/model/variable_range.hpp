@@ -21,6 +21,11 @@ struct VariableRange {
 /// A turn is half a turn either way of `around`.
 VariableRange variable_range(const KinematicTree& tree, int variable, double around = 0.0);
 
+/// Returns how many steps of at most that size make up the extent, in the same unit, but no fewer
+/// and no more than given. Limits may be as far apart as numbers go: no integer need count the
+/// steps.
+int step_count(double extent, double step, int fewest, int most);
+
 /// Equally far from each other, from the lower end to the upper one, which of a turn is left out.
 /// steps: at least one.
 std::vector<double> positions_in(const VariableRange& range, int steps);
