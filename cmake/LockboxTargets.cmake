@@ -89,6 +89,14 @@ function(lockbox_see_internals target)
   target_include_directories(${target} PRIVATE ${internals})
 endfunction()
 
+# lockbox_keep_libraries(<target>) has a program that draws keep the graphics driver loaded, where
+# leaks are looked for: of an unloaded one they would be of a module without a name.
+function(lockbox_keep_libraries target)
+  if(LOCKBOX_SANITIZE MATCHES address)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/sanitizers/keep_libraries.cpp)
+  endif()
+endfunction()
+
 # lockbox_add_test(<name> SOURCES ... [LIBRARIES targets...] [DEFINITIONS ...] [PROPERTIES ...])
 # makes one GoogleTest program and registers each of its tests with CTest, with the label `fast` if
 # LOCKBOX_FAST_TESTS is set.
