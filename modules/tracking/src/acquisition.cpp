@@ -192,10 +192,8 @@ bool Acquisition::find_from(const Configuration& guess, SearchScope scope) {
       is_enough(registration_.align(cloud_, best_->at_rest, narrow()), guess, scope)) {
     return true;
   }
-  const auto contradicted = contradicted_variables(*best_, model_.tree, options_);
-  if (!contradicted.empty() && consider(with_joints_sought(best_->at_rest, contradicted))) {
-    return true;
-  }
+  const std::vector<int> dragged = dragged_variables(guess, *best_);
+  if (!dragged.empty() && consider(with_joints_sought(best_->at_rest, dragged))) return true;
   if (is_enough(find_near(guess), guess, scope)) return true;
   // Frames that did not wait for a search went by, and joints may have moved anywhere in them.
   return options_.background_search &&
@@ -239,6 +237,22 @@ Answer Acquisition::find_near(const Configuration& guess) {
       registration_.align(object_, guess, {options_.start_sigma, options_.start_iterations, true})
           .at_rest;
   return registration_.align(cloud_, placed, narrow());
+}
+
+/// Of an answer in which bodies contradict the image: theirs, and those that are elsewhere than in
+/// the guess. On its way an alignment drags joints along, to where they rest, but do not belong.
+std::vector<int> Acquisition::dragged_variables(const Configuration& guess,
+                                                const Answer& answer) const {
+  std::vector<int> dragged = contradicted_variables(answer, model_.tree, options_);
+  if (dragged.empty()) return dragged;
+  for (const int v : options_.registration.free_variables(model_.tree.variables())) {
+    Configuration moved = guess;
+    moved.q[v] = answer.at_rest.q[v];
+    const bool is_apart =
+        registration_.moves().between(guess, moved) > options_.most_rival_distance;
+    if (is_apart && std::ranges::find(dragged, v) == dragged.end()) dragged.push_back(v);
+  }
+  return dragged;
 }
 
 /// Table, walls and clutter would pull at wide gates.

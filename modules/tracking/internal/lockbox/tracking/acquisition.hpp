@@ -91,6 +91,7 @@ class Acquisition {
   bool consider(const Answer& found);
   bool is_enough(const Answer& found, const Configuration& guess, SearchScope scope);
   AlignOptions narrow() const;
+  std::vector<int> dragged_variables(const Configuration& guess, const Answer& answer) const;
   void find_object(const Configuration& start);
   Initializer& initializer();
 
