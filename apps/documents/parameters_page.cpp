@@ -68,7 +68,7 @@ measure that anew.
 
 ## Cells in which evidence is looked for
 
-The code is laid out for these two (`modules/verification/src/evidence_constants.hpp`): nothing sets them.
+The code is laid out for these (`modules/verification/src/evidence_constants.hpp`): nothing sets them.
 
 )";
 

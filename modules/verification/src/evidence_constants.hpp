@@ -10,11 +10,12 @@ namespace lockbox::evidence {
 /// (SensorNoise::correlation_pixels), so that cells err by themselves. Doubled, cells no longer err
 /// by themselves, and noise makes contours.
 inline constexpr int kColumns = 240;
-/// The widths by which answers are compared closely, too (Verifier::compare()). Unit: columns.
-/// Source: two and four pixels of 640, a pixel less and more than kColumns makes. Doubled, the
-/// narrower are pixels, which err alike with every sensor.
+/// A narrower width, by which answers are compared closely, too (Verifier::compare()). Unit:
+/// columns. Source: two pixels of 640 instead of three. Doubled, cells are pixels, which err alike
+/// with every sensor.
 inline constexpr int kNarrowColumns = 320;
-/// See there. Halved, handles of two pixels tell nothing.
+/// A wider one, likewise. Unit: columns. Source: four pixels of 640. Halved, handles of two pixels
+/// tell nothing.
 inline constexpr int kWideColumns = 160;
 /// Cells of an image in which a sensor errs alike. Unit: cells. Source: the square of the window
 /// that it compares, 11 pixels of 640 across. Doubled, what is seen through the model costs half as
