@@ -12,7 +12,7 @@
 namespace lockbox {
 namespace {
 
-/// The box is turned by 25 degrees and moved by 12 cm while the camera is covered. On the way back
+/// The box is turned by 17 degrees and moved by 10 cm while the camera is covered. On the way back
 /// to it the slider was left 11 mm from its end, at rest, while other parts had to be sought.
 TEST(DraggedJoint, IsSoughtWhereItBelongs) {
   const ArticulatedModel& model = shipped("lockbox");

@@ -52,7 +52,7 @@ std::optional<RivalComparison::Doubt> RivalComparison::begin(
 }
 
 /// Whether it is what was followed, or one of the rivals: they change places then. It is the
-/// nearest if it is not half as far away as the others of that are.
+/// nearest of them if it is less than half of the way from there to any other.
 bool RivalComparison::goes_on(const Answer& answer) {
   if (rivals_.empty() || frames_ == 0) return false;
   const auto distance = [&](const Rival& a, const Configuration& b) {

@@ -64,15 +64,15 @@ class RivalComparison {
     double evidence = 0.0;  ///< nats, the sum over the frames
   };
 
+  bool goes_on(const Answer& answer);
+  /// Nats in the mean of all frames: of what is followed, then of the rivals.
+  std::vector<double> mean_evidence() const;
+
   const LookAlikes& look_alikes_;
   const TrackerOptions& options_;
   ArticulatedRegistration& registration_;
   const TiledCloud& cloud_;
   ImageBelief& image_belief_;
-  bool goes_on(const Answer& answer);
-  /// Nats in the mean of all frames: of what is followed, then of the rivals.
-  std::vector<double> mean_evidence() const;
-
   std::vector<Rival> rivals_;
   Rival followed_;
   int frames_ = 0;   ///< of the sums

@@ -6,7 +6,7 @@
 namespace lockbox::evidence {
 
 /// The width of the view that is looked at. Unit: columns. Source: of a 640-column image a cell is
-/// then 2.7 pixels, as wide as the errors of neighbouring pixels are alike
+/// then three pixels, as wide as the errors of neighbouring pixels are alike
 /// (SensorNoise::correlation_pixels), so that cells err by themselves. Doubled, cells no longer err
 /// by themselves, and noise makes contours.
 inline constexpr int kColumns = 240;

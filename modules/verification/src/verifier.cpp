@@ -16,7 +16,8 @@ namespace {
 /// cells began a pixel later, that of 40 answers in the frames of a real cube and dragon, and in
 /// one of a stapler, differed by 3 to 16. Doubled, fewer answers are told from their rivals.
 constexpr double kOfChance = 10.0;
-/// Cells of each width begin so often elsewhere. Doubled, comparisons take twice as long.
+/// Cells of each width begin so often elsewhere. Unit: times. Source: not recorded. Doubled,
+/// comparisons take twice as long.
 constexpr int kBegins = 2;
 constexpr std::size_t kWidths = 3;
 constexpr std::size_t kUsualWidth = 1;  ///< of them
