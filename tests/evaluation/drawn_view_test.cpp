@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "lockbox/simulation/model_visibility.hpp"
+#include "lockbox/simulation/simulator.hpp"
 #include "lockbox/terms/collision_term.hpp"
 #include "temporary_folder.hpp"
 
@@ -84,6 +87,47 @@ TEST(DrawnView, FollowsFromBlockAndNumber) {
   };
   EXPECT_EQ(pose(1), pose(1));
   EXPECT_NE(pose(1), pose(2));
+}
+
+/// Depths of the view without noise; 0 where nothing is.
+std::vector<float> depths(const KinematicTree& tree, const DrawnView& view) {
+  const SensorModel sensor = sensor_model("ideal");
+  DepthFrame image;
+  Simulator(tree, kDrawnCamera, PlacedScene(view.scene, {view.truth}), sensor, 1, Executor(1))
+      .simulate(view.truth, 0, image);
+  std::vector<float> metres;
+  for (int v = 0; v < image.camera.height; ++v) {
+    for (int u = 0; u < image.camera.width; ++u) metres.push_back(image.metres(u, v));
+  }
+  return metres;
+}
+
+/// Of kinds that slide, turn, lie on tables and hang on walls.
+TEST(DrawnView, OfALargerObjectIsTheSameToThePixel) {
+  constexpr double kSize = 1.7;
+  const ObjectBlock block("tune");
+  for (const DrawnKind kind : {DrawnKind::furniture, DrawnKind::board, DrawnKind::household}) {
+    const std::uint64_t number = 3;
+    const ObjectDraft draft = kind == DrawnKind::furniture ? draw_furniture(block, number)
+                              : kind == DrawnKind::board   ? draw_board(block, number)
+                                                           : draw_household(block, number);
+    const ArticulatedModel model = loaded(draft);
+    const DrawnView view = draw_view(kind, model, kDrawnCamera, block, number);
+    const TemporaryFolder folder;
+    const KinematicTree larger =
+        load_kinematic_tree(folder.write("larger.urdf", urdf_text(scaled(draft, kSize))));
+    const std::vector<float> near = depths(model.tree, view);
+    const std::vector<float> far = depths(larger, scaled(view, larger, kSize));
+    std::size_t alike = 0;
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      if (!(near[i] > 0.0F && far[i] > 0.0F)) continue;
+      ++seen;
+      alike += std::abs(far[i] - kSize * near[i]) < 0.004F ? 1U : 0U;
+    }
+    EXPECT_GT(static_cast<double>(alike), 0.999 * static_cast<double>(seen));
+    EXPECT_GT(seen, near.size() / 4);
+  }
 }
 
 TEST(DrawnSensor, OfTestsIsNotThatOfTuning) {

@@ -6,6 +6,7 @@
 #include "drawn_objects_experiment.hpp"
 #include "experiments/experiments.hpp"
 #include "foreign_report.hpp"
+#include "lockbox/core/number_text.hpp"
 
 namespace lockbox::app {
 namespace {
@@ -30,6 +31,10 @@ class ForeignObjects : public DrawnObjectsExperiment {
                     "Images have so many times fewer columns and rows; in pixels, the sensor errs "
                     "as before")
         ->check(CLI::Range(1, 4));
+    options
+        .add_option("--size", size_,
+                    "Objects are so many times as large, and so many times as far away")
+        ->check(CLI::Range(0.2, 5.0));
   }
 
  private:
@@ -56,7 +61,8 @@ class ForeignObjects : public DrawnObjectsExperiment {
     return deviation_ + "_" + (settings.sensor_is_given ? settings.sensor + "_" : "") +
            (tells_sensor_ ? "told_" : "") +
            (downscale_ > 1 ? "downscale" + std::to_string(downscale_) + "_" : "") +
-           std::to_string(frames_) + "frames_";
+           (size_ != 1.0 ? "size" + number_text(size_) + "_" : "") + std::to_string(frames_) +
+           "frames_";
   }
 
   std::string run_piece(const ObjectBlock& block, std::uint64_t piece,
@@ -80,6 +86,7 @@ class ForeignObjects : public DrawnObjectsExperiment {
     ForeignSettings result;
     result.camera = sensor_model(settings.sensor).camera;
     result.downscale = downscale_;
+    result.size = size_;
     if (settings.sensor_is_given) result.sensor = settings.sensor;
     result.tells_sensor = tells_sensor_;
     result.seed = settings.seed;
@@ -95,6 +102,7 @@ class ForeignObjects : public DrawnObjectsExperiment {
   int frames_ = 1;
   bool tells_sensor_ = false;
   int downscale_ = 1;
+  double size_ = 1.0;
 };
 
 }  // namespace

@@ -153,6 +153,23 @@ DrawnView draw_view(DrawnKind kind, const ArticulatedModel& model, const Pinhole
   throw InputError(model.file.string(), "no view of this object fits the image");
 }
 
+DrawnView scaled(DrawnView view, const KinematicTree& tree, double size) {
+  Configuration& truth = view.truth.configuration;
+  truth.T_camera_base.translation() *= size;
+  for (const Joint& joint : tree.joints) {
+    if (joint.type == JointType::prismatic && !joint.is_mimic) truth.q[joint.variable] *= size;
+  }
+  for (ScenePlane& plane : view.scene.planes) {
+    plane.point *= size;
+    plane.extent *= size;
+  }
+  for (SceneBox& box : view.scene.boxes) {
+    box.size *= size;
+    box.pose.translation() *= size;
+  }
+  return view;
+}
+
 std::string draw_sensor(const ObjectBlock& block, std::uint64_t number) {
   constexpr std::array kTuning = {"primesense", "primesense-quiet"};
   constexpr std::array kTests = {"primesense", "structured-light", "white"};

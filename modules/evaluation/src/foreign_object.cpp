@@ -63,10 +63,10 @@ ObjectDraft draw_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t 
 }
 
 /// Its fields are built anew: hundreds of objects that come once would fill the cache.
-ArticulatedModel load_object(DrawnKind kind, const ObjectBlock& block, std::uint64_t number,
-                             const std::filesystem::path& folder, const StopRequest& stop_request) {
+ArticulatedModel load_object(const ObjectDraft& draft, const std::filesystem::path& folder,
+                             const StopRequest& stop_request) {
   std::filesystem::create_directories(folder);
-  write_text(folder / "model.urdf", urdf_text(draw_object(kind, block, number)));
+  write_text(folder / "model.urdf", urdf_text(draft));
   LoadOptions options;
   options.cache_directory = std::filesystem::path();
   options.stop_request = stop_request;
@@ -153,12 +153,19 @@ ForeignResult track_foreign_object(DrawnKind kind, const ObjectBlock& block, std
                                    const ForeignSettings& given, const Executor& executor) {
   ForeignSettings settings = given;
   settings.camera = reduced(given.camera, given.downscale);
-  const ArticulatedModel model =
-      load_object(kind, block, number, settings.folder, settings.stop_request);
+  const ObjectDraft draft = draw_object(kind, block, number);
+  const auto load = [&](const ObjectDraft& drawn) {
+    return load_object(drawn, settings.folder, settings.stop_request);
+  };
+  ArticulatedModel model = load(draft);
   ForeignResult result;
   result.object = model.tree.name;
   result.parts = static_cast<int>(model.tree.joints.size());
   result.view = draw_view(kind, model, settings.camera, block, number);
+  if (settings.size != 1.0) {
+    model = load(scaled(draft, settings.size));
+    result.view = scaled(result.view, model.tree, settings.size);
+  }
   result.sensor = settings.sensor.value_or(draw_sensor(block, number));
   std::vector<State> run(static_cast<std::size_t>(settings.frames), result.view.truth);
   for (std::size_t i = 0; i < run.size(); ++i) run[i].stamp = kFramePeriod * static_cast<double>(i);

@@ -56,6 +56,22 @@ DraftPart cylinder_part(double radius, double length, int axis, const Eigen::Vec
   return {{2.0 * radius, 2.0 * radius, length}, centre, rpy, true};
 }
 
+ObjectDraft scaled(ObjectDraft draft, double size) {
+  for (DraftLink& link : draft.links) {
+    for (DraftPart& part : link.parts) {
+      part.size *= size;
+      part.centre *= size;
+    }
+  }
+  for (DraftJoint& joint : draft.joints) {
+    joint.origin *= size;
+    if (joint.type != JointType::prismatic) continue;
+    joint.lower *= size;
+    joint.upper *= size;
+  }
+  return draft;
+}
+
 std::string urdf_text(const ObjectDraft& draft) {
   std::ostringstream out;
   out << "<?xml version=\"1.0\"?>\n<robot name=\"" << draft.name << "\">\n";

@@ -34,6 +34,11 @@ struct DrawnView {
 DrawnView draw_view(DrawnKind kind, const ArticulatedModel& model, const PinholeCamera& camera,
                     const ObjectBlock& block, std::uint64_t number);
 
+/// The same view, to the pixel, of an object `size` times as large: what stands around it, and how
+/// far the camera is, grow with it. The tree tells which variables slide. Of the scene, planes and
+/// boxes, as `draw_view` places no others.
+DrawnView scaled(DrawnView view, const KinematicTree& tree, double size);
+
 /// The sensor with which the object of that number is seen; those of tests are not those of tuning.
 std::string draw_sensor(const ObjectBlock& block, std::uint64_t number);
 

@@ -44,6 +44,7 @@ struct ForeignResult {
 struct ForeignSettings {
   PinholeCamera camera;
   int downscale = 1;                  ///< the camera has so many times fewer columns and rows
+  double size = 1.0;                  ///< objects are so many times as large, and as far away
   std::optional<std::string> sensor;  ///< none: the one that the block draws
   bool tells_sensor = false;  ///< the tracker is told the sensor's profile; else images tell
   std::uint64_t seed = 1;     ///< of the sensor's noise and of the deviation

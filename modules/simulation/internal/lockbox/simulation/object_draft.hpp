@@ -46,6 +46,9 @@ struct ObjectDraft {
 DraftPart box_part(const Eigen::Vector3d& size, const Eigen::Vector3d& centre);
 DraftPart cylinder_part(double radius, double length, int axis, const Eigen::Vector3d& centre);
 
+/// The same object `size` times as large.
+ObjectDraft scaled(ObjectDraft draft, double size);
+
 /// The text of a URDF file of the object.
 std::string urdf_text(const ObjectDraft& draft);
 
