@@ -26,20 +26,20 @@ TEST_P(ImageSize, ABoxBeforeAWallIsNotContradictedByNoise) {
   const int rows = columns * 3 / 4;
   const PinholeCamera camera{
       columns, rows, 575.8 * scale, 575.8 * scale, 0.5 * (columns - 1), 0.5 * (rows - 1)};
-  const ArticulatedModel box = rigid(make_box({0.3, 0.2, 0.15}));
+  const KinematicTree box = rigid_tree(make_box({0.3, 0.2, 0.15}));
   const SensorProfile profile = find_sensor_profile(name);
   for (const double distance : {0.6, 0.9}) {
     State state;
-    state.configuration = rest_configuration(box.tree);
+    state.configuration = rest_configuration(box);
     state.configuration.T_camera_base = Eigen::Translation3d(0.0, 0.0, distance) *
                                         Eigen::AngleAxisd(-2.2, Eigen::Vector3d::UnitX()) *
                                         Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitZ());
     DepthFrame frame;
-    Simulator(box.tree, camera, {wall_behind(0.4), {state}}, sensor_model(name), 5, Executor())
+    Simulator(box, camera, {wall_behind(0.4), {state}}, sensor_model(name), 5, Executor())
         .simulate(state, 0, frame);
     TiledCloud cloud;
     cloud.assign(frame, {}, Executor());
-    Verifier verifier(box.tree);
+    Verifier verifier(box);
     verifier.look_at(cloud, profile.noise, Executor());
     EXPECT_GT(verifier.evidence(state.configuration).total(), least_evidence()) << distance << " m";
   }

@@ -11,6 +11,9 @@ namespace {
 
 /// To the right and down: those to the left and up have the same cells.
 constexpr std::array kSightsOfNoise{kSights[0], kSights[2]};
+/// The same of cells side by side, which bend by one step of the sensor's resolution, if at all.
+constexpr std::array<Sight, 2> kSightsOfRounding{{{1, 0, 1, 2}, {0, 1, 1, 2}}};
+constexpr double kMostOfRounding = 0.5;        // steps
 constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
 constexpr int kRowsApart = 6;                  // as far as a sight reaches: others err alike
 constexpr std::ptrdiff_t kEnoughCells = 100;   // for a median to be one
@@ -53,6 +56,24 @@ double deviation_of_noise(std::vector<float>& off, double agree) {
   return deviation;
 }
 
+/// Returns how far rounding makes a cell err, as a share of a pixel's noise. On planes cells that
+/// are rounded err alike along whole lines, so that it is the most that counts. Where nothing is
+/// rounded, half of the cells' noise comes of it, or less.
+double share_of_rounding(const std::vector<float>& cells, int width, int height,
+                         const SensorNoise& sensor) {
+  double share = std::numeric_limits<double>::infinity();
+  for (const Sight& sight : kSightsOfRounding) {
+    std::vector<float> off = off_in(cells, width, height, sight, sensor);
+    off.erase(std::remove(off.begin(), off.end(), 0.0F), off.end());
+    const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size()) / 2;
+    if (middle - off.begin() < kEnoughCells) continue;
+    std::nth_element(off.begin(), middle, off.end());
+    const double step = std::sqrt(1.0 + sight.variances()) * double{*middle};
+    share = std::min(share, kMostOfRounding * step);
+  }
+  return std::isfinite(share) ? share : 0.0;
+}
+
 /// Returns what a cell errs by beside those from which planes foretell it, as a share of a pixel's
 /// noise. That makes contours, however alike neighbours err. A sensor errs alike in rows and
 /// columns; what lies in a room, as boards in a shelf, adds more to one of them.
@@ -82,8 +103,8 @@ SceneCells::SceneCells(const CoarseView& view, const SensorNoise& sensor, double
       tolerance_(tolerance) {
   std::transform(view.depth.begin(), view.depth.end(), cells_.begin(),
                  [](float z) { return z > 0.0F ? 1.0F / z : 0.0F; });
-  share_ =
-      std::max(share_of_noise(cells_, width(), height(), sensor, options.agree), kLeastOfProfile);
+  share_ = std::max({share_of_noise(cells_, width(), height(), sensor, options.agree),
+                     share_of_rounding(cells_, width(), height(), sensor), kLeastOfProfile});
 }
 
 double SceneCells::deviation(double inverse_depth) const {
