@@ -135,8 +135,7 @@ TEST_F(SearchParts, AnswersAreExactAndTheMostConvincingComesFirst) {
 }
 
 TEST_F(SearchParts, TurnsOfAnAnswerStayInItsPlace) {
-  const auto seen = exact_.compare(cloud_, truth_);
-  const auto turned = turned_answers(sought_, truth_, truth_, seen.body_agreement);
+  const auto turned = turned_answers(sought_, truth_, truth_);
   ASSERT_EQ(turned.size(), sought_.turns.size());
   for (const Hypothesis& hypothesis : turned) {
     EXPECT_LT(metres_off(hypothesis.configuration), 2.0 * sought_.extent.radius);
@@ -148,8 +147,8 @@ TEST_F(SearchParts, OfAnOpenDoorTheBaseMayStandAtAnyAngle) {
   const ArticulatedModel& cabinet = shipped("cabinet");
   const SoughtModel sought(cabinet, options_.registration);
   const Configuration held = rest_configuration(cabinet.tree);
-  const auto hypotheses = with_body_at(sought, held, 1, Eigen::Isometry3d::Identity());
-  ASSERT_GT(hypotheses.size(), 1U);
+  const auto hypotheses = with_body_at(sought, held, 1, Eigen::Isometry3d::Identity(), 4);
+  ASSERT_EQ(hypotheses.size(), 5U);
   std::vector<Eigen::Isometry3d> poses;
   for (const Hypothesis& hypothesis : hypotheses) {
     forward_kinematics(cabinet.tree, hypothesis.configuration, poses);

@@ -9,6 +9,7 @@
 namespace lockbox {
 namespace {
 
+constexpr int kAnchorSteps = 4;          // of a joint between base and a matched body
 constexpr double kMatchSlack = 0.02;     // metres that what was just laid onto a plane may be off
 constexpr double kMatchTolerance = 1.0;  // nothing is refined
 constexpr double kPointTolerance = 0.7;  // bins of pairs are coarse, but of the whole body
@@ -46,7 +47,8 @@ std::vector<Hypothesis> Proposer::by_sides(SearchImage& image, const PlanarScene
     for (const auto& match :
          match_template(map, height_template, breadth.matches_each, stop_request_)) {
       const auto body = static_cast<std::size_t>(height_template.body);
-      for (Hypothesis& there : with_body_at(sought_, held, body, match.T_camera_body)) {
+      for (Hypothesis& there :
+           with_body_at(sought_, held, body, match.T_camera_body, kAnchorSteps)) {
         score_match(image, held, breadth.is_close, there);
         found[pair].push_back(std::move(there));
       }
@@ -72,7 +74,8 @@ std::vector<Hypothesis> Proposer::by_points(SearchImage& image, const Configurat
                                             const Breadth& breadth) {
   std::vector<Hypothesis> found;
   for (const PoseVote& vote : votes(image, 0)) {
-    for (Hypothesis& there : with_body_at(sought_, held, telling_[0], vote.T_camera_body)) {
+    for (Hypothesis& there :
+         with_body_at(sought_, held, telling_[0], vote.T_camera_body, kAnchorSteps)) {
       found.push_back(std::move(there));
     }
   }

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "base_scan.hpp"
 #include "lockbox/verification/belief.hpp"
 #include "rivals.hpp"
 #include "turned_answers.hpp"
@@ -235,9 +236,12 @@ void SearchRounds::seek_turns_of_best(SearchImage& image, const Configuration& h
       return;
     turned = answers.front().evidence;
     const Configuration best = answers.front().configuration;
+    std::vector<Hypothesis> turns = turned_answers(sought_, held, best);
     const RegistrationResult seen = exact_.compare(image.cloud(), best);
-    for (std::vector<Hypothesis> others : {turned_answers(sought_, held, best, seen.body_agreement),
-                                           turned_about_round(sought_, held, best)}) {
+    for (Hypothesis& swung :
+         with_base_swung(image, sought_, held, best, seen.body_agreement, executor_))
+      turns.push_back(std::move(swung));
+    for (std::vector<Hypothesis> others : {turns, turned_about_round(sought_, held, best)}) {
       if (others.empty()) continue;
       others = followed(image, std::move(others), held, kOfTurns, turned);
       assessment_.add_answers(image, others, kEachTurn, answers);

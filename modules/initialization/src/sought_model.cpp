@@ -20,7 +20,6 @@ constexpr double kMostlyFlat = 0.5;
 /// Of the base's surface: a mug's without its handle. Doubled in what it leaves, twice as many
 /// turns are tried.
 constexpr double kMostlyAlike = 0.75;
-constexpr int kAnchorSteps = 4;  // of a joint between base and a matched side
 
 /// Triangles of a body that are drawn in no time.
 constexpr std::size_t kFewTriangles = 200;
@@ -59,7 +58,8 @@ SoughtModel::SoughtModel(const ArticulatedModel& articulated_model,
 }
 
 std::vector<Hypothesis> with_body_at(const SoughtModel& sought, const Configuration& held,
-                                     std::size_t body, const Eigen::Isometry3d& T_camera_body) {
+                                     std::size_t body, const Eigen::Isometry3d& T_camera_body,
+                                     int steps) {
   const KinematicTree& tree = sought.model.tree;
   const std::vector<int>& variables = sought.variables;
   Hypothesis hypothesis{held, std::vector<std::uint8_t>(tree.bodies.size(), 0)};
@@ -72,8 +72,8 @@ std::vector<Hypothesis> with_body_at(const SoughtModel& sought, const Configurat
   std::vector<Hypothesis> hypotheses;
   std::vector<Eigen::Isometry3d> poses;
   Configuration& configuration = hypothesis.configuration;
-  for (const double position : is_free ? positions_in(variable_range(tree, variable), kAnchorSteps)
-                                       : std::vector<double>{0.0}) {
+  for (const double position :
+       is_free ? positions_in(variable_range(tree, variable), steps) : std::vector<double>{0.0}) {
     if (is_free) configuration.q[variable] = position;
     configuration.T_camera_base.setIdentity();
     forward_kinematics(tree, configuration, poses);

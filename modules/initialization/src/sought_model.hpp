@@ -36,10 +36,11 @@ struct SoughtModel {
   std::vector<std::uint8_t> all_bodies;  ///< 1 for each, as drawings take them
 };
 
-/// The configurations in which that body is there; of one that a free joint moves, several along
+/// The configurations in which that body is there; of one that a free joint moves, that many along
 /// its range. All else is as in `held`, and only base and body are said to be known.
 std::vector<Hypothesis> with_body_at(const SoughtModel& sought, const Configuration& held,
-                                     std::size_t body, const Eigen::Isometry3d& T_camera_body);
+                                     std::size_t body, const Eigen::Isometry3d& T_camera_body,
+                                     int steps);
 
 /// The configuration in which that body is there, all joints as in `held`. The body alone is said
 /// to be known, and stays where it is while joints are sought.
