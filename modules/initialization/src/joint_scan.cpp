@@ -83,8 +83,8 @@ class JointScan {
         held_(held),
         score_(score),
         variables_(variables),
-        slack_(slack),
-        steps_(steps),
+        slack_(search_length(extent, slack)),
+        steps_{search_length(extent, steps.metres), steps.halvings},
         extent_(extent.variables),
         nothing_(tree.bodies.size(), 0) {
     for (int v = 0; v < tree.variables(); ++v) moved_.push_back(moved_bodies(tree, v, held));

@@ -9,7 +9,7 @@
 
 namespace lockbox {
 
-/// How closely a joint's range is looked at.
+/// How closely a joint's range is looked at, of a large model (search_length).
 struct ScanSteps {
   double metres;  ///< that surfaces move from one position to the next, at most
   int halvings;   ///< of the step, around the best position
@@ -32,7 +32,7 @@ struct ScannedJoints {
 /// Moves one joint variable after the other, outward from the body that is held where it is, to the
 /// position of its whole range that explains the view best; those that carry others together with
 /// them. A variable that changes nothing in the view stays where it is. slack: metres that surfaces
-/// may be off.
+/// of a large model may be off.
 ScannedJoints scan_joints(const KinematicTree& tree, const ModelExtent& extent, ViewScore& score,
                           const std::vector<int>& variables, double slack, const ScanSteps& steps,
                           Configuration& configuration, std::size_t held = 0);

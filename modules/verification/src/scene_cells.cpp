@@ -13,7 +13,9 @@ namespace {
 constexpr std::array kSightsOfNoise{kSights[0], kSights[2]};
 /// The same of cells side by side, which bend by one step of the sensor's resolution, if at all.
 constexpr std::array<Sight, 2> kSightsOfRounding{{{1, 0, 1, 2}, {0, 1, 1, 2}}};
-constexpr double kMostOfRounding = 0.5;        // steps
+/// What a cell errs by at most. Unit: steps. Source: the nearest one is taken. Doubled, a sensor
+/// that rounds to 1/8 pixel loses half of its contours at 3 m.
+constexpr double kMostOfRounding = 0.5;
 constexpr double kMedianToDeviation = 1.4826;  // of a normal distribution
 constexpr int kRowsApart = 6;                  // as far as a sight reaches: others err alike
 constexpr std::ptrdiff_t kEnoughCells = 100;   // for a median to be one
