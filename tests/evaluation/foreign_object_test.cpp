@@ -63,6 +63,12 @@ TEST(ForeignObject, PliersUpsideDownAreNotTrustedHoweverExactTheSensor) {
   EXPECT_TRUE(frame.is_right() || frame.looks_equal || !frame.is_trusted()) << frame.errors.wrong;
 }
 
+/// A box of about its size stands beside a coffee press, half of which it hides.
+TEST(ForeignObject, ABoxIsNotTrustedForAPress) {
+  const ForeignFrame frame = track(DrawnKind::household, "test:2", 20, ForeignSettings{}).at(0);
+  EXPECT_TRUE(frame.is_right() || frame.looks_equal || !frame.is_trusted()) << frame.errors.wrong;
+}
+
 /// A folding rule and a box with a lid, of 10 to 20 cm: their thin parts passed for the table.
 TEST(ForeignObject, SmallThingsAreNotTrustedWrongly) {
   ForeignSettings settings;
