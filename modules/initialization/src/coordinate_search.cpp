@@ -39,8 +39,7 @@ void coordinate_search(const KinematicTree& tree, const ModelExtent& extent,
                        Configuration& configuration) {
   std::vector<int> unknowns{0, 1, 2, 3, 4, 5};
   for (const int variable : variables) unknowns.push_back(unknown_of(variable));
-  const double slack = search_length(extent, plan.slack);
-  double best = scores.front().fit(configuration, slack);
+  double best = scores.front().fit(configuration, plan.slack);
   std::array<Configuration, 2> trials;  // to either side
   std::array<double, 2> fits{};
   for (const double step : plan.steps) {
@@ -51,7 +50,7 @@ void coordinate_search(const KinematicTree& tree, const ModelExtent& extent,
         executor.for_each(trials.size(), [&](std::size_t side) {
           const double way = side == 0 ? step : -step;
           trials[side] = moved(tree, configuration, extent, unknown, way);
-          fits[side] = scores[Executor::worker()].fit(trials[side], slack);
+          fits[side] = scores[Executor::worker()].fit(trials[side], plan.slack);
         });
         const std::size_t side = fits[0] > best ? 0 : 1;
         if (fits[side] > best) {

@@ -14,7 +14,7 @@ namespace lockbox {
 struct CoordinateSearchPlan {
   std::vector<double> steps;  ///< metres that surfaces move, one size after the other
   int rounds;                 ///< over all unknowns with each of them, at most
-  double slack;               ///< metres that surfaces of a large model may be off (search_length)
+  double slack;               ///< metres that surfaces may be off
 };
 
 /// Moves base and these joint variables, one unknown after the other, to where the drawn model fits

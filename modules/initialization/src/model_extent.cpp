@@ -19,9 +19,8 @@ constexpr double kAnotherAnswer = 0.15;
 constexpr double kMostOfOneAnswer = 0.02;
 
 /// Radius from which on models are large. Unit: metres. Source: lengths were chosen by lockboxes
-/// and furniture; by 20 mm of slack the table passed for a jaw of pliers that is 12 mm thick. With
-/// 0.25, a folding rule of 20 cm is wrong and trusted, as with lengths as they are. Doubled,
-/// furniture is sought by half of them.
+/// and furniture; by 20 mm of slack the table passed for a jaw of pliers that is 12 mm thick.
+/// Doubled, joints of furniture are scanned by half of them.
 constexpr double kLargeRadius = 0.5;
 /// No length is made shorter than this. Unit: metres. Source: prints and woodwork are off by it, as
 /// EvidenceOptions::least_model_tolerance. Doubled, thin parts of small things pass for what they

@@ -20,9 +20,9 @@ ModelExtent model_extent(const KinematicTree& tree);
 /// Metres from which on two answers are two: 0.15 of the model's radius, at most 20 mm.
 double least_apart(const ModelExtent& extent);
 
-/// How far surfaces may be off, or scans go at once, metres, as chosen for large models: of a
-/// smaller one it is as much less, but not less than what real objects are off by. Gates and steps
-/// that bring hypotheses closer stay as they are, as these are off by coarse pixels and bins, too.
+/// How far surfaces may be off while joints are scanned, or a scan goes at once, metres, as chosen
+/// for large models: of a smaller one it is as much less, but not less than what real objects are
+/// off by.
 double search_length(const ModelExtent& extent, double metres);
 
 /// Metres that the farthest corner of the box moves; 0 for an empty box.

@@ -58,15 +58,11 @@ const TiledCloud& SearchImage::coarse_object(const Configuration& configuration)
 double SearchImage::score(const Hypothesis& hypothesis, double slack, double tolerance,
                           bool is_close) {
   ViewScore& view = is_close ? fine_[Executor::worker()] : coarse_score();
-  return view
-      .evidence(hypothesis.configuration, search_length(sought_.extent, slack), hypothesis.bodies)
-      .total(tolerance);
+  return view.evidence(hypothesis.configuration, slack, hypothesis.bodies).total(tolerance);
 }
 
 double SearchImage::score_closely(const Configuration& configuration, double slack) {
-  return fine_[Executor::worker()]
-      .evidence(configuration, search_length(sought_.extent, slack), sought_.all_bodies)
-      .total(0.0);
+  return fine_[Executor::worker()].evidence(configuration, slack, sought_.all_bodies).total(0.0);
 }
 
 }  // namespace lockbox

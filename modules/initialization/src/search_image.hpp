@@ -53,8 +53,7 @@ class SearchImage {
   const TiledCloud& coarse_object(const Configuration& configuration);
 
   /// What the bodies explain that the hypothesis knows of, in the coarse view or the finer one.
-  /// slack: metres that surfaces of a large model may be off (search_length). tolerance: of what
-  /// speaks against it.
+  /// slack: metres that surfaces may be off. tolerance: of what speaks against it.
   double score(const Hypothesis& hypothesis, double slack, double tolerance, bool is_close);
   /// What the whole model explains in the finer view, which shows more of what the camera saw
   /// through.
